@@ -1,0 +1,49 @@
+/// What can go wrong, as types: refused input is thrown with everything that is wrong with it; numerical trouble is a
+/// returned outcome with a name.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace earthtop {
+
+/// One violation: where it stands in the file (1-based; 0 where there is no file), which key (JSON pointer), what is wrong
+/// and what is allowed.
+struct Diagnostic {
+  int line = 0;
+  int column = 0;
+  std::string pointer;
+  std::string message;
+};
+
+/// Input that is refused, with all its violations at once.
+class ScenarioError : public std::runtime_error {
+ public:
+  explicit ScenarioError(std::vector<Diagnostic> diagnostics, std::string file = "");
+  ScenarioError(std::string pointer, std::string message)
+      : ScenarioError(std::vector<Diagnostic>{{0, 0, std::move(pointer), std::move(message)}}) {}
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  const std::string& file() const { return file_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+  std::string file_;
+};
+
+/// `file:line:col: error: /json/pointer: what`, one line; control characters escaped.
+std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic);
+
+/// How an integration ended.
+enum class RunStatus {
+  completed,
+  not_finite,      ///< a right-hand side or a state stopped being a finite number
+  step_underflow,  ///< the step fell below what the time can resolve
+  step_limit,      ///< more steps than the limit allows
+  interrupted,     ///< asked to stop from outside
+};
+
+std::string_view to_string(RunStatus status);
+
+}  // namespace earthtop

@@ -1,0 +1,82 @@
+/// Rotations: quaternions for the states, `Rotation` for everything that composes frames.
+///
+/// R_AB takes components in B to components in A: v_A = R_AB v_B, and R_AC = R_AB R_BC.
+#pragma once
+
+#include "earthtop/real.hpp"
+
+namespace earthtop {
+
+/// A quaternion w + v, not necessarily of unit norm. q_AB turns components in B into components in A.
+template <class T>
+struct Quaternion {
+  T w = T(1);
+  Vec3<T> v = Vec3<T>::Zero();
+
+  Quaternion conjugate() const { return {w, -v}; }
+  T squared_norm() const { return w * w + v.dot(v); }
+  Quaternion normalized() const {
+    const T n = real::hypot(w, norm(v));
+    return {w / n, v / n};
+  }
+  friend Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+    return {p.w * q.w - p.v.dot(q.v), p.w * q.v + q.w * p.v + p.v.cross(q.v)};
+  }
+};
+
+/// The rotation matrix of q / |q|. The norm is divided out, so that a drifting norm never scales a torque.
+template <class T>
+Mat3<T> rotation_matrix(const Quaternion<T>& q) {
+  const T s = T(2) / q.squared_norm();
+  const T x = q.v[0], y = q.v[1], z = q.v[2], w = q.w;
+  const T wx = s * w * x, wy = s * w * y, wz = s * w * z;
+  const T xx = s * x * x, xy = s * x * y, xz = s * x * z;
+  const T yy = s * y * y, yz = s * y * z, zz = s * z * z;
+  Mat3<T> R;
+  R << T(1) - (yy + zz), xy - wz, xz + wy, xy + wz, T(1) - (xx + zz), yz - wx, xz - wy, yz + wx, T(1) - (xx + yy);
+  return R;
+}
+
+/// An attitude R_AB, held as a unit quaternion.
+template <class T>
+class Rotation {
+ public:
+  Rotation() = default;
+  /// @param q_AB any non-zero quaternion; normalised here.
+  explicit Rotation(const Quaternion<T>& q_AB) : q_AB_(q_AB.normalized()) {}
+
+  /// The rotation by |v| rad about v: exp([v]x). Exact to round-off at any angle, small ones included.
+  static Rotation exp(const Vec3<T>& v) {
+    const T angle = norm(v);
+    if (!(angle > T(0))) return Rotation();
+    const T half = angle / T(2);
+    return Rotation(Quaternion<T>{real::cos(half), (real::sin(half) / angle) * v});
+  }
+  /// The rotation by `angle` (rad) about the unit vector `axis`.
+  static Rotation about(const Vec3<T>& axis, T angle) {
+    return Rotation(Quaternion<T>{real::cos(angle / T(2)), real::sin(angle / T(2)) * axis});
+  }
+  /// The rotation vector v with exp(v) = *this, 0 <= |v| <= pi; no acos, so small angles keep all digits.
+  Vec3<T> log() const {
+    const T sine = norm(q_AB_.v);
+    if (!(sine > T(0))) return Vec3<T>::Zero();
+    const T sign = q_AB_.w < T(0) ? T(-1) : T(1);
+    return (sign * T(2) * real::atan2(sine, sign * q_AB_.w) / sine) * q_AB_.v;
+  }
+
+  Rotation inverse() const {
+    Rotation R;
+    R.q_AB_ = q_AB_.conjugate();
+    return R;
+  }
+  friend Rotation operator*(const Rotation& R_AB, const Rotation& R_BC) { return Rotation(R_AB.q_AB_ * R_BC.q_AB_); }
+  friend Vec3<T> operator*(const Rotation& R_AB, const Vec3<T>& v_B) { return R_AB.matrix() * v_B; }
+
+  Mat3<T> matrix() const { return rotation_matrix(q_AB_); }
+  const Quaternion<T>& quaternion() const { return q_AB_; }
+
+ private:
+  Quaternion<T> q_AB_;
+};
+
+}  // namespace earthtop

@@ -1,0 +1,34 @@
+/// How to integrate: the observer, the method and its tolerances.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace earthtop {
+
+/// In whose axes the state lives: the rotating laboratory ([F]'s torques), the body (Euler), or inertial space.
+enum class Observer { laboratory, body, inertial };
+
+/// automatic picks one of the others; dopri5, rkf78 and bulirsch_stoer control their step, abm8 has a fixed one.
+enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, abm8 };
+
+std::string_view to_string(Observer observer);
+std::string_view to_string(Method method);
+
+struct IntegrationOptions {
+  Observer observer = Observer::laboratory;
+  Method method = Method::automatic;
+  double relative_tolerance = 1e-12;   ///< local error per step, against the size of each component group
+  std::optional<double> step_s;        ///< fixed-step methods; the step taken divides the output step
+  std::int64_t step_limit = 2'000'000'000;
+};
+
+/// What an integration cost.
+struct StepCounters {
+  std::int64_t accepted = 0;
+  std::int64_t rejected = 0;
+  std::int64_t evaluations = 0;  ///< of the right-hand side
+};
+
+}  // namespace earthtop

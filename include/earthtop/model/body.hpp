@@ -1,0 +1,87 @@
+/// The top as a rigid body on a fixed pivot: mass, centre of mass and inertia, given or built from solids, and the rules
+/// that make it physical.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "earthtop/error.hpp"
+#include "earthtop/real.hpp"
+
+namespace earthtop {
+
+enum class InertiaAbout { pivot, center_of_mass };
+enum class SolidShape { disc, cylinder, ring, cone, sphere, rod };
+
+/// A uniform solid of revolution about body axis 3. A cone's tip points to -z.
+struct Solid {
+  SolidShape shape = SolidShape::disc;
+  double radius_m = 0;        ///< outer radius; a rod without radius is thin
+  double inner_radius_m = 0;  ///< ring: annular cylinder; sphere: shell
+  double length_m = 0;        ///< along axis 3; disc and ring may have none
+  std::optional<double> mass_kg;
+  std::optional<double> density_kg_m3;
+  double at_m = 0;  ///< axial coordinate of its centre of mass, signed
+};
+
+/// A body as a scenario gives it.
+struct BodySpec {
+  double mass_kg = 0;
+  std::array<double, 3> center_of_mass_m = {0, 0, 0};
+  InertiaAbout inertia_about = InertiaAbout::pivot;
+  std::array<std::array<double, 3>, 3> inertia_kg_m2 = {};
+  std::vector<Solid> solids;  ///< if not empty, the four members above are computed from it
+};
+
+/// A rigid body on its pivot; every tensor about the pivot P, in body axes B.
+template <class T>
+struct Body {
+  T mass = T(0);                              ///< kg
+  Vec3<T> p_PBcm_B = Vec3<T>::Zero();         ///< pivot to centre of mass (m)
+  Mat3<T> I_BP_B = Mat3<T>::Zero();           ///< inertia tensor Theta (kg m^2)
+  Mat3<T> S_BP_B = Mat3<T>::Zero();           ///< second moment, integral r r^T dm = (tr Theta / 2) 1 - Theta (kg m^2)
+  Mat3<T> I_BP_B_inverse = Mat3<T>::Zero();   ///< 1/(kg m^2)
+
+  /// Inertia about the centre of mass (kg m^2).
+  Mat3<T> I_BBcm_B() const;
+};
+
+/// m (r^2 1 - r r^T): what moving the reference point by r adds to an inertia tensor about the centre of mass (Steiner).
+template <class T>
+Mat3<T> point_mass_inertia(T mass, const Vec3<T>& r) {
+  return mass * (r.dot(r) * Mat3<T>::Identity() - r * r.transpose());
+}
+
+template <class T>
+Mat3<T> Body<T>::I_BBcm_B() const {
+  return I_BP_B - point_mass_inertia(mass, p_PBcm_B);
+}
+
+/// The body of a specification, in any precision: the given doubles are exact.
+template <class T>
+Body<T> make_body(const BodySpec& spec);
+extern template Body<double> make_body(const BodySpec&);
+extern template Body<long double> make_body(const BodySpec&);
+extern template Body<float128> make_body(const BodySpec&);
+
+/// What makes a body unphysical, one sentence each with a JSON pointer below /body: the pivot tensor must be positive
+/// definite; about the centre of mass the moments obey the triangle inequality, equality (flat bodies, rods, points)
+/// included. Slack: 32 eps of the largest pivot moment.
+std::vector<Diagnostic> body_violations(const BodySpec& spec);
+
+/// The body axis (0, 1, 2) about which the body is a symmetric top: the two other principal moments are exactly equal,
+/// products of inertia are exactly zero, and the centre of mass lies exactly on the axis. -1 if there is none.
+template <class T>
+int symmetry_axis(const Body<T>& body) {
+  const Mat3<T>& I = body.I_BP_B;
+  if (I(0, 1) != T(0) || I(0, 2) != T(0) || I(1, 2) != T(0)) return -1;
+  for (const int axis : {2, 1, 0}) {
+    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    if (I(a, a) == I(b, b) && body.p_PBcm_B[a] == T(0) && body.p_PBcm_B[b] == T(0)) return axis;
+  }
+  return -1;
+}
+
+}  // namespace earthtop

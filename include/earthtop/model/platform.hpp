@@ -1,0 +1,58 @@
+/// A platform (turntable, ship, rate table) that carries the pivot round in the laboratory.
+#pragma once
+
+#include <array>
+
+#include "earthtop/frames/prescribed_motion.hpp"
+
+namespace earthtop {
+
+enum class PlatformMotion { constant, ramp, harmonic };
+
+/// A platform as a scenario gives it. P is parallel to L at angle 0.
+struct PlatformSpec {
+  PlatformMotion motion = PlatformMotion::constant;
+  std::array<double, 3> axis = {0, 0, 1};  ///< in L; any length
+  double rate_rad_s = 0;
+  double acceleration_rad_s2 = 0;
+  double amplitude_rad = 0;
+  double frequency_hz = 0;
+  double phase_deg = 0;
+  std::array<double, 3> pivot_offset_m = {0, 0, 0};  ///< in P
+};
+
+/// The platform's turn relative to L, and where it carries the pivot.
+template <class T>
+struct Platform {
+  PrescribedMotion<T> turn;
+  Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< m
+};
+
+template <class T>
+Platform<T> make_platform(const PlatformSpec& spec);
+extern template Platform<double> make_platform(const PlatformSpec&);
+extern template Platform<long double> make_platform(const PlatformSpec&);
+extern template Platform<float128> make_platform(const PlatformSpec&);
+
+/// The pivot's acceleration relative to L's origin beyond apparent gravity, in L axes (m/s^2), split into what the
+/// non-rotating laboratory has (alpha x d + w x (w x d) with w, alpha of P in L) and what the Earth's rate W adds
+/// (2 W x (w x d) + W x (W x d)).
+template <class T>
+struct PivotAcceleration {
+  Vec3<T> of_platform_L;
+  Vec3<T> of_earth_rate_L;
+};
+
+/// @param W_IL_L  the Earth's rate (rad/s)   @param W_IL_L_scaled  the same, or scaled: the Earth's part is linear in it.
+template <class T>
+PivotAcceleration<T> pivot_acceleration(const Platform<T>& platform, const Vec3<T>& W_IL_L, const Vec3<T>& W_IL_L_scaled, T t) {
+  const Mat3<T> R_LP = Rotation<T>::about(platform.turn.axis, platform.turn.angle(t)).matrix();
+  const Vec3<T> d_L = R_LP * platform.pivot_offset_P;
+  const Vec3<T> w_LP_L = platform.turn.angle_rate(t) * platform.turn.axis;
+  const Vec3<T> alpha_LP_L = platform.turn.angle_acceleration(t) * platform.turn.axis;
+  const Vec3<T> velocity_L = w_LP_L.cross(d_L);
+  return {alpha_LP_L.cross(d_L) + w_LP_L.cross(velocity_L),
+          T(2) * W_IL_L_scaled.cross(velocity_L) + W_IL_L_scaled.cross(W_IL_L.cross(d_L))};
+}
+
+}  // namespace earthtop

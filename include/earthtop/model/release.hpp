@@ -1,0 +1,56 @@
+/// How the top is released: attitude and rates in the laboratory, turned into initial conditions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "earthtop/frames/earth.hpp"
+#include "earthtop/model/body.hpp"
+
+namespace earthtop {
+
+/// The frame whose rates are given, and the matching rule: both predictions start from the same rates of this kind.
+enum class RatesRelativeTo { laboratory, inertial };
+enum class Precession { none, steady_slow, steady_fast, given };
+
+/// A release as a scenario gives it. Quaternion (w, x, y, z), where given, replaces the three angles; the body rates, where
+/// given, replace spin and precession.
+struct ReleaseSpec {
+  double tilt_deg = 0;
+  double azimuth_deg = 0;
+  double spin_angle_deg = 0;
+  std::optional<std::array<double, 4>> quaternion_LB;
+  RatesRelativeTo rates_relative_to = RatesRelativeTo::laboratory;
+  std::optional<std::array<double, 3>> angular_velocity_body_rad_s;
+  double spin_rad_s = 0;
+  Precession precession = Precession::none;
+  double precession_rate_rad_s = 0;  ///< counterclockwise about Up; for Precession::given
+};
+
+/// Attitude and rates at release: q_LB and the rate of the body in the frame X that the matching rule names.
+template <class T>
+struct Release {
+  Quaternion<T> q_LB;
+  Vec3<T> w_XB_B = Vec3<T>::Zero();  ///< rad/s
+  RatesRelativeTo X = RatesRelativeTo::laboratory;
+};
+
+/// R_LB = Rz(90 deg - azimuth) Ry(tilt) Rz(spin angle): the axis leans by `tilt` toward the compass azimuth. Degree-exact.
+template <class T>
+Quaternion<T> release_attitude(double tilt_deg, double azimuth_deg, double spin_angle_deg);
+
+/// The steady precession rate (rad/s, counterclockwise about Up) of the non-rotating symmetric top with the whole rate
+/// w3 along its axis:  I1 cos(tilt) v^2 - I3 w3 v + m g l = 0; the slow root without dividing by cos(tilt).
+/// @throws ScenarioError where no steady rate exists, with the reason.
+template <class T>
+T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravity, T w3, Precession which);
+
+/// @throws ScenarioError for a steady precession that does not exist.
+template <class T>
+Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity);
+extern template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);
+extern template Release<long double> make_release(const ReleaseSpec&, const Body<long double>&, long double);
+extern template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
+
+}  // namespace earthtop

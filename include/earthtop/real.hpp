@@ -1,0 +1,115 @@
+/// The scalars that every formula of earthtop is a template on: double, long double and float128 (113-bit).
+///
+/// `__float128` is the compiler's own type. Its functions are declared here, not taken from quadmath.h, which clang does not
+/// find; libquadmath provides them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+namespace earthtop {
+
+using float128 = __float128;
+
+extern "C" {
+float128 sqrtq(float128) noexcept;
+float128 sinq(float128) noexcept;
+float128 cosq(float128) noexcept;
+float128 atan2q(float128, float128) noexcept;
+float128 fabsq(float128) noexcept;
+float128 fmodq(float128, float128) noexcept;
+float128 powq(float128, float128) noexcept;
+float128 logq(float128) noexcept;
+float128 scalbnq(float128, int) noexcept;
+int finiteq(float128) noexcept;
+}
+
+/// Elementary functions of one name for every scalar. Angles in rad.
+namespace real {
+
+using std::abs;
+using std::atan2;
+using std::cos;
+using std::fmod;
+using std::isfinite;
+using std::log;
+using std::pow;
+using std::sin;
+using std::sqrt;
+
+inline float128 abs(float128 x) { return fabsq(x); }
+inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
+inline float128 cos(float128 x) { return cosq(x); }
+inline float128 fmod(float128 x, float128 y) { return fmodq(x, y); }
+inline bool isfinite(float128 x) { return finiteq(x) != 0; }
+inline float128 log(float128 x) { return logq(x); }
+inline float128 pow(float128 x, float128 y) { return powq(x, y); }
+inline float128 sin(float128 x) { return sinq(x); }
+inline float128 sqrt(float128 x) { return sqrtq(x); }
+
+/// x * 2^exponent, exact.
+inline double scale(double x, int exponent) { return std::scalbn(x, exponent); }
+inline long double scale(long double x, int exponent) { return std::scalbn(x, exponent); }
+inline float128 scale(float128 x, int exponent) { return scalbnq(x, exponent); }
+
+/// Unit round-off times two: the distance from 1 to the next number.
+template <class T>
+constexpr T epsilon() {
+  return std::numeric_limits<T>::epsilon();
+}
+template <>
+constexpr float128 epsilon<float128>() {
+  return static_cast<float128>(1) / (static_cast<float128>(1ULL << 56) * static_cast<float128>(1ULL << 56));
+}
+
+/// pi to 113 bits, as a sum of three doubles.
+template <class T>
+constexpr T pi() {
+  return static_cast<T>(3.141592653589793116e+00) + static_cast<T>(1.224646799147353207e-16) +
+         static_cast<T>(-2.994769809718339666e-33);
+}
+
+/// sqrt(x^2 + y^2 + z^2) without overflow or underflow between: the deviations of a tiny Earth rate live near 1e-300.
+template <class T>
+T hypot(T x, T y, T z = T(0)) {
+  const T ax = abs(x), ay = abs(y), az = abs(z);
+  const T m = ax > ay ? (ax > az ? ax : az) : (ay > az ? ay : az);
+  if (!(m > T(0))) return m;
+  const T sx = ax / m, sy = ay / m, sz = az / m;
+  return m * sqrt(sx * sx + sy * sy + sz * sz);
+}
+
+}  // namespace real
+
+template <class T>
+using Vec3 = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using Mat3 = Eigen::Matrix<T, 3, 3>;
+
+template <class T>
+T norm(const Vec3<T>& v) {
+  return real::hypot(v[0], v[1], v[2]);
+}
+
+/// [v]x, so that [v]x u = v x u.
+template <class T>
+Mat3<T> cross_matrix(const Vec3<T>& v) {
+  Mat3<T> m;
+  m << T(0), -v[2], v[1], v[2], T(0), -v[0], -v[1], v[0], T(0);
+  return m;
+}
+
+}  // namespace earthtop
+
+namespace Eigen {
+template <>
+struct NumTraits<__float128> : GenericNumTraits<double> {
+  using Real = __float128;
+  using NonInteger = __float128;
+  using Literal = __float128;
+  using Nested = __float128;
+  static __float128 epsilon() { return earthtop::real::epsilon<__float128>(); }
+  static __float128 dummy_precision() { return 16 * epsilon(); }
+};
+}  // namespace Eigen

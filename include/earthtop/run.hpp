@@ -1,0 +1,62 @@
+/// The main job: both predictions of a scenario, their drift, and the bound on its error.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "earthtop/drift/drift.hpp"
+#include "earthtop/scenario/scenario.hpp"
+
+namespace earthtop {
+
+/// One of the two integrations behind a run.
+struct IntegrationReport {
+  Observer observer = Observer::laboratory;
+  Method method = Method::rkf78;
+  std::string precision = "double";
+  double relative_tolerance = 0;
+  std::optional<double> step_s;  ///< fixed-step methods: the step taken
+  StepCounters counters;
+  double seconds = 0;  ///< wall time
+};
+
+/// A quantity that the exact motion conserves, and how far the computed one moved.
+struct InvariantReport {
+  std::string name;  ///< e.g. "jacobi_integral"
+  std::string unit;
+  double initial = 0;
+  double largest_change = 0;
+  double scale = 0;  ///< size of its largest term: largest_change / scale is the relative change
+};
+
+/// A first-order prediction beside the computed number.
+struct TheoryReport {
+  std::string name;       ///< e.g. "precession_rate_change"
+  std::string statement;  ///< the formula in words
+  std::string unit;
+  double predicted = 0;
+  double computed = 0;
+};
+
+struct RunResult {
+  Scenario scenario;
+  RunStatus status = RunStatus::completed;
+  double reached_s = 0;  ///< time of the last row
+  std::vector<DriftRow> rows;
+  DriftSummary drift;
+  IntegrationReport solution;     ///< the rows come from this one
+  IntegrationReport certificate;  ///< the bounds come from comparing with this one
+  double attitude_bound_rad = 0;  ///< of q_LB and ref_q_LB themselves, largest of all rows
+  std::vector<InvariantReport> invariants;
+  std::vector<TheoryReport> theory;
+  std::vector<std::string> notes;  ///< e.g. that a scene is non-physical
+};
+
+/// Asks a running integration to stop; safe in a signal handler.
+void request_interrupt() noexcept;
+
+/// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run.
+/// Numerical trouble is the result's status; the rows up to it are kept.
+RunResult run(const Scenario& scenario);
+
+}  // namespace earthtop

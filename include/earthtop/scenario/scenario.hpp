@@ -1,0 +1,66 @@
+/// A scenario: everything a run needs, typed, with every default resolved.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "earthtop/error.hpp"
+#include "earthtop/frames/earth.hpp"
+#include "earthtop/integrate/options.hpp"
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/platform.hpp"
+#include "earthtop/model/release.hpp"
+
+namespace earthtop {
+
+/// Which of [F]'s three torques act. Switched off means: left out of dL'/dt in the laboratory.
+struct EffectsSpec {
+  bool coriolis = true;
+  bool centrifugal = true;
+  bool transverse = true;
+  bool all_on() const { return coriolis && centrifugal && transverse; }
+};
+
+struct Scenario {
+  std::string name = "unnamed";
+  std::string title;
+  Site site;
+  double rotation_rate_rad_s = kEarthRateWgs84;
+  BodySpec body;
+  ReleaseSpec release;
+  double duration_s = 0;
+  double output_step_s = 0;
+  std::optional<PlatformSpec> platform;
+  EffectsSpec effects;
+  IntegrationOptions numerics;
+  std::optional<double> threshold_rad;
+};
+
+/// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is
+/// that last row.
+std::vector<double> output_times(double duration_s, double output_step_s);
+
+/// A scenario file's text and where it came from ("<stdin>" for standard input).
+struct ScenarioSource {
+  std::string file;
+  std::string text;
+};
+
+/// Reads a scenario file, "-" for standard input. @throws ScenarioError for a missing, unreadable, oversized (over 16 MiB)
+/// file, a directory or a FIFO.
+ScenarioSource read_scenario_source(const std::string& path);
+
+/// Decodes and validates a scenario. @param overrides  `--set` pairs: JSON pointer and JSON value (a value that is not JSON
+/// is taken as a string). @throws ScenarioError with all violations of the text.
+Scenario parse_scenario(const ScenarioSource& source,
+                        const std::vector<std::pair<std::string, std::string>>& overrides = {});
+
+/// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
+/// a run. Output location and comments are not part of it.
+std::string canonical_json(const Scenario& scenario);
+
+}  // namespace earthtop

@@ -1,0 +1,38 @@
+#include "earthtop/frames/earth.hpp"
+
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/NormalGravity.hpp>
+
+namespace earthtop {
+
+double normal_gravity(double latitude_deg, double height_m) {
+  double north = 0, up = 0;
+  GeographicLib::NormalGravity::WGS84().Gravity(latitude_deg, height_m, north, up);
+  return real::hypot(north, up);
+}
+
+namespace {
+
+/// Turns a vector in Earth-centred axes at longitude 0 (x out through the meridian, z along the axis) to East, North, Up.
+Vec3<double> to_laboratory(double latitude_deg, double x, double z) {
+  const auto [s, c] = sin_cos_degrees(latitude_deg);
+  return {0.0, -s * x + c * z, c * x + s * z};
+}
+
+}  // namespace
+
+Vec3<double> gravitation_L(double latitude_deg, double height_m) {
+  double X = 0, Y = 0, Z = 0;
+  GeographicLib::Geocentric::WGS84().Forward(latitude_deg, 0.0, height_m, X, Y, Z);
+  double gX = 0, gY = 0, gZ = 0;
+  GeographicLib::NormalGravity::WGS84().V0(X, Y, Z, gX, gY, gZ);
+  return to_laboratory(latitude_deg, gX, gZ);
+}
+
+Vec3<double> centrifugal_acceleration_L(double latitude_deg, double height_m) {
+  double X = 0, Y = 0, Z = 0;
+  GeographicLib::Geocentric::WGS84().Forward(latitude_deg, 0.0, height_m, X, Y, Z);
+  return to_laboratory(latitude_deg, kEarthRateWgs84 * kEarthRateWgs84 * X, 0.0);
+}
+
+}  // namespace earthtop

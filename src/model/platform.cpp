@@ -1,0 +1,33 @@
+#include "earthtop/model/platform.hpp"
+
+#include "earthtop/frames/earth.hpp"
+
+namespace earthtop {
+
+template <class T>
+Platform<T> make_platform(const PlatformSpec& spec) {
+  Platform<T> platform;
+  for (int i = 0; i < 3; ++i) {
+    platform.turn.axis[i] = T(spec.axis[static_cast<std::size_t>(i)]);
+    platform.pivot_offset_P[i] = T(spec.pivot_offset_m[static_cast<std::size_t>(i)]);
+  }
+  platform.turn.axis /= norm(platform.turn.axis);
+  switch (spec.motion) {
+    case PlatformMotion::constant: platform.turn.rate = T(spec.rate_rad_s); break;
+    case PlatformMotion::ramp:
+      platform.turn.rate = T(spec.rate_rad_s);
+      platform.turn.acceleration = T(spec.acceleration_rad_s2);
+      break;
+    case PlatformMotion::harmonic:
+      platform.turn.amplitude = T(spec.amplitude_rad);
+      platform.turn.frequency = T(spec.frequency_hz);
+      platform.turn.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
+      break;
+  }
+  return platform;
+}
+template Platform<double> make_platform(const PlatformSpec&);
+template Platform<long double> make_platform(const PlatformSpec&);
+template Platform<float128> make_platform(const PlatformSpec&);
+
+}  // namespace earthtop

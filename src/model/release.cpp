@@ -1,0 +1,102 @@
+#include "earthtop/model/release.hpp"
+
+#include <fmt/format.h>
+
+namespace earthtop {
+namespace {
+
+constexpr const char* kPointer = "/release/precession";
+
+template <class T>
+Quaternion<T> about_axis(int axis, T degrees) {
+  const SinCos<T> half = sin_cos_degrees(degrees / T(2));
+  Quaternion<T> q;
+  q.w = half.cos;
+  q.v[axis] = half.sin;
+  return q;
+}
+
+template <class T>
+void require_symmetric_about_axis_3(const Body<T>& body) {
+  const Mat3<T>& I = body.I_BP_B;
+  if (I(0, 1) != T(0) || I(0, 2) != T(0) || I(1, 2) != T(0) || I(0, 0) != I(1, 1))
+    throw ScenarioError(kPointer, "no steady precession: the moments I1 and I2 about the pivot are not equal; give "
+                                  "{\"rate_rad_s\": ...} or \"none\"");
+  if (body.p_PBcm_B[0] != T(0) || body.p_PBcm_B[1] != T(0))
+    throw ScenarioError(kPointer, "no steady precession: the centre of mass is off body axis 3; give {\"rate_rad_s\": ...} "
+                                  "or \"none\"");
+}
+
+}  // namespace
+
+template <class T>
+Quaternion<T> release_attitude(double tilt_deg, double azimuth_deg, double spin_angle_deg) {
+  return about_axis(2, T(90) - T(azimuth_deg)) * about_axis(1, T(tilt_deg)) * about_axis(2, T(spin_angle_deg));
+}
+template Quaternion<double> release_attitude(double, double, double);
+template Quaternion<long double> release_attitude(double, double, double);
+template Quaternion<float128> release_attitude(double, double, double);
+
+template <class T>
+T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravity, T w3, Precession which) {
+  require_symmetric_about_axis_3(body);
+  const Mat3<T> R_LB = rotation_matrix(q_LB);
+  const T cosine = R_LB(2, 2), sine = real::hypot(R_LB(0, 2), R_LB(1, 2));
+  const T round_off = T(8) * real::epsilon<T>();
+  if (sine <= round_off)
+    throw ScenarioError(kPointer, "no steady precession: the axis is vertical (tilt 0 or 180 deg), where every rate is steady; "
+                                  "give \"none\"");
+  const bool horizontal = real::abs(cosine) <= round_off;
+  if (horizontal && which == Precession::steady_fast)
+    throw ScenarioError(kPointer, "no fast steady precession: at a tilt of 90 deg there is only the slow one; take "
+                                  "\"steady_slow\"");
+  const T spin_momentum = body.I_BP_B(2, 2) * w3;
+  const T mgl = body.mass * gravity * body.p_PBcm_B[2];
+  const T a = horizontal ? T(0) : body.I_BP_B(0, 0) * cosine;
+  const T discriminant = spin_momentum * spin_momentum - T(4) * a * mgl;
+  if (discriminant < T(0))
+    throw ScenarioError(kPointer, fmt::format("no steady precession: the spin is too slow for this tilt; |spin_rad_s| must be "
+                                              "at least {:.9g} rad/s",
+                                              static_cast<double>(real::sqrt(T(4) * a * mgl) / body.I_BP_B(2, 2))));
+  const T root = real::sqrt(discriminant);
+  const T sum = spin_momentum < T(0) ? spin_momentum - root : spin_momentum + root;  // no cancellation
+  if (sum == T(0))
+    throw ScenarioError(kPointer, "no steady precession: without spin and without a gravity torque every rate is steady or "
+                                  "none is; give \"none\"");
+  return which == Precession::steady_fast ? sum / (T(2) * a) : T(2) * mgl / sum;
+}
+template double steady_precession_rate(const Body<double>&, const Quaternion<double>&, double, double, Precession);
+template long double steady_precession_rate(const Body<long double>&, const Quaternion<long double>&, long double, long double,
+                                            Precession);
+template float128 steady_precession_rate(const Body<float128>&, const Quaternion<float128>&, float128, float128, Precession);
+
+template <class T>
+Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity) {
+  Release<T> release;
+  release.X = spec.rates_relative_to;
+  if (spec.quaternion_LB) {
+    const auto& q = *spec.quaternion_LB;
+    release.q_LB = Quaternion<T>{T(q[0]), Vec3<T>(T(q[1]), T(q[2]), T(q[3]))}.normalized();
+  } else {
+    release.q_LB = release_attitude<T>(spec.tilt_deg, spec.azimuth_deg, spec.spin_angle_deg);
+  }
+  if (release.q_LB.w < T(0)) release.q_LB = {-release.q_LB.w, -release.q_LB.v};  // the sign convention of the results
+  if (spec.angular_velocity_body_rad_s) {
+    for (int i = 0; i < 3; ++i) release.w_XB_B[i] = T((*spec.angular_velocity_body_rad_s)[static_cast<std::size_t>(i)]);
+    return release;
+  }
+  T rate = T(0);
+  if (spec.precession == Precession::given)
+    rate = T(spec.precession_rate_rad_s);
+  else if (spec.precession != Precession::none)
+    rate = steady_precession_rate(body, release.q_LB, gravity, T(spec.spin_rad_s), spec.precession);
+  // The precession turns about Up; the whole component along axis 3 is spin_rad_s.
+  const Vec3<T> up_B = rotation_matrix(release.q_LB).row(2).transpose();
+  release.w_XB_B = Vec3<T>(rate * up_B[0], rate * up_B[1], T(spec.spin_rad_s));
+  return release;
+}
+template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);
+template Release<long double> make_release(const ReleaseSpec&, const Body<long double>&, long double);
+template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
+
+}  // namespace earthtop
