@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs what earthtop is built with, on Debian 12 or a relative of it; only what is missing, so a second call costs nothing.
+#   tools/install-dependencies.sh [MORE_PACKAGES...]
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build pkg-config git
+  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev libssl-dev
+  libgtest-dev libbenchmark-dev
+  "$@"
+)
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  echo "No apt-get here. earthtop needs the equivalents of these Debian packages; CMake will name what it does not find:" >&2
+  echo "  ${packages[*]} libboost-dev" >&2
+  exit 0
+fi
+
+is_installed() { dpkg-query -W -f='${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+# Any Boost from 1.74 on will do. The -dev packages of two versions exclude each other: one that is there stays.
+if ! is_installed 'libboost[0-9]*-dev'; then missing+=(libboost-dev); fi
+
+if [[ ${#missing[@]} -eq 0 ]]; then exit 0; fi
+
+as_root=()
+if [[ $(id -u) -ne 0 ]]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Packages are missing, and neither are you root nor is there sudo. Please have this run:" >&2
+    echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"

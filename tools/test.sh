@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# The release suite: installs what is missing, builds with warnings as errors, runs every test that is not labelled `slow`.
+# Its status and its last lines are CTest's. Arguments go to CTest:  tools/test.sh -R Torques
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tools/install-dependencies.sh
+jobs=$(nproc)
+cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON
+cmake --build --preset release --parallel "$jobs"
+exec ctest --test-dir build/release --label-exclude '^slow$' --no-tests=error --output-on-failure --parallel "$jobs" "$@"
