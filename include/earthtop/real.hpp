@@ -17,7 +17,6 @@ float128 sqrtq(float128) noexcept;
 float128 sinq(float128) noexcept;
 float128 cosq(float128) noexcept;
 float128 atan2q(float128, float128) noexcept;
-float128 fabsq(float128) noexcept;
 float128 fmodq(float128, float128) noexcept;
 float128 powq(float128, float128) noexcept;
 float128 logq(float128) noexcept;
@@ -28,7 +27,6 @@ int finiteq(float128) noexcept;
 /// Elementary functions of one name for every scalar. Angles in rad.
 namespace real {
 
-using std::abs;
 using std::atan2;
 using std::cos;
 using std::fmod;
@@ -38,7 +36,10 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
-inline float128 abs(float128 x) { return fabsq(x); }
+template <class T>
+constexpr T abs(T x) {
+  return x < T(0) ? -x : x;
+}
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
 inline float128 fmod(float128 x, float128 y) { return fmodq(x, y); }

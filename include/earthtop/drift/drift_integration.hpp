@@ -1,0 +1,89 @@
+/// Integrates the rotating motion, the non-rotating prediction and the deviation between them, side by side, in one
+/// observer's variables, each from release to end.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "earthtop/drift/deviation.hpp"
+#include "earthtop/error.hpp"
+
+namespace earthtop {
+
+/// Everything at one instant, in the variables that all observers share; SI units.
+template <class T>
+struct DriftState {
+  T t_s = T(0);
+  Quaternion<T> q_LB;  ///< rotating motion, integrated itself
+  Vec3<T> w_LB_B = Vec3<T>::Zero();
+  Quaternion<T> ref_q_LB;  ///< non-rotating prediction
+  Vec3<T> ref_w_LB_B = Vec3<T>::Zero();
+  /// e = (e_w, epsilon e_v_scaled), the quaternion of R_ref^T R_rot, from the deviation equations.
+  T e_w = T(1);
+  Vec3<T> e_v_scaled = Vec3<T>::Zero();
+  T epsilon = T(1);
+};
+
+/// How far the axis and the attitude have drifted, without cancellation. Angles in rad; the vectors over epsilon.
+template <class T>
+struct DriftMeasures {
+  T axis;      ///< angle between the two axes
+  T attitude;  ///< angle of R_ref^T R_rot, 0 to pi
+  T tilt;      ///< tilt of the rotating axis less that of the reference
+  bool azimuth_defined;
+  T azimuth;      ///< compass azimuth less that of the reference, -pi to pi; 0 where not defined
+  T half_spin;    ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
+  T ref_azimuth;  ///< compass azimuth of the reference, -pi to pi; 0 where not defined
+  Vec3<T> axis_difference_L_scaled;   ///< (n_rot - n_ref) / epsilon
+  Vec3<T> attitude_vector_L_scaled;   ///< vector part of R_rot R_ref^T / epsilon
+};
+template <class T>
+DriftMeasures<T> measure_drift(const DriftState<T>& state);
+extern template DriftMeasures<double> measure_drift(const DriftState<double>&);
+extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&);
+extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&);
+
+/// A state at an output time with its measures, the angles continuous since the release.
+template <class T>
+struct DriftSample {
+  DriftState<T> state;
+  DriftMeasures<T> measures;
+  T spin = T(0);         ///< spin phase drift, continuous (rad)
+  T azimuth = T(0);      ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
+  T ref_azimuth = T(0);  ///< compass azimuth of the reference, continuous (rad)
+};
+
+template <class T>
+struct DriftProblem {
+  Model<T> model;  ///< in `units`
+  Release<T> release;  ///< SI
+  NaturalUnits units;
+  T fastest_rate = T(1);              ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
+  std::vector<double> times_s;        ///< output times; the first is the release, 0
+  std::optional<double> threshold_rad;
+};
+
+template <class T>
+struct DriftTrajectory {
+  RunStatus status = RunStatus::completed;
+  std::vector<DriftSample<T>> samples;
+  StepCounters counters;
+  std::optional<double> step_s;            ///< of a fixed-step method, as taken in the first interval
+  std::optional<double> threshold_time_s;  ///< axis drift first above the threshold, linear within a step
+};
+
+/// @param stop  set from outside to end early with RunStatus::interrupted; may be null.
+/// @throws std::logic_error for a method that is not built for T: double has all, long double rkf78 and bulirsch_stoer,
+/// float128 rkf78.
+template <class T>
+DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                   const std::atomic<bool>* stop = nullptr);
+extern template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&,
+                                                        const std::atomic<bool>*);
+extern template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
+                                                             const std::atomic<bool>*);
+extern template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&,
+                                                          const std::atomic<bool>*);
+
+}  // namespace earthtop

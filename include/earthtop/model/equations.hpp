@@ -1,0 +1,97 @@
+/// The equations of motion in three observers' own variables. `kEarth` says whether the Earth turns: the non-rotating
+/// prediction is the same equations without it.
+///
+/// | observer             | attitude | rate variable                        | equation                                   |
+/// | rotating laboratory  | q_LB     | L'_L = Theta w_LB in laboratory axes | dL'/dt = tau_Cor + tau_cent + tau_phys [F]  |
+/// | body axes            | q_LB     | w_IB in body axes                    | Theta dw/dt = (Theta w) x w + tau_phys     |
+/// | inertial axes        | q_NB     | L in axes N                          | dL/dt = tau_phys                           |
+///
+/// N is the inertial frame parallel to L at t = 0. Every rotation is that of q / |q|.
+#pragma once
+
+#include "earthtop/model/model.hpp"
+
+namespace earthtop {
+
+/// Attitude and rate variable of one motion, or their time derivatives; which variable is the observer's matter.
+template <class T>
+struct Motion {
+  Quaternion<T> q;
+  Vec3<T> m = Vec3<T>::Zero();
+};
+
+/// dq_AB/dt = q_AB w_B / 2 for a rate in body axes.
+template <class T>
+Quaternion<T> attitude_rate_from_body(const Quaternion<T>& q_AB, const Vec3<T>& w_AB_B) {
+  const Vec3<T> h = w_AB_B / T(2);
+  return {-q_AB.v.dot(h), q_AB.w * h + q_AB.v.cross(h)};
+}
+
+/// dq_AB/dt = w_A q_AB / 2 for a rate in the axes of A.
+template <class T>
+Quaternion<T> attitude_rate_from_outer(const Quaternion<T>& q_AB, const Vec3<T>& w_AB_A) {
+  const Vec3<T> h = w_AB_A / T(2);
+  return {-q_AB.v.dot(h), q_AB.w * h + h.cross(q_AB.v)};
+}
+
+/// Rotating laboratory axes, [F]: the torques from the velocity moment J and the second moment, in L axes.
+template <bool kEarth, SceneKind K, class T>
+Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L) {
+  const Mat3<T> R_LB = rotation_matrix(x.q);
+  const Vec3<T> w_LB_L = R_LB * (model.I_BP_B_inverse * (R_LB.transpose() * x.m));
+  Vec3<T> torque_L = field_torque<T>(R_LB * model.mass_moment_B, field_L);
+  if constexpr (kEarth) {
+    const Mat3<T> S_BP_L = R_LB * model.S_BP_B * R_LB.transpose();
+    torque_L += laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L, w_LB_L, S_BP_L);
+  }
+  return {attitude_rate_from_outer(x.q, w_LB_L), torque_L};
+}
+
+/// Body axes, Euler. Torques that the scene leaves out in the laboratory are subtracted as applied ones.
+template <bool kEarth, SceneKind K, class T>
+Motion<T> body_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L) {
+  const Mat3<T> R_LB = rotation_matrix(x.q);
+  const Vec3<T>& w_IB_B = x.m;
+  Vec3<T> torque_B = field_torque<T>(model.mass_moment_B, R_LB.transpose() * field_L);
+  Vec3<T> w_LB_B = w_IB_B;
+  if constexpr (kEarth) {
+    const Vec3<T> W_B = R_LB.transpose() * model.W_IL_L;
+    w_LB_B -= W_B;
+    if constexpr (K == SceneKind::full)
+      torque_B -= laboratory_torque<K>(model.weights.complement(), W_B, W_B, w_LB_B, model.S_BP_B);
+  }
+  const Vec3<T> L_B = model.I_BP_B * w_IB_B;
+  return {attitude_rate_from_body(x.q, w_LB_B), model.I_BP_B_inverse * (L_B.cross(w_IB_B) + torque_B)};
+}
+
+/// q_NL(t): the laboratory turned by W t since the release, as (cos, sin / epsilon): the vector part over epsilon keeps its
+/// digits at every rate.
+template <class T>
+struct LaboratoryTurn {
+  T w;
+  Vec3<T> v_scaled;
+  Quaternion<T> quaternion(T epsilon) const { return {w, epsilon * v_scaled}; }
+};
+template <class T>
+LaboratoryTurn<T> laboratory_turn(const Model<T>& model, T t) {
+  const T rate_scaled = norm(model.W_IL_L_scaled);
+  if (!(rate_scaled > T(0))) return {T(1), Vec3<T>::Zero()};
+  const T half_angle = model.epsilon * rate_scaled * t / T(2);
+  return {real::cos(half_angle), (real::sin(half_angle) / (model.epsilon * rate_scaled)) * model.W_IL_L_scaled};
+}
+
+/// Inertial axes N. @param R_NL  the laboratory's attitude at this time; gravity turns with it.
+template <bool kEarth, SceneKind K, class T>
+Motion<T> inertial_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Mat3<T>& R_NL) {
+  const Mat3<T> R_NB = rotation_matrix(x.q);
+  const Vec3<T> w_IB_N = R_NB * (model.I_BP_B_inverse * (R_NB.transpose() * x.m));
+  Vec3<T> torque_N = field_torque<T>(R_NB * model.mass_moment_B, R_NL * field_L);
+  if constexpr (kEarth && K == SceneKind::full) {
+    const Vec3<T> W_N = R_NL * model.W_IL_L;
+    const Mat3<T> S_BP_N = R_NB * model.S_BP_B * R_NB.transpose();
+    torque_N -= laboratory_torque<K>(model.weights.complement(), W_N, W_N, Vec3<T>(w_IB_N - W_N), S_BP_N);
+  }
+  return {attitude_rate_from_outer(x.q, w_IB_N), torque_N};
+}
+
+}  // namespace earthtop

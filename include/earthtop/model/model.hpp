@@ -1,0 +1,107 @@
+/// The spinning top in its laboratory, as numbers the equations of motion read: nothing here is looked up or decided twice.
+#pragma once
+
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/platform.hpp"
+#include "earthtop/model/release.hpp"
+#include "earthtop/model/torques.hpp"
+
+namespace earthtop {
+
+/// What a scene needs, decided once and compiled in: `plain` has all three non-inertial torques and a pivot at rest in the
+/// laboratory; `full` weighs each torque and lets a platform carry the pivot.
+enum class SceneKind { plain, full };
+
+/// The share of each of [F]'s torques that acts: 1, or 0 where a scene leaves it out.
+template <class T>
+struct TorqueWeights {
+  T coriolis = T(1);
+  T transverse = T(1);
+  T centrifugal = T(1);
+  TorqueWeights complement() const { return {T(1) - coriolis, T(1) - transverse, T(1) - centrifugal}; }
+};
+
+/// Body, gravity and Earth rate. The Earth's rate is W = epsilon * W_scaled with epsilon = min(|Omega|, 1 rad per unit of
+/// time), so that deviations divided by epsilon stay of ordinary size for every rate down to 1e-300 rad/s.
+template <class T>
+struct Model {
+  Mat3<T> I_BP_B;            ///< inertia about the pivot
+  Mat3<T> I_BP_B_inverse;    ///< its inverse
+  Mat3<T> S_BP_B;            ///< second moment about the pivot
+  Vec3<T> mass_moment_B;     ///< m r_cm
+  Vec3<T> apparent_gravity_L;
+  T epsilon = T(1);
+  Vec3<T> W_IL_L_scaled;     ///< W / epsilon
+  Vec3<T> W_IL_L;            ///< the Earth's rate
+  TorqueWeights<T> weights;
+  Platform<T> platform;
+  SceneKind kind = SceneKind::plain;
+};
+
+/// The same model measured in other units: masses in units of 2^mass_exponent kg, times in units of 2^time_exponent s.
+/// Powers of two change no digit, and leave every rate and moment near 1, where one tolerance serves all components.
+struct NaturalUnits {
+  int mass_exponent = 0;
+  int time_exponent = 0;
+  template <class T>
+  T time_from_s(T t) const { return real::scale(t, -time_exponent); }
+  template <class T>
+  T rate_from_rad_s(T w) const { return real::scale(w, time_exponent); }
+  template <class T>
+  T rate_to_rad_s(T w) const { return real::scale(w, -time_exponent); }
+  template <class T>
+  Vec3<T> rate_from_rad_s(const Vec3<T>& w) const {
+    return {rate_from_rad_s(w[0]), rate_from_rad_s(w[1]), rate_from_rad_s(w[2])};
+  }
+};
+
+/// Units in which the largest pivot moment and the fastest rate of the scene (spin, pendulum, Earth, platform) lie in [1/2, 1).
+NaturalUnits natural_units(const Body<double>& body, const Release<double>& release, double gravity_m_s2,
+                           double earth_rate_rad_s, const Platform<double>* platform);
+
+/// @param earth_rate_rad_s  Omega, any finite value   @param platform  null for a pivot at rest in the laboratory.
+template <class T>
+Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad_s, const TorqueWeights<T>& weights,
+                    const Platform<T>* platform, const NaturalUnits& units = {});
+extern template Model<double> make_model(const Body<double>&, const Site&, double, const TorqueWeights<double>&,
+                                         const Platform<double>*, const NaturalUnits&);
+extern template Model<long double> make_model(const Body<long double>&, const Site&, double, const TorqueWeights<long double>&,
+                                              const Platform<long double>*, const NaturalUnits&);
+extern template Model<float128> make_model(const Body<float128>&, const Site&, double, const TorqueWeights<float128>&,
+                                           const Platform<float128>*, const NaturalUnits&);
+
+/// The acceleration field at the pivot, in L axes: apparent gravity less the pivot's acceleration.
+template <class T>
+struct PivotField {
+  Vec3<T> rotating_L;           ///< on the rotating Earth
+  Vec3<T> reference_L;          ///< in the non-rotating prediction
+  Vec3<T> difference_L_scaled;  ///< (rotating - reference) / epsilon, formed without subtracting the two
+};
+
+template <SceneKind K, class T>
+PivotField<T> pivot_field(const Model<T>& model, T t) {
+  if constexpr (K == SceneKind::plain) {
+    return {model.apparent_gravity_L, model.apparent_gravity_L, Vec3<T>::Zero()};
+  } else {
+    const PivotAcceleration<T> a = pivot_acceleration(model.platform, model.W_IL_L, model.W_IL_L_scaled, t);
+    const Vec3<T> reference_L = model.apparent_gravity_L - a.of_platform_L;
+    return {reference_L - model.epsilon * a.of_earth_rate_L, reference_L, -a.of_earth_rate_L};
+  }
+}
+
+/// [F]'s Coriolis and centrifugal torques of the laboratory, weighed, in the axes A that all arguments share. Linear in
+/// W_A_scaled: with W_A_scaled = W_A it is the torque, with W_A / epsilon the torque over epsilon. The transverse torque is
+/// absent because the Earth turns uniformly: the laboratory has no angular acceleration.
+/// @param w_LB_A  the body's rate relative to the laboratory   @param S_BP_A  second moment about the pivot
+template <SceneKind K, class T>
+Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled,
+                          const Vec3<T>& w_LB_A, const Mat3<T>& S_BP_A) {
+  const Vec3<T> cor = coriolis_torque(W_A_scaled, velocity_moment(S_BP_A, w_LB_A));
+  const Vec3<T> cent = centrifugal_torque(W_A, W_A_scaled, S_BP_A);
+  if constexpr (K == SceneKind::plain)
+    return cor + cent;
+  else
+    return weights.coriolis * cor + weights.centrifugal * cent;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,130 @@
+/// The body of integrate_drift, instantiated for one scalar in each of drift_integration_*.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "drift/drift_system.hpp"
+#include "integrate/odeint_driver.hpp"
+
+namespace earthtop {
+namespace {
+
+/// Keeps an angle continuous from step to step.
+template <class T>
+class ContinuousAngle {
+ public:
+  void follow(T angle) {
+    const T turn = T(2) * real::pi<T>();
+    T change = angle - last_;
+    if (change > turn / T(2)) --turns_;
+    if (change < -turn / T(2)) ++turns_;
+    last_ = angle;
+  }
+  T value() const { return last_ + static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
+
+ private:
+  T last_ = T(0);
+  long turns_ = 0;
+};
+
+/// Sees every step: continuous angles, and when the axis drift first passes the threshold.
+template <class T, class System>
+class StepWatcher {
+ public:
+  StepWatcher(const System& system, const NaturalUnits& units, std::optional<double> threshold)
+      : system_(system), units_(units), threshold_(threshold) {}
+
+  void operator()(T t, const typename System::State& x) {
+    state_ = system_.shared_state(x, t);
+    measures_ = measure_drift(state_);
+    half_spin_.follow(measures_.half_spin);
+    if (measures_.azimuth_defined) azimuth_.follow(measures_.azimuth);
+    ref_azimuth_.follow(measures_.ref_azimuth);
+    const T t_s = real::scale(t, units_.time_exponent);
+    if (threshold_ && !threshold_time_s_ && measures_.axis >= T(*threshold_)) {
+      const T climb = measures_.axis - axis_before_;
+      const T part = climb > T(0) ? (T(*threshold_) - axis_before_) / climb : T(1);
+      threshold_time_s_ = static_cast<double>(t_before_s_ + part * (t_s - t_before_s_));
+    }
+    axis_before_ = measures_.axis;
+    t_before_s_ = t_s;
+  }
+
+  DriftSample<T> sample(double t_s) const {
+    DriftSample<T> sample{state_, measures_, T(2) * half_spin_.value(), azimuth_.value(), ref_azimuth_.value()};
+    sample.state.t_s = T(t_s);
+    for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
+      for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
+    return sample;
+  }
+  std::optional<double> threshold_time_s() const { return threshold_time_s_; }
+
+ private:
+  const System& system_;
+  const NaturalUnits& units_;
+  std::optional<double> threshold_;
+  DriftState<T> state_;
+  DriftMeasures<T> measures_;
+  ContinuousAngle<T> half_spin_, azimuth_, ref_azimuth_;
+  T axis_before_ = T(0), t_before_s_ = T(0);
+  std::optional<double> threshold_time_s_;
+};
+
+template <class T, Observer O, SceneKind K>
+DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                const std::atomic<bool>* stop) {
+  using System = DriftSystem<T, O, K>;
+  System system(problem.model);
+  auto x = system.initial_state(problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B), problem.release.X);
+  std::vector<T> times;
+  times.reserve(problem.times_s.size());
+  for (const double t : problem.times_s) times.push_back(problem.units.time_from_s(T(t)));
+
+  DriveOptions<T> drive;
+  drive.method = options.method;
+  drive.relative_tolerance = T(options.relative_tolerance);
+  drive.first_step = T(0.02) / problem.fastest_rate;
+  drive.fixed_step = options.step_s ? problem.units.time_from_s(T(*options.step_s)) : T(0.04) / problem.fastest_rate;
+  drive.step_limit = options.step_limit;
+  drive.stop = stop;
+
+  DriftTrajectory<T> trajectory;
+  trajectory.samples.reserve(times.size());
+  StepWatcher<T, System> watcher(system, problem.units, problem.threshold_rad);
+  const auto on_row = [&](std::size_t row, const typename System::State&) {
+    trajectory.samples.push_back(watcher.sample(problem.times_s[row]));
+  };
+  Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);
+  trajectory.status = driver.run(x, times);
+  trajectory.counters = driver.counters();
+  trajectory.threshold_time_s = watcher.threshold_time_s();
+  if (options.method == Method::abm8 && times.size() > 1) {
+    const double interval = problem.times_s[1] - problem.times_s[0];
+    const double largest = static_cast<double>(real::scale(drive.fixed_step, problem.units.time_exponent));
+    trajectory.step_s = interval / std::max(1.0, std::ceil(interval / largest * (1 - 1e-12)));
+  }
+  return trajectory;
+}
+
+template <class T, Observer O>
+DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                const std::atomic<bool>* stop) {
+  if (problem.model.kind == SceneKind::plain) return integrate_in<T, O, SceneKind::plain>(problem, options, stop);
+  return integrate_in<T, O, SceneKind::full>(problem, options, stop);
+}
+
+}  // namespace
+
+template <class T>
+DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                   const std::atomic<bool>* stop) {
+  switch (options.observer) {
+    case Observer::laboratory: return integrate_as<T, Observer::laboratory>(problem, options, stop);
+    case Observer::body: return integrate_as<T, Observer::body>(problem, options, stop);
+    case Observer::inertial: return integrate_as<T, Observer::inertial>(problem, options, stop);
+  }
+  throw std::logic_error("unknown observer");
+}
+
+}  // namespace earthtop

@@ -1,0 +1,151 @@
+/// The right-hand side of a drift integration on one state vector:
+///   [0,7) rotating motion   [7,14) non-rotating reference   14 deviation w   [15,18) y   [18,21) p
+#pragma once
+
+#include <array>
+
+#include "earthtop/drift/drift_integration.hpp"
+#include "integrate/group_norms.hpp"
+
+namespace earthtop {
+
+namespace drift_state {
+
+constexpr std::size_t kRotating = 0;
+constexpr std::size_t kReference = 7;
+constexpr std::size_t kDeviation = 14;
+constexpr std::size_t kSize = 21;
+template <class T>
+using State = std::array<T, kSize>;
+
+template <class T>
+Motion<T> load_motion(const State<T>& x, std::size_t at) {
+  return {{x[at], Vec3<T>(x[at + 1], x[at + 2], x[at + 3])}, Vec3<T>(x[at + 4], x[at + 5], x[at + 6])};
+}
+template <class T>
+void store_motion(const Motion<T>& motion, State<T>& x, std::size_t at) {
+  x[at] = motion.q.w;
+  for (std::size_t i = 0; i < 3; ++i) x[at + 1 + i] = motion.q.v[static_cast<int>(i)];
+  for (std::size_t i = 0; i < 3; ++i) x[at + 4 + i] = motion.m[static_cast<int>(i)];
+}
+template <class T>
+Deviation<T> load_deviation(const State<T>& x) {
+  constexpr std::size_t at = kDeviation;
+  return {x[at], Vec3<T>(x[at + 1], x[at + 2], x[at + 3]), Vec3<T>(x[at + 4], x[at + 5], x[at + 6])};
+}
+template <class T>
+void store_deviation(const Deviation<T>& deviation, State<T>& x) {
+  store_motion<T>({{deviation.w, deviation.y}, deviation.p}, x, kDeviation);
+}
+
+}  // namespace drift_state
+
+/// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
+template <class T, Observer O, SceneKind K>
+class DriftSystem {
+ public:
+  static constexpr std::size_t kSize = drift_state::kSize;
+  using State = drift_state::State<T>;
+  explicit DriftSystem(const Model<T>& model) : model_(model) {}
+
+  /// Attitudes and rates against their own size; the deviation may start from zero, so its scale has a floor.
+  static constexpr std::array<ComponentGroup, 7> groups() {
+    return {{{0, 4, 1.0}, {4, 3, 1e-5}, {7, 4, 1.0}, {11, 3, 1e-5}, {14, 1, 1.0}, {15, 3, 1e-5}, {18, 3, 1e-5}}};
+  }
+
+  void operator()(const State& x, State& dxdt, T t) const {
+    using namespace drift_state;
+    const Motion<T> rotating = load_motion(x, kRotating);
+    const Motion<T> reference = load_motion(x, kReference);
+    const Deviation<T> deviation = load_deviation(x);
+    const PivotField<T> field = pivot_field<K>(model_, t);
+    if constexpr (O == Observer::laboratory) {
+      store_motion(laboratory_equation<true, K>(model_, rotating, field.rotating_L), dxdt, kRotating);
+      store_motion(laboratory_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
+      store_deviation(laboratory_deviation_equation<K>(model_, reference, deviation, field), dxdt);
+    } else if constexpr (O == Observer::body) {
+      store_motion(body_equation<true, K>(model_, rotating, field.rotating_L), dxdt, kRotating);
+      store_motion(body_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
+      store_deviation(body_deviation_equation<K>(model_, reference, deviation, field), dxdt);
+    } else {
+      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
+      const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
+      const Mat3<T> unturned = Mat3<T>::Identity();
+      store_motion(inertial_equation<true, K>(model_, rotating, field.rotating_L, R_NL), dxdt, kRotating);
+      store_motion(inertial_equation<false, K>(model_, reference, field.reference_L, unturned), dxdt, kReference);
+      store_deviation(inertial_deviation_equation<K>(model_, reference, deviation, field, turn), dxdt);
+    }
+  }
+
+  /// The state at release: both predictions at the same attitude, with the same rates of the kind the release names.
+  /// @param w_XB_B  in natural units
+  State initial_state(const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B, RatesRelativeTo X) const {
+    const Mat3<T> R_LB = rotation_matrix(q_LB);
+    const Vec3<T> W_B_scaled = R_LB.transpose() * model_.W_IL_L_scaled;
+    const Vec3<T> W_B = model_.epsilon * W_B_scaled;
+    const bool inertial_rates = X == RatesRelativeTo::inertial;
+    // Rates of the rotating body relative to L and to I, and their deviations over epsilon, from the same given rates.
+    const Vec3<T> w_LB_B = inertial_rates ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
+    const Vec3<T> w_IB_B = inertial_rates ? w_XB_B : Vec3<T>(w_XB_B + W_B);
+    const Vec3<T> zero = Vec3<T>::Zero();
+    const Vec3<T> Dw_LB_B = inertial_rates ? Vec3<T>(-W_B_scaled) : zero;
+    const Vec3<T> Dw_IB_B = inertial_rates ? zero : W_B_scaled;
+    State x;
+    const auto store = [&](const Vec3<T>& rotating, const Vec3<T>& reference, const Vec3<T>& deviation) {
+      drift_state::store_motion<T>({q_LB, rotating}, x, drift_state::kRotating);
+      drift_state::store_motion<T>({q_LB, reference}, x, drift_state::kReference);
+      drift_state::store_deviation<T>({T(1), zero, deviation}, x);
+    };
+    if constexpr (O == Observer::laboratory)
+      store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * (model_.I_BP_B * w_XB_B), model_.I_BP_B * Dw_LB_B);
+    else if constexpr (O == Observer::body)
+      store(w_IB_B, w_XB_B, model_.I_BP_B * Dw_IB_B);
+    else
+      store(R_LB * (model_.I_BP_B * w_IB_B), R_LB * (model_.I_BP_B * w_XB_B), R_LB * (model_.I_BP_B * Dw_IB_B));
+    return x;
+  }
+
+  /// The observer's variables turned into those all observers share; rates in natural units, `t_s` left to the caller.
+  DriftState<T> shared_state(const State& x, T t) const {
+    using namespace drift_state;
+    const Motion<T> rotating = load_motion(x, kRotating);
+    const Motion<T> reference = load_motion(x, kReference);
+    const Deviation<T> deviation = load_deviation(x);
+    DriftState<T> s;
+    s.epsilon = model_.epsilon;
+    s.ref_q_LB = reference.q;
+    s.e_w = deviation.w;
+    const Mat3<T> R_ref = rotation_matrix(reference.q);
+    const auto rate_from_momentum = [&](const Motion<T>& m) -> Vec3<T> {
+      return model_.I_BP_B_inverse * (rotation_matrix(m.q).transpose() * m.m);
+    };
+    if constexpr (O == Observer::laboratory) {
+      s.q_LB = rotating.q;
+      s.w_LB_B = rate_from_momentum(rotating);
+      s.ref_w_LB_B = rate_from_momentum(reference);
+      s.e_v_scaled = deviation.y;
+    } else if constexpr (O == Observer::body) {
+      s.q_LB = rotating.q;
+      s.w_LB_B = rotating.m - rotation_matrix(rotating.q).transpose() * model_.W_IL_L;
+      s.ref_w_LB_B = reference.m;
+      s.e_v_scaled = deviation.y;
+    } else {
+      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
+      s.q_LB = turn.quaternion(model_.epsilon).conjugate() * rotating.q;
+      s.w_LB_B = rate_from_momentum(rotating) - rotation_matrix(s.q_LB).transpose() * model_.W_IL_L;
+      s.ref_w_LB_B = rate_from_momentum(reference);
+      // q_NL^* d, the deviation seen from the laboratory, in L axes; then in the reference's body axes.
+      const T epsilon = model_.epsilon;
+      s.e_w = turn.w * deviation.w + epsilon * epsilon * turn.v_scaled.dot(deviation.y);
+      const Vec3<T> seen_L =
+          turn.w * deviation.y - deviation.w * turn.v_scaled - epsilon * turn.v_scaled.cross(deviation.y);
+      s.e_v_scaled = R_ref.transpose() * seen_L;
+    }
+    return s;
+  }
+
+ private:
+  const Model<T>& model_;
+};
+
+}  // namespace earthtop

@@ -1,0 +1,208 @@
+/// The one place that knows Boost.Odeint: its steppers behind an own loop that lands exactly on the output times, checks
+/// that every state is finite, keeps the time without rounding, counts in 64 bits and returns a named outcome.
+///
+/// odeint's own integrate functions accept NaN, count steps in an int and may stop short of the end; they are not used.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/numeric/odeint/stepper/adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "earthtop/error.hpp"
+#include "earthtop/integrate/options.hpp"
+#include "integrate/group_norms.hpp"
+
+namespace earthtop {
+
+/// What the driver needs beside the system; times in the system's own unit.
+template <class T>
+struct DriveOptions {
+  Method method = Method::rkf78;
+  T relative_tolerance = T(1e-12);
+  T first_step = T(0.01);
+  T fixed_step = T(0);  ///< largest step of a fixed-step method; the step taken divides each output interval
+  std::int64_t step_limit = 0;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// A time kept as start + offset, the offset compensated: n steps cost one rounding, not n.
+template <class T>
+class IntervalClock {
+ public:
+  IntervalClock(T start, T end) : start_(start), length_(end - start) {}
+  T now() const { return start_ + offset_; }
+  T remaining() const { return (length_ - offset_) - carry_; }
+  void advance(T dt) {
+    const T y = dt + carry_;
+    const T sum = offset_ + y;
+    carry_ = y - (sum - offset_);
+    offset_ = sum;
+  }
+
+ private:
+  T start_;
+  T length_;
+  T offset_ = T(0);
+  T carry_ = T(0);
+};
+
+/// Steps of less than this (in natural units, where the motion's own time is about 1) mean that no step is small enough.
+template <class T>
+constexpr T least_step() {
+  return T(1e-13);
+}
+
+/// @tparam System  x, dxdt, t -> void, with `kSize`, `groups()`   @param times  the first is where x stands
+/// @param on_step  called with (t, x) after every step   @param on_row  called with (row index, x) at every output time
+template <class T, class System, class OnStep, class OnRow>
+class Driver {
+ public:
+  static constexpr std::size_t N = System::kSize;
+  using State = std::array<T, N>;
+  static constexpr std::size_t G = std::tuple_size_v<decltype(System::groups())>;
+
+  Driver(System& system, const DriveOptions<T>& options, OnStep& on_step, OnRow& on_row)
+      : system_(system), options_(options), on_step_(on_step), on_row_(on_row), scales_(System::groups()) {}
+
+  RunStatus run(State& x, std::span<const T> times) {
+    using namespace boost::numeric::odeint;
+    scales_.include(x);
+    if (!all_finite(x)) return RunStatus::not_finite;
+    on_step_(times[0], x);
+    on_row_(std::size_t{0}, x);
+    switch (options_.method) {
+      case Method::automatic:
+      case Method::rkf78: return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+      case Method::bulirsch_stoer:
+        if constexpr (!std::is_same_v<T, float128>) {
+          // odeint's own checker, component by component: relative to each, with a floor a little above round-off.
+          const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
+          bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
+          return run_controlled(stepper, x, times);
+        }
+        break;
+      case Method::dopri5:
+        if constexpr (std::is_same_v<T, double>) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
+        break;
+      case Method::abm8:
+        if constexpr (std::is_same_v<T, double>) return run_fixed(x, times);
+        break;
+    }
+    throw std::logic_error("method not built for this precision");
+  }
+
+  const StepCounters& counters() const { return counters_; }
+
+ private:
+  auto counted_system() {
+    return [this](const State& x, State& dxdt, T t) {
+      ++counters_.evaluations;
+      system_(x, dxdt, t);
+    };
+  }
+
+  template <class ErrorStepper>
+  RunStatus run_embedded(State& x, std::span<const T> times) {
+    using Algebra = typename ErrorStepper::algebra_type;
+    using Checker = GroupErrorChecker<T, N, G, Algebra>;
+    boost::numeric::odeint::controlled_runge_kutta<ErrorStepper, Checker, StepAdjuster<T>> stepper(
+        Checker(options_.relative_tolerance, scales_));
+    return run_controlled(stepper, x, times);
+  }
+
+  template <class ControlledStepper>
+  RunStatus run_controlled(ControlledStepper& stepper, State& x, std::span<const T> times) {
+    using boost::numeric::odeint::success;
+    const auto system = counted_system();
+    T proposed = options_.first_step;
+    State next;
+    for (std::size_t row = 1; row < times.size(); ++row) {
+      IntervalClock<T> clock(times[row - 1], times[row]);
+      for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
+        if (const RunStatus status = may_go_on(); status != RunStatus::completed) return status;
+        // Land on the output time; two like steps rather than a long one and a sliver.
+        const bool lands = proposed >= remaining;
+        const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
+        T dt = step, t = clock.now();
+        next = x;
+        if (stepper.try_step(system, next, t, dt) == success && all_finite(next)) {
+          x = next;
+          ++counters_.accepted;
+          if (lands)
+            clock.advance(remaining);
+          else
+            clock.advance(step);
+          // A step cut short by the output time tells nothing against the longer one proposed before.
+          proposed = step < proposed ? std::max(dt, proposed) : dt;
+          scales_.include(x);
+          on_step_(lands ? times[row] : clock.now(), x);
+          if (lands) break;
+        } else {
+          ++counters_.rejected;
+          proposed = dt < step ? dt : step / T(4);
+          if (proposed < least_step<T>()) {
+            State dxdt;
+            system_(x, dxdt, clock.now());
+            return all_finite(dxdt) ? RunStatus::step_underflow : RunStatus::not_finite;
+          }
+        }
+      }
+      on_row_(row, x);
+    }
+    return RunStatus::completed;
+  }
+
+  /// Adams-Bashforth-Moulton of order 8, started (and restarted where the step changes) by Fehlberg's 8th-order method.
+  RunStatus run_fixed(State& x, std::span<const T> times) {
+    using namespace boost::numeric::odeint;
+    using Starter = runge_kutta_fehlberg78<State, T>;
+    using Algebra = typename Starter::algebra_type;
+    using Operations = typename Starter::operations_type;
+    using Stepper = adams_bashforth_moulton<8, State, T, State, T, Algebra, Operations, initially_resizer, Starter>;
+    const auto system = counted_system();
+    Stepper stepper;
+    T step_before = T(0);
+    for (std::size_t row = 1; row < times.size(); ++row) {
+      const T interval = times[row] - times[row - 1];
+      const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / options_.fixed_step * (1 - 1e-12))));
+      T h = interval / static_cast<T>(steps);
+      // Output times k * step differ by a rounding: the step is the same one.
+      if (real::abs(h - step_before) <= T(1e-9) * h)
+        h = step_before;
+      else
+        stepper = Stepper();
+      step_before = h;
+      for (std::int64_t k = 0; k < steps; ++k) {
+        if (const RunStatus status = may_go_on(); status != RunStatus::completed) return status;
+        stepper.do_step(system, x, times[row - 1] + static_cast<T>(k) * h, h);
+        ++counters_.accepted;
+        if (!all_finite(x)) return RunStatus::not_finite;
+        on_step_(times[row - 1] + static_cast<T>(k + 1) * h, x);
+      }
+      on_row_(row, x);
+    }
+    return RunStatus::completed;
+  }
+
+  RunStatus may_go_on() const {
+    if (counters_.accepted + counters_.rejected >= options_.step_limit) return RunStatus::step_limit;
+    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
+    return RunStatus::completed;
+  }
+
+  System& system_;
+  const DriveOptions<T>& options_;
+  OnStep& on_step_;
+  OnRow& on_row_;
+  GroupScales<T, N, G> scales_;
+  StepCounters counters_;
+};
+
+}  // namespace earthtop
