@@ -1,0 +1,48 @@
+/// Line plots as SVG: panels under one another that share x. Self-contained (no scripts, fonts or links), and the same
+/// figure gives the same bytes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace earthtop {
+
+enum class AxisScale { linear, logarithmic };
+enum class LineStyle {
+  solid,
+  dashed,
+  filled,  ///< a thin line with a tint down to the panel's floor
+};
+enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
+
+struct Axis {
+  std::string label;
+  std::string unit;  ///< without brackets; may be empty
+  AxisScale scale = AxisScale::linear;
+};
+
+/// A line through (x, y). A point that is not finite, or not positive on a logarithmic axis, breaks it.
+struct Line {
+  std::string label;  ///< in the legend; none if empty
+  std::vector<double> x;
+  std::vector<double> y;
+  LineColor color = LineColor::blue;
+  LineStyle style = LineStyle::solid;
+};
+
+struct Panel {
+  Axis y;
+  std::vector<Line> lines;  ///< drawn in this order
+};
+
+struct Figure {
+  std::string title;
+  std::string subtitle;
+  Axis x;
+  std::vector<Panel> panels;
+};
+
+/// The figure as one SVG document. Any text is allowed in labels; what XML cannot hold is replaced.
+std::string svg(const Figure& figure);
+
+}  // namespace earthtop

@@ -1,0 +1,51 @@
+/// The result files of a run: trajectory.csv, drift.svg, timing.json and summary.json.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "earthtop/plot/plot.hpp"
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+
+/// A result that could not be written: names the file and the reason.
+class WriteError : public std::runtime_error {
+ public:
+  WriteError(std::string file, const std::string& reason) : std::runtime_error(file + ": " + reason), file_(std::move(file)) {}
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+};
+
+/// One header line and one line for each row; shortest numbers that read back to the same bits, in SI units and rad. A
+/// value that is absent or not finite is an empty field.
+std::string trajectory_csv(const RunResult& result);
+
+/// Everything about a run but its rows and its wall time, as JSON with a final newline. The same result gives the same
+/// bytes, on any host and at any time; a number that is not finite is null.
+std::string summary_json(const RunResult& result);
+
+/// The matching rule in words: what is equal at release in both predictions.
+std::string matching_rule(const Scenario& scenario);
+
+/// What no two runs share: wall seconds, date (UTC) and host, as JSON with a final newline.
+std::string timing_json(const RunResult& result);
+
+/// The drift over time: the angle between the two axes with its error bound, and its azimuth and tilt parts.
+Figure drift_figure(const RunResult& result);
+
+/// Whether `scenario`'s results may be written to `dir`, which need not exist; asked before a run, so that nothing is
+/// computed in vain. @param force  overwrite the results of another scenario, too.
+/// @throws ScenarioError where `dir` cannot be a directory, or holds another scenario's results or a file of the same name
+/// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
+void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
+
+/// Writes trajectory.csv, drift.svg, timing.json and, last, summary.json; makes `dir`. Every file is complete on disk under
+/// a temporary name before the first one is renamed: after a failure the old results are intact and no temporary is left.
+/// @throws as check_output_directory, which it calls; WriteError.
+void write_results(const RunResult& result, const std::filesystem::path& dir, bool force);
+
+}  // namespace earthtop

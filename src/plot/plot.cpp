@@ -1,0 +1,259 @@
+#include "earthtop/plot/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "plot/svg_text.hpp"
+#include "plot/ticks.hpp"
+
+namespace earthtop {
+namespace {
+
+// Lengths in px; one character of the 12 px face takes about 6.4.
+constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 84, kPanelHeight = 210, kPanelGap = 58, kBottom = 62;
+constexpr double kPlotWidth = kWidth - kLeft - kRight;
+constexpr double kCharacter = 6.4;
+
+/// Grey text and rules follow the reader's scheme; the line colours are legible on both.
+constexpr const char* kStyle = R"(<style>
+.et{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;font-size:12px}
+.et text{fill:#374151}.et .et-h{fill:#111827;font-size:17px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
+.et .et-s{fill:#6b7280}.et .et-page{fill:#ffffff}.et .et-grid{stroke:#e5e7eb}.et .et-minor{stroke:#f3f4f6}.et .et-frame{stroke:#9ca3af}
+@media (prefers-color-scheme:dark){.et text{fill:#d1d5db}.et .et-h,.et .et-b{fill:#f9fafb}.et .et-s{fill:#9ca3af}
+.et .et-page{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
+</style>
+)";
+
+const char* hex(LineColor color) {
+  switch (color) {
+    case LineColor::blue: return "#0072b2";
+    case LineColor::vermillion: return "#d55e00";
+    case LineColor::green: return "#009e73";
+    case LineColor::purple: return "#cc79a7";
+    case LineColor::orange: return "#e69f00";
+    case LineColor::sky: return "#56b4e9";
+    case LineColor::grey: return "#8a8f98";
+  }
+  return "#8a8f98";
+}
+
+using Out = std::back_insert_iterator<std::string>;
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  bool empty() const { return !(low <= high); }
+};
+
+bool drawable(double value, AxisScale scale) { return std::isfinite(value) && (scale == AxisScale::linear || value > 0); }
+
+/// An axis with its ticks, and the way from data to px.
+struct Mapping {
+  Ticks axis;
+  AxisScale scale = AxisScale::linear;
+  double from = 0, to = 1;  ///< px of axis.low and axis.high
+
+  double operator()(double value) const {
+    // Halves keep the difference of two huge ends finite.
+    const double share = scale == AxisScale::linear
+                             ? (value / 2 - axis.low / 2) / (axis.high / 2 - axis.low / 2)
+                             : (std::log10(value) - std::log10(axis.low)) / (std::log10(axis.high) - std::log10(axis.low));
+    return from + std::clamp(share, -0.5, 1.5) * (to - from);
+  }
+};
+
+Mapping map_axis(Range range, AxisScale scale, bool tight, int wanted, double from, double to) {
+  if (range.empty()) range = scale == AxisScale::linear ? Range{0, 1} : Range{0.1, 1};
+  // Beyond a quarter of the largest double the axis's own arithmetic would overflow.
+  range.low = std::max(range.low, -4e307);
+  range.high = std::min(range.high, 4e307);
+  if (scale == AxisScale::linear) return {linear_ticks(range.low, range.high, wanted, tight), scale, from, to};
+  range.low = std::max({range.low, range.high * 1e-24, 1e-300});
+  range.high = std::max(range.high, range.low);
+  return {logarithmic_ticks(range.low, range.high, wanted), scale, from, to};
+}
+
+std::string caption(const Axis& axis, const Ticks& ticks) {
+  std::string unit = ticks.factor;
+  if (!axis.unit.empty()) unit += (unit.empty() ? "" : " ") + axis.unit;
+  std::string text = axis.label;
+  if (!ticks.offset.empty())
+    text += " (" + (unit.empty() ? "" : unit + ", ") + ticks.offset + ")";
+  else if (!unit.empty())
+    text += " (" + unit + ")";
+  return text;
+}
+
+/// The points of one unbroken piece of a line. Where many fall on one column of px, only those that shape the picture are
+/// kept: the first, lowest, highest and last of the column.
+class Piece {
+ public:
+  void add(double x, double y) {
+    const double column = std::floor(x * 2);
+    if (points_ == 0 || column != column_) {
+      flush();
+      column_ = column;
+      first_ = low_ = high_ = {x, y};
+    }
+    last_ = {x, y};
+    if (y < low_.y) low_ = last_;
+    if (y > high_.y) high_ = last_;
+    ++points_;
+    pending_ = true;
+  }
+  std::string path() {
+    flush();
+    return points_ == 1 ? path_ + "h0.01" : path_;  // a lone point shows as its round cap
+  }
+  double first_x() const { return begin_x_; }
+  double last_x() const { return last_.x; }
+  bool empty() const { return points_ == 0; }
+
+ private:
+  struct Point {
+    double x = 0, y = 0;
+    bool operator==(const Point&) const = default;
+  };
+  void flush() {
+    if (!pending_) return;
+    pending_ = false;
+    Point inner[] = {low_, high_};
+    if (inner[1].x < inner[0].x) std::swap(inner[0], inner[1]);
+    write(first_);
+    for (const Point& point : inner)
+      if (point != first_ && point != last_) write(point);
+    if (last_ != first_) write(last_);
+  }
+  void write(Point point) {
+    if (path_.empty()) begin_x_ = point.x;
+    fmt::format_to(Out(path_), "{}{:.2f} {:.2f}", path_.empty() ? "M" : "L", point.x, point.y);
+  }
+
+  std::string path_;
+  std::size_t points_ = 0;
+  bool pending_ = false;
+  double column_ = 0, begin_x_ = 0;
+  Point first_, low_, high_, last_;
+};
+
+void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) {
+  if (piece.empty()) return;
+  const std::string path = piece.path();
+  const char* color = hex(line.color);
+  if (line.style == LineStyle::filled)
+    fmt::format_to(Out(out), "<path d=\"{}V{:.2f}H{:.2f}Z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", path, floor,
+                   piece.first_x(), color);
+  const char* dash = line.style == LineStyle::dashed ? " stroke-dasharray=\"6 4\"" : "";
+  const double width = line.style == LineStyle::filled ? 1.2 : 1.8;
+  fmt::format_to(Out(out),
+                 "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
+                 "stroke-linecap=\"round\"{}/>\n",
+                 path, color, width, dash);
+}
+
+void draw_line(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
+  Piece piece;
+  const std::size_t count = std::min(line.x.size(), line.y.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) {
+      piece.add(x(line.x[i]), y(line.y[i]));
+    } else {
+      draw_piece(out, piece, line, y.from);
+      piece = {};
+    }
+  }
+  draw_piece(out, piece, line, y.from);
+}
+
+void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text) {
+  fmt::format_to(Out(out), "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style,
+                 escape_xml(text));
+}
+
+void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2) {
+  fmt::format_to(Out(out), "<path class=\"{}\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", style, x1, y1, x2, y2);
+}
+
+/// Right-aligned above the panel, so that it never hides a line.
+void draw_legend(std::string& out, const Panel& panel, double baseline) {
+  double right = kLeft + kPlotWidth;
+  for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line) {
+    if (line->label.empty()) continue;
+    draw_text(out, right, baseline, "end", "", line->label);
+    right -= kCharacter * static_cast<double>(character_count(line->label)) + 8;
+    if (line->style == LineStyle::filled)
+      fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", right - 22,
+                     baseline - 4, hex(line->color));
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", right - 22, baseline - 4,
+                   hex(line->color), line->style == LineStyle::dashed ? " stroke-dasharray=\"6 4\"" : "");
+    right -= 22 + 18;
+  }
+}
+
+void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, std::size_t index) {
+  Range range;
+  for (const Line& line : panel.lines)
+    for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
+      if (drawable(line.x[i], x_axis.scale) && drawable(line.y[i], panel.y.scale)) range.include(line.y[i]);
+  const double floor = top + kPanelHeight;
+  const Mapping y = map_axis(range, panel.y.scale, false, 6, floor, top);
+
+  draw_text(out, kLeft, top - 14, "start", " class=\"et-b\"", caption(panel.y, y.axis));
+  draw_legend(out, panel, top - 14);
+  for (const Tick& tick : x.axis.ticks)
+    draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", x(tick.value), top, x(tick.value), floor);
+  for (const Tick& tick : y.axis.ticks) {
+    draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", kLeft, y(tick.value), kLeft + kPlotWidth, y(tick.value));
+    draw_text(out, kLeft - 8, y(tick.value) + 4, "end", "", tick.label);
+  }
+  if (panel.y.scale == AxisScale::linear && y.axis.low < 0 && y.axis.high > 0)
+    draw_rule(out, "et-frame", kLeft, y(0), kLeft + kPlotWidth, y(0));
+  fmt::format_to(Out(out),
+                 "<clipPath id=\"et-clip{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
+                 "<g clip-path=\"url(#et-clip{})\">\n",
+                 index, kLeft, top - 2, kPlotWidth + 2, kPanelHeight + 4, index);
+  for (const Line& line : panel.lines) draw_line(out, line, x, y);
+  out += "</g>\n";
+  draw_rule(out, "et-frame", kLeft, floor, kLeft + kPlotWidth, floor);
+}
+
+}  // namespace
+
+std::string svg(const Figure& figure) {
+  Range range;
+  for (const Panel& panel : figure.panels)
+    for (const Line& line : panel.lines)
+      for (const double value : line.x)
+        if (drawable(value, figure.x.scale)) range.include(value);
+  const Mapping x = map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
+
+  const double panels = static_cast<double>(figure.panels.size());
+  const double bottom = kTop + panels * (kPanelHeight + kPanelGap) - kPanelGap + 18;
+  const double height = bottom - 18 + kBottom;
+  std::string out;
+  fmt::format_to(Out(out),
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+                 "role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n",
+                 kWidth, height, escape_xml(figure.title), escape_xml(figure.subtitle));
+  out += kStyle;
+  fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", kWidth, height);
+  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 80));
+  draw_text(out, kLeft, 49, "start", " class=\"et-s\"", shorten(figure.subtitle, 116));
+  double top = kTop;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i, top += kPanelHeight + kPanelGap)
+    draw_panel(out, figure.panels[i], figure.x, x, top, i);
+  for (const Tick& tick : x.axis.ticks) draw_text(out, x(tick.value), bottom, "middle", "", tick.label);
+  draw_text(out, kLeft + kPlotWidth / 2, bottom + 26, "middle", " class=\"et-b\"", caption(figure.x, x.axis));
+  out += "</svg>\n";
+  return out;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,166 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/results/results.hpp"
+
+namespace earthtop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// Text from a user may be anything; bytes that are not UTF-8 become U+FFFD instead of an exception.
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
+
+Json drift_json(const DriftSummary& drift, const std::optional<double>& threshold_rad) {
+  Json secular = nullptr;
+  Json oscillation = nullptr;
+  if (drift.secular) {
+    secular = {{"azimuth_rate_rad_s", drift.secular->azimuth_rate_rad_s},
+               {"azimuth_rate_standard_error_rad_s", drift.secular->azimuth_rate_standard_error_rad_s},
+               {"mean_precession_rate_change_rad_s", drift.secular->mean_precession_rate_change_rad_s}};
+    oscillation = {{"azimuth_rad", drift.secular->azimuth_oscillation_rad}};
+  }
+  return {{"axis_final_rad", drift.axis_final_rad},
+          {"axis_max_rad", drift.axis_max_rad},
+          {"axis_bound_rad", drift.axis_bound_rad},
+          {"attitude_final_rad", drift.attitude_final_rad},
+          {"attitude_bound_rad", drift.attitude_bound_rad},
+          {"spin_final_rad", drift.spin_final_rad},
+          {"azimuth_final_rad", or_null(drift.azimuth_final_rad)},
+          {"tilt_final_rad", drift.tilt_final_rad},
+          {"axis_final_over_earth_angle", or_null(drift.axis_final_over_earth_angle)},
+          {"verdict", "unassessed"},
+          {"secular", std::move(secular)},
+          {"oscillation", std::move(oscillation)},
+          {"threshold_rad", or_null(threshold_rad)},
+          {"threshold_time_s", or_null(drift.threshold_time_s)}};
+}
+
+Json integration_json(const IntegrationReport& report) {
+  return {{"observer", to_string(report.observer)},
+          {"method", to_string(report.method)},
+          {"precision", report.precision},
+          {"relative_tolerance", report.relative_tolerance},
+          {"step_s", or_null(report.step_s)},
+          {"steps_accepted", report.counters.accepted},
+          {"steps_rejected", report.counters.rejected},
+          {"right_hand_side_evaluations", report.counters.evaluations}};
+}
+
+Json invariants_json(const std::vector<InvariantReport>& invariants) {
+  Json list = Json::array();
+  for (const InvariantReport& invariant : invariants) {
+    list.push_back({{"name", invariant.name},
+                    {"unit", invariant.unit},
+                    {"initial", invariant.initial},
+                    {"largest_change", invariant.largest_change},
+                    {"scale", invariant.scale}});
+  }
+  return list;
+}
+
+Json theory_json(const std::vector<TheoryReport>& theory) {
+  Json list = Json::array();
+  for (const TheoryReport& report : theory) {
+    list.push_back({{"name", report.name},
+                    {"statement", report.statement},
+                    {"unit", report.unit},
+                    {"predicted", report.predicted},
+                    {"computed", report.computed}});
+  }
+  return list;
+}
+
+/// Everything that could turn a top is on one of the two lists.
+Json effects_json(const Scenario& scenario) {
+  Json modelled = Json::array({"gravity"});
+  Json left_out = Json::array();
+  (scenario.effects.coriolis ? modelled : left_out).push_back("coriolis");
+  (scenario.effects.centrifugal ? modelled : left_out).push_back("centrifugal");
+  (scenario.effects.transverse ? modelled : left_out).push_back("transverse");
+  (scenario.platform ? modelled : left_out).push_back("platform_motion");
+  for (const char* effect : {"viscous_torque", "pivot_friction", "air_drag", "gravity_gradient", "polar_motion",
+                             "variation_of_earth_rate", "earth_tides", "elasticity"})
+    left_out.push_back(effect);
+  return {{"modelled", std::move(modelled)}, {"left_out", std::move(left_out)}};
+}
+
+Json provenance_json(const Scenario& scenario) {
+  const BuildInfo& build = build_info();
+  Json libraries = Json::object();
+  for (const auto& [name, version] : build.libraries) libraries[name] = version;
+  Json constants = Json::array();
+  for (const Constant& constant : constants_used(scenario))
+    constants.push_back(
+        {{"name", constant.name}, {"value", constant.value}, {"unit", constant.unit}, {"source", constant.source}});
+  return {{"program", "earthtop"},
+          {"version", build.version},
+          {"commit", build.commit},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"libraries", std::move(libraries)},
+          {"scenario_sha256", scenario_sha256(scenario)},
+          {"constants", std::move(constants)}};
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc));
+}
+
+}  // namespace
+
+std::string matching_rule(const Scenario& scenario) {
+  return scenario.release.rates_relative_to == RatesRelativeTo::laboratory
+             ? "same attitude and same rates relative to the laboratory at release"
+             : "same attitude and same rates relative to inertial space at release";
+}
+
+std::string summary_json(const RunResult& result) {
+  const Scenario& scenario = result.scenario;
+  return dump(
+      {{"$schema", "earthtop-summary-1.json"},
+       {"name", scenario.name},
+       {"title", scenario.title},
+       {"outcome", {{"status", to_string(result.status)}, {"reached_s", result.reached_s}, {"rows", result.rows.size()}}},
+       {"matching_rule",
+        {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
+       {"drift", drift_json(result.drift, scenario.threshold_rad)},
+       {"solution", integration_json(result.solution)},
+       {"certificate", integration_json(result.certificate)},
+       {"attitude_bound_rad", result.attitude_bound_rad},
+       {"invariants", invariants_json(result.invariants)},
+       {"theory", theory_json(result.theory)},
+       {"effects", effects_json(scenario)},
+       {"notes", result.notes},
+       {"scenario", Json::parse(canonical_json(scenario))},
+       {"provenance", provenance_json(scenario)}});
+}
+
+std::string timing_json(const RunResult& result) {
+  return dump({{"solution_s", result.solution.seconds},
+               {"certificate_s", result.certificate.seconds},
+               {"written_utc", utc_now()},
+               {"host", host_name()}});
+}
+
+}  // namespace earthtop

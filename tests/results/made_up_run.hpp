@@ -1,0 +1,61 @@
+/// A run's result that no integration made: known numbers for what reads and writes results.
+#pragma once
+
+#include <cmath>
+
+#include "earthtop/run.hpp"
+
+namespace earthtop::test {
+
+inline RunResult made_up_run(std::size_t rows = 201) {
+  RunResult result;
+  Scenario& scenario = result.scenario;
+  scenario.name = "made-up";
+  scenario.title = "A fast top, slowly precessing";
+  scenario.site = {45, 0, 0, 9.80665};
+  scenario.body.mass_kg = 0.1;
+  scenario.body.center_of_mass_m = {0, 0, 0.03};
+  scenario.body.inertia_kg_m2 = {{{1.2e-4, 0, 0}, {0, 1.2e-4, 0}, {0, 0, 4e-5}}};
+  scenario.release.tilt_deg = 20;
+  scenario.release.azimuth_deg = 90;
+  scenario.release.spin_rad_s = 200;
+  scenario.duration_s = 60;
+  scenario.output_step_s = 0.3;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = 60.0 * static_cast<double>(i) / static_cast<double>(rows - 1);
+    DriftRow row;
+    row.t_s = t;
+    row.drift_azimuth_rad = 5.15e-5 * t + 2e-4 * std::sin(1.3 * t);
+    row.drift_tilt_rad = 1.5e-4 * (1 - std::cos(1.3 * t));
+    row.drift_axis_rad = std::hypot(*row.drift_azimuth_rad * std::sin(0.35), row.drift_tilt_rad);
+    row.drift_axis_bound_rad = 1e-13 * (1 + t * t);
+    row.drift_attitude_rad = 2 * row.drift_axis_rad;
+    row.drift_attitude_bound_rad = 2e-13 * (1 + t * t);
+    row.drift_spin_rad = -1e-5 * t;
+    result.rows.push_back(row);
+  }
+  result.reached_s = result.rows.back().t_s;
+  result.drift.axis_final_rad = result.rows.back().drift_axis_rad;
+  result.drift.axis_max_rad = 1.25e-3;
+  result.drift.axis_bound_rad = 3.6e-10;
+  result.drift.attitude_final_rad = 2 * result.drift.axis_final_rad;
+  result.drift.attitude_bound_rad = 7.2e-10;
+  result.drift.spin_final_rad = -6e-4;
+  result.drift.azimuth_final_rad = result.rows.back().drift_azimuth_rad;
+  result.drift.tilt_final_rad = result.rows.back().drift_tilt_rad;
+  result.drift.axis_final_over_earth_angle = result.drift.axis_final_rad / (kEarthRateWgs84 * 60);
+  result.drift.secular = SecularDrift{5.15e-5, 3e-7, 2e-4, -5.15e-5};
+  result.solution.method = Method::rkf78;
+  result.solution.relative_tolerance = 1e-12;
+  result.solution.counters = {12345, 67, 161196};
+  result.solution.seconds = 0.125;
+  result.certificate = result.solution;
+  result.certificate.observer = Observer::inertial;
+  result.attitude_bound_rad = 1e-9;
+  result.invariants = {{"jacobi_integral", "J", 0.8, 1e-14, 0.83}};
+  result.theory = {{"precession_rate_change", "-Omega sin(latitude)", "rad/s", -5.156e-5, -5.15e-5}};
+  result.notes = {"made up"};
+  return result;
+}
+
+}  // namespace earthtop::test

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/results/results.hpp"
+#include "results/made_up_run.hpp"
+
+namespace earthtop {
+namespace {
+
+using nlohmann::json;
+using test::made_up_run;
+
+json summary_of(const RunResult& result) { return json::parse(summary_json(result)); }
+
+TEST(Sha256, KnownVectors) {  // FIPS 180-4 examples
+  EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Summary, HasTheContractsKeys) {
+  const RunResult result = made_up_run();
+  const json summary = summary_of(result);
+  const json& drift = summary.at("drift");
+  EXPECT_EQ(drift.at("axis_final_rad").get<double>(), result.drift.axis_final_rad);
+  EXPECT_EQ(drift.at("axis_max_rad").get<double>(), result.drift.axis_max_rad);
+  EXPECT_EQ(drift.at("axis_bound_rad").get<double>(), result.drift.axis_bound_rad);
+  EXPECT_EQ(drift.at("attitude_final_rad").get<double>(), result.drift.attitude_final_rad);
+  EXPECT_EQ(drift.at("attitude_bound_rad").get<double>(), result.drift.attitude_bound_rad);
+  EXPECT_EQ(drift.at("verdict"), "unassessed");
+}
+
+TEST(Summary, HoldsTheRestOfTheResult) {
+  const RunResult result = made_up_run();
+  const json summary = summary_of(result);
+  const json& drift = summary.at("drift");
+  EXPECT_EQ(drift.at("spin_final_rad").get<double>(), result.drift.spin_final_rad);
+  EXPECT_EQ(drift.at("azimuth_final_rad").get<double>(), *result.drift.azimuth_final_rad);
+  EXPECT_EQ(drift.at("tilt_final_rad").get<double>(), result.drift.tilt_final_rad);
+  EXPECT_EQ(drift.at("axis_final_over_earth_angle").get<double>(), *result.drift.axis_final_over_earth_angle);
+  EXPECT_EQ(drift.at("/secular/azimuth_rate_rad_s"_json_pointer).get<double>(), 5.15e-5);
+  EXPECT_EQ(drift.at("/secular/azimuth_rate_standard_error_rad_s"_json_pointer).get<double>(), 3e-7);
+  EXPECT_EQ(drift.at("/secular/mean_precession_rate_change_rad_s"_json_pointer).get<double>(), -5.15e-5);
+  EXPECT_EQ(drift.at("/oscillation/azimuth_rad"_json_pointer).get<double>(), 2e-4);
+  EXPECT_TRUE(drift.at("threshold_rad").is_null());
+  EXPECT_TRUE(drift.at("threshold_time_s").is_null());
+  EXPECT_EQ(summary.at("/outcome/status"_json_pointer), "completed");
+  EXPECT_EQ(summary.at("/outcome/reached_s"_json_pointer), 60.0);
+  EXPECT_EQ(summary.at("/outcome/rows"_json_pointer), 201);
+  EXPECT_EQ(summary.at("/matching_rule/rates_relative_to"_json_pointer), "laboratory");
+  EXPECT_EQ(summary.at("/solution/right_hand_side_evaluations"_json_pointer), 161196);
+  EXPECT_EQ(summary.at("/solution/steps_accepted"_json_pointer), 12345);
+  EXPECT_EQ(summary.at("/solution/steps_rejected"_json_pointer), 67);
+  EXPECT_EQ(summary.at("/certificate/observer"_json_pointer), "inertial");
+  EXPECT_EQ(summary.at("/invariants/0/largest_change"_json_pointer).get<double>(), 1e-14);
+  EXPECT_EQ(summary.at("/theory/0/predicted"_json_pointer).get<double>(), -5.156e-5);
+  EXPECT_EQ(summary.at("/theory/0/computed"_json_pointer).get<double>(), -5.15e-5);
+  EXPECT_EQ(summary.at("/notes/0"_json_pointer), "made up");
+}
+
+TEST(Summary, AbsentValuesAreNull) {
+  RunResult result = made_up_run();
+  result.drift.secular.reset();
+  result.drift.azimuth_final_rad.reset();
+  result.drift.axis_final_over_earth_angle.reset();
+  result.drift.axis_bound_rad = std::numeric_limits<double>::infinity();
+  const json drift = summary_of(result).at("drift");
+  for (const char* key : {"secular", "oscillation", "azimuth_final_rad", "axis_final_over_earth_angle", "axis_bound_rad"})
+    EXPECT_TRUE(drift.at(key).is_null()) << key;
+}
+
+TEST(Summary, MatchingRuleIsSaidInWords) {
+  RunResult result = made_up_run();
+  EXPECT_NE(matching_rule(result.scenario).find("laboratory"), std::string::npos);
+  result.scenario.release.rates_relative_to = RatesRelativeTo::inertial;
+  EXPECT_NE(matching_rule(result.scenario).find("inertial"), std::string::npos);
+  EXPECT_EQ(summary_of(result).at("/matching_rule/rates_relative_to"_json_pointer), "inertial");
+}
+
+TEST(Summary, EffectSwitchedOffIsLeftOut) {
+  RunResult result = made_up_run();
+  result.scenario.effects.centrifugal = false;
+  const json effects = summary_of(result).at("effects");
+  const auto has = [&](const char* list, const char* effect) {
+    const json& names = effects.at(list);
+    return std::find(names.begin(), names.end(), effect) != names.end();
+  };
+  EXPECT_TRUE(has("modelled", "coriolis"));
+  EXPECT_FALSE(has("modelled", "centrifugal"));
+  EXPECT_TRUE(has("left_out", "centrifugal"));
+}
+
+TEST(Summary, ScenarioIsTheCanonicalOneAndItsHash) {
+  const RunResult result = made_up_run();
+  const json summary = summary_of(result);
+  EXPECT_EQ(summary.at("scenario"), json::parse(canonical_json(result.scenario)));
+  EXPECT_EQ(summary.at("/provenance/scenario_sha256"_json_pointer), sha256_hex(canonical_json(result.scenario)));
+}
+
+TEST(Summary, ProvenanceNamesBuildLibrariesAndConstants) {
+  const json provenance = summary_of(made_up_run()).at("provenance");
+  for (const char* key : {"version", "commit", "compiler", "flags"})
+    EXPECT_FALSE(provenance.at(key).get<std::string>().empty()) << key;
+  for (const char* library : {"Boost", "Eigen", "GSL", "nlohmann-json", "fmt", "GeographicLib", "OpenSSL"})
+    EXPECT_FALSE(provenance.at("libraries").at(library).get<std::string>().empty()) << library;
+  EXPECT_EQ(provenance.at("/constants/0/value"_json_pointer).get<double>(), 7.292115e-5);
+  EXPECT_EQ(provenance.at("/constants/1/source"_json_pointer), "scenario");
+}
+
+TEST(Summary, ConstantsNameTheEllipsoidOnlyWhereItWasUsed) {
+  Scenario scenario = made_up_run().scenario;
+  EXPECT_EQ(constants_used(scenario).size(), 2U);
+  scenario.site.gravity_m_s2 = normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
+  EXPECT_EQ(constants_used(scenario).size(), 5U);
+}
+
+TEST(Summary, SameResultSameBytes) {
+  RunResult result = made_up_run();
+  const std::string first = summary_json(result);
+  EXPECT_EQ(first, summary_json(result));
+  result.solution.seconds = 99;
+  result.certificate.seconds = 98;
+  EXPECT_EQ(first, summary_json(result));
+  EXPECT_EQ(first.find("seconds"), std::string::npos);
+}
+
+TEST(Summary, AnotherResultOtherBytes) {
+  RunResult result = made_up_run();
+  const std::string first = summary_json(result);
+  result.drift.axis_final_rad = std::nextafter(result.drift.axis_final_rad, 1.0);
+  EXPECT_NE(first, summary_json(result));
+}
+
+TEST(Timing, HoldsWhatTheSummaryMustNot) {
+  const json timing = json::parse(timing_json(made_up_run()));
+  EXPECT_EQ(timing.at("solution_s"), 0.125);
+  EXPECT_EQ(timing.at("certificate_s"), 0.125);
+  EXPECT_EQ(timing.at("written_utc").get<std::string>().size(), 20U);
+  EXPECT_FALSE(timing.at("host").get<std::string>().empty());
+}
+
+}  // namespace
+}  // namespace earthtop

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "earthtop/results/results.hpp"
+#include "results/made_up_run.hpp"
+
+namespace earthtop {
+namespace {
+
+namespace fs = std::filesystem;
+using test::made_up_run;
+
+class Write : public testing::Test {
+ protected:
+  Write() {
+    std::string name = (fs::temp_directory_path() / "earthtop-write-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    root_ = name;
+    dir_ = root_ / "out" / "made-up";
+  }
+  ~Write() override { fs::remove_all(root_); }
+
+  static std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  static void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+  static std::set<std::string> names_in(const fs::path& dir) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(dir)) names.insert(entry.path().filename().string());
+    return names;
+  }
+
+  fs::path root_;
+  fs::path dir_;
+};
+
+const std::set<std::string> kAll = {"trajectory.csv", "drift.svg", "timing.json", "summary.json"};
+
+RunResult another_run() {
+  RunResult result = made_up_run();
+  result.scenario.release.spin_rad_s = 201;
+  return result;
+}
+
+TEST_F(Write, MakesTheDirectoryAndEveryFile) {
+  const RunResult result = made_up_run();
+  write_results(result, dir_, false);
+  EXPECT_EQ(names_in(dir_), kAll);
+  EXPECT_EQ(read(dir_ / "trajectory.csv"), trajectory_csv(result));
+  EXPECT_EQ(read(dir_ / "summary.json"), summary_json(result));
+  EXPECT_EQ(read(dir_ / "drift.svg"), svg(drift_figure(result)));
+}
+
+TEST_F(Write, SameScenarioIsOverwritten) {
+  write_results(made_up_run(), dir_, false);
+  RunResult again = made_up_run();
+  again.notes = {"again"};
+  EXPECT_NO_THROW(check_output_directory(dir_, again.scenario, false));
+  write_results(again, dir_, false);
+  EXPECT_EQ(read(dir_ / "summary.json"), summary_json(again));
+  EXPECT_EQ(names_in(dir_), kAll);
+}
+
+TEST_F(Write, AnotherScenarioIsRefusedUnlessForced) {
+  const RunResult first = made_up_run();
+  write_results(first, dir_, false);
+  EXPECT_THROW(check_output_directory(dir_, another_run().scenario, false), ScenarioError);
+  EXPECT_THROW(write_results(another_run(), dir_, false), ScenarioError);
+  EXPECT_EQ(read(dir_ / "summary.json"), summary_json(first));
+  EXPECT_NO_THROW(check_output_directory(dir_, another_run().scenario, true));
+  write_results(another_run(), dir_, true);
+  EXPECT_EQ(read(dir_ / "summary.json"), summary_json(another_run()));
+}
+
+TEST_F(Write, WhatIsNotOursIsRefusedUnlessForced) {
+  fs::create_directories(dir_);
+  for (const char* text : {"", "{", "[]", "{\"provenance\":{}}", "{\"provenance\":{\"scenario_sha256\":1}}"}) {
+    put(dir_ / "summary.json", text);
+    EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError) << text;
+    EXPECT_NO_THROW(check_output_directory(dir_, made_up_run().scenario, true)) << text;
+  }
+  fs::remove(dir_ / "summary.json");
+  put(dir_ / "trajectory.csv", "mine\n");
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError);
+}
+
+TEST_F(Write, OtherFilesInTheDirectoryAreNoObstacle) {
+  fs::create_directories(dir_);
+  put(dir_ / "notes.txt", "mine");
+  write_results(made_up_run(), dir_, false);
+  EXPECT_EQ(read(dir_ / "notes.txt"), "mine");
+}
+
+TEST_F(Write, WhatIsNoDirectoryIsRefusedEvenIfForced) {
+  put(root_ / "file", "mine");
+  for (const fs::path& path : {root_ / "file", root_ / "file" / "below", fs::path()}) {
+    EXPECT_THROW(check_output_directory(path, made_up_run().scenario, true), ScenarioError) << path;
+    EXPECT_THROW(write_results(made_up_run(), path, true), ScenarioError) << path;
+  }
+  EXPECT_EQ(read(root_ / "file"), "mine");
+  fs::create_directories(dir_ / "drift.svg");
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, true), ScenarioError);
+}
+
+TEST_F(Write, CheckMakesNothing) {
+  check_output_directory(dir_, made_up_run().scenario, false);
+  EXPECT_TRUE(fs::is_empty(root_));
+}
+
+TEST_F(Write, UnwritablePlaceIsAWriteError) {
+  if (::geteuid() == 0) {
+    // root passes every permission bit; procfs still makes no directories.
+    EXPECT_THROW(write_results(made_up_run(), "/proc/earthtop-out", false), WriteError);
+    return;
+  }
+  fs::create_directories(dir_);
+  fs::permissions(dir_, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), WriteError);
+  EXPECT_THROW(write_results(made_up_run(), dir_, false), WriteError);
+  fs::permissions(dir_, fs::perms::owner_all);
+  EXPECT_TRUE(fs::is_empty(dir_));
+}
+
+/// Files of this process may not grow beyond `bytes` while this lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*handler_)(int);
+};
+
+TEST_F(Write, FailureInTheMiddleOfAFileLeavesTheOldResult) {
+  const RunResult old = made_up_run(11);
+  write_results(old, dir_, false);
+  const std::string timing = read(dir_ / "timing.json");
+  // Room for none, and for the trajectory but not for what follows it: the limit falls in different files.
+  for (const std::size_t limit : {std::size_t{100}, std::size_t{4000}, trajectory_csv(another_run()).size() - 1}) {
+    RunResult next = another_run();
+    if (limit == 4000) next.rows.resize(2);
+    try {
+      const FileSizeLimit full(limit);
+      write_results(next, dir_, true);
+      FAIL() << "written in spite of the limit " << limit;
+    } catch (const WriteError& error) {
+      EXPECT_NE(std::string(error.what()).find(dir_.string()), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("too large"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(names_in(dir_), kAll);
+    EXPECT_EQ(read(dir_ / "trajectory.csv"), trajectory_csv(old));
+    EXPECT_EQ(read(dir_ / "summary.json"), summary_json(old));
+    EXPECT_EQ(read(dir_ / "timing.json"), timing);
+  }
+}
+
+}  // namespace
+}  // namespace earthtop
