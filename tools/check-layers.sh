@@ -18,7 +18,7 @@ results plot
 bench study compare report
 tools'
 
-find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.cpp' \) | LC_ALL=C sort |
+find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |
   xargs awk -v layers="$layers" '
     function complain(what) { printf "%s:%d: %s\n", FILENAME, FNR, what; ++faults }
     function layer_of(path) {  # below include/earthtop or src: its directory, or its name if it has none

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -t sources < <(find include src tests tools -type f \( -name '*.hpp' -o -name '*.cpp' \) | LC_ALL=C sort)
+mapfile -t sources < <(find include src tests tools -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort)
 if [[ ${1:-} == --fix ]]; then
   clang-format -i "${sources[@]}"
 else
