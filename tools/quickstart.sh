@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 tools/install-dependencies.sh
 cmake --preset release
-cmake --build --preset release --parallel "$(nproc)" --target earthtop-program
+cmake --build --preset release --parallel "$(nproc)" --target earthtop-tool
 program=build/release/tools/earthtop/earthtop
 out=out/toy-top
 
