@@ -14,7 +14,7 @@ namespace earthtop {
 namespace {
 
 // Lengths in px; one character of the 12 px face takes about 6.4.
-constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 84, kPanelHeight = 210, kPanelGap = 58, kBottom = 62;
+constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 102, kPanelHeight = 210, kPanelGap = 58, kBottom = 62;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 constexpr double kCharacter = 6.4;
 
@@ -187,8 +187,9 @@ void draw_legend(std::string& out, const Panel& panel, double baseline) {
   double right = kLeft + kPlotWidth;
   for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line) {
     if (line->label.empty()) continue;
-    draw_text(out, right, baseline, "end", "", line->label);
-    right -= kCharacter * static_cast<double>(character_count(line->label)) + 8;
+    right -= kCharacter * static_cast<double>(character_count(line->label));
+    draw_text(out, right, baseline, "start", "", line->label);
+    right -= 8;
     if (line->style == LineStyle::filled)
       fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", right - 22,
                      baseline - 4, hex(line->color));
@@ -245,7 +246,7 @@ std::string svg(const Figure& figure) {
                  kWidth, height, escape_xml(figure.title), escape_xml(figure.subtitle));
   out += kStyle;
   fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", kWidth, height);
-  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 80));
+  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 68));
   draw_text(out, kLeft, 49, "start", " class=\"et-s\"", shorten(figure.subtitle, 116));
   double top = kTop;
   for (std::size_t i = 0; i < figure.panels.size(); ++i, top += kPanelHeight + kPanelGap)

@@ -57,13 +57,13 @@ Panel parts_panel(const RunResult& result, Unit time) {
   double size = 0;
   for (const DriftRow& row : result.rows) size = largest(largest(size, row.drift_tilt_rad), row.drift_azimuth_rad.value_or(0));
   const Unit unit = angle_unit(size);
-  Line azimuth = make_line(result, "azimuth, clockwise from above", LineColor::blue, LineStyle::solid, time);
-  Line tilt = make_line(result, "tilt, away from the vertical", LineColor::orange, LineStyle::solid, time);
+  Line azimuth = make_line(result, "azimuth, clockwise", LineColor::blue, LineStyle::solid, time);
+  Line tilt = make_line(result, "tilt, from the vertical", LineColor::orange, LineStyle::solid, time);
   for (const DriftRow& row : result.rows) {
     azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_si);
     tilt.y.push_back(row.drift_tilt_rad * unit.per_si);
   }
-  return {{"Its parts", unit.name, AxisScale::linear}, {std::move(azimuth), std::move(tilt)}};
+  return {{"Drift in azimuth and in tilt", unit.name, AxisScale::linear}, {std::move(azimuth), std::move(tilt)}};
 }
 
 }  // namespace

@@ -1,0 +1,135 @@
+#!/bin/sh
+# The program as a shell sees it: exit statuses, what goes to which stream, what is left on disk.
+# usage: cli_test.sh PATH_OF_EARTHTOP
+set -u
+tool=$1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+faults=0
+
+fault() {
+  echo "FAULT: $1" >&2
+  head -n 5 out.txt | sed 's/^/  stdout: /' >&2
+  head -n 5 err.txt | sed 's/^/  stderr: /' >&2
+  faults=$((faults + 1))
+}
+# expect STATUS ARGUMENTS...: runs the program, keeps its streams in out.txt and err.txt.
+expect() {
+  wanted=$1
+  shift
+  "$tool" "$@" >out.txt 2>err.txt </dev/null
+  status=$?
+  [ "$status" -eq "$wanted" ] || fault "earthtop $*: exit status $status, not $wanted"
+}
+on_stdout() { grep -q -- "$1" out.txt || fault "no '$1' on standard output"; }
+on_stderr() { grep -q -- "$1" err.txt || fault "no '$1' on standard error"; }
+nothing_on_stdout() { [ ! -s out.txt ] || fault "standard output is not empty"; }
+nothing_on_stderr() { [ ! -s err.txt ] || fault "standard error is not empty"; }
+
+cat >top.json <<'END'
+{ "name": "cli-top", "title": "A top for the shell", "site": { "latitude_deg": 45, "gravity_m_s2": 9.8 },
+  "body": { "mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03],
+            "inertia": { "about": "pivot", "principal_kg_m2": [1.2e-4, 1.2e-4, 4e-5] } },
+  "release": { "tilt_deg": 20, "spin_rad_s": 200 }, "motion": { "duration_s": 1 } }
+END
+sed 's/"duration_s": 1 /"duration_s": 50000, "output_step_s": 1000 /' top.json >long.json
+sed 's/"tilt_deg"/"tilt_degrees"/; s/"mass_kg": 0.1/"mass_kg": -1/' top.json >faulty.json
+
+# Usage.
+for arguments in "" frobnicate run "run top.json --frobnicate" "run top.json --out" "run top.json other.json" \
+  "run top.json --set nonsense"; do
+  # shellcheck disable=SC2086
+  expect 2 $arguments
+  nothing_on_stdout
+  on_stderr "error: "
+done
+for verb in check explain bench verify study compare report schema example completion; do
+  expect 2 "$verb" something
+  on_stderr "not available"
+  nothing_on_stdout
+done
+expect 2 bench something --json
+on_stdout '"errors"'
+on_stdout 'not available'
+expect 0 --help
+on_stdout 'run'
+expect 0 run --help
+on_stdout '--force'
+expect 0 version
+on_stdout '^earthtop [0-9]'
+expect 0 --version
+on_stdout '^earthtop [0-9]'
+expect 0 version --json
+on_stdout '"commit"'
+nothing_on_stderr
+
+# Refused input.
+expect 2 run missing.json
+nothing_on_stdout
+on_stderr 'missing.json'
+expect 2 run faulty.json
+nothing_on_stdout
+on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /release/tilt_degrees'
+on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /body/mass_kg'
+expect 2 run faulty.json --json
+nothing_on_stderr
+for key in errors file line column pointer message; do on_stdout "\"$key\""; done
+on_stdout '"pointer": "/release/tilt_degrees"'
+[ ! -e out ] || fault "a refused scenario left a directory"
+
+# A run.
+expect 0 run top.json
+on_stdout 'A top for the shell'
+on_stdout '± .*rad'
+nothing_on_stderr
+for file in trajectory.csv summary.json timing.json drift.svg; do
+  [ -s "out/cli-top/$file" ] || fault "no $file"
+done
+if grep -q "$(printf '\033')" out.txt; then fault "colours in a file"; fi
+expect 0 run top.json --json --out again
+nothing_on_stderr
+cmp -s out.txt again/summary.json || fault "--json is not the summary"
+cmp -s again/summary.json out/cli-top/summary.json || fault "two runs, two summaries"
+cmp -s again/trajectory.csv out/cli-top/trajectory.csv || fault "two runs, two trajectories"
+expect 0 run top.json --quiet
+nothing_on_stdout
+"$tool" run - --out piped --quiet <top.json || fault "standard input"
+cmp -s piped/summary.json again/summary.json || fault "standard input gives another summary"
+
+# Results of another scenario in the way.
+expect 2 run top.json --set /release/spin_rad_s=210
+on_stderr 'another scenario'
+cmp -s again/summary.json out/cli-top/summary.json || fault "refused, and yet overwritten"
+expect 0 run top.json --set /release/spin_rad_s=210 --force --quiet
+cmp -s again/summary.json out/cli-top/summary.json && fault "--force did not overwrite"
+expect 2 run top.json --out top.json
+on_stderr 'not a directory'
+
+# Writing fails.
+if [ -w /dev/full ]; then
+  "$tool" run top.json --out full >/dev/full 2>err.txt
+  [ $? -eq 4 ] || fault "full standard output: not exit status 4"
+fi
+"$tool" run top.json --out closed >&- 2>err.txt
+[ $? -eq 4 ] || fault "closed standard output: not exit status 4"
+grep -q '^Written' closed/* && fault "the summary went into a result file"
+(
+  ulimit -f 1
+  "$tool" run top.json --out limited --quiet >/dev/null 2>limited.txt
+  [ $? -eq 4 ]
+) || fault "file size limit: not exit status 4"
+[ -z "$(ls -A limited 2>/dev/null)" ] || fault "file size limit: files were left"
+
+# Interrupted.
+for pair in INT:130 TERM:143; do
+  # A background job of a shell ignores SIGINT, so the signal comes from timeout.
+  timeout --preserve-status -s "${pair%:*}" 1 "$tool" run long.json --out stopped >out.txt 2>err.txt
+  status=$?
+  [ "$status" -eq "${pair#*:}" ] || fault "SIG${pair%:*}: exit status $status"
+  on_stderr 'interrupted at'
+  [ ! -e stopped ] || fault "an interrupted run wrote results"
+done
+
+[ "$faults" -eq 0 ] && echo "all as expected"
+[ "$faults" -eq 0 ]

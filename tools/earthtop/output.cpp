@@ -1,0 +1,68 @@
+#include "output.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/results.hpp"
+
+namespace earthtop::tool {
+
+void prepare_streams() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int descriptor : {0, 1, 2}) {
+    // The lowest free descriptor is the closed one; the wrong direction keeps it failing as a closed one does.
+    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY) < 0)
+      std::_Exit(kWriteFailed);
+  }
+}
+
+void print(std::string_view text) {
+  errno = 0;
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!whole || std::ferror(stdout) != 0) {
+    const int error = errno;
+    throw WriteError(kStandardOutput, error != 0 ? std::strerror(error) : "writing failed");
+  }
+}
+
+void message(std::string_view line) {
+  const std::string text = std::string(line) + '\n';
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+bool wants_color() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  if (no_color != nullptr && *no_color != '\0') return false;
+  if (terminal != nullptr && std::strcmp(terminal, "dumb") == 0) return false;
+  return ::isatty(STDOUT_FILENO) == 1;
+}
+
+int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status) {
+  if (!json) {
+    for (const Diagnostic& error : errors) message(format_diagnostic(file.empty() ? "earthtop" : file, error));
+    return status;
+  }
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Diagnostic& error : errors) {
+    const bool placed = error.line > 0;
+    list.push_back({{"file", file},
+                    {"line", placed ? Json(error.line) : Json(nullptr)},
+                    {"column", placed ? Json(error.column) : Json(nullptr)},
+                    {"pointer", error.pointer},
+                    {"message", error.message}});
+  }
+  print(Json{{"errors", std::move(list)}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  return status;
+}
+
+}  // namespace earthtop::tool

@@ -1,0 +1,35 @@
+/// What the program says: results on standard output, everything else on standard error.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::tool {
+
+/// Exit statuses; 128 + signal where a signal stopped the work.
+enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4 };
+
+/// The name of standard output in a WriteError.
+inline constexpr const char* kStandardOutput = "<standard output>";
+
+/// A writing to a closed pipe or beyond a file size limit becomes an error to report, not a signal to die of; descriptors
+/// 0 to 2 are taken, so that no result file becomes "standard output".
+void prepare_streams();
+
+/// Writes to standard output and makes sure that it arrived. @throws WriteError
+void print(std::string_view text);
+
+/// Writes a line to standard error; what cannot be written there is lost.
+void message(std::string_view line);
+
+/// Whether standard output is a terminal that wants colours (NO_COLOR is honoured).
+bool wants_color();
+
+/// Reports what went wrong: a line each on standard error or, with `json`, {"errors":[{file, line, column, pointer,
+/// message}]} on standard output; line and column are null where there are none. @returns `status`
+int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status);
+
+}  // namespace earthtop::tool

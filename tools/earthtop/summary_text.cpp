@@ -1,0 +1,178 @@
+#include "summary_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+
+#include "earthtop/results/results.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+constexpr double kArcsecond = std::numbers::pi / (180 * 3600.0);
+
+/// Text for a terminal: what would steer it is shown as "?".
+std::string harmless(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    const bool c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 to U+009F
+    shown += byte < 0x20 || byte == 0x7F || c1 ? '?' : text[i];
+    if (c1) ++i;
+  }
+  return shown;
+}
+
+/// Seven digits, or fewer or more: those that the bound leaves standing and one beyond.
+std::string with_bound(double value, double bound) {
+  if (!std::isfinite(value) || !std::isfinite(bound)) return fmt::format("{:.6e} rad, bound not known", value);
+  int decimals = 6;
+  if (value != 0 && bound > 0)
+    decimals =
+        static_cast<int>(std::clamp(std::floor(std::log10(std::abs(value))) - std::floor(std::log10(bound)) + 1, 1.0, 16.0));
+  return fmt::format("{:.{}e} ± {:.1e} rad", value, decimals, bound);
+}
+
+/// The same angle in the unit in which it is easiest to picture.
+std::string pictured(double rad) {
+  const double arcseconds = rad / kArcsecond;
+  const double size = std::abs(arcseconds);
+  if (size >= 3600) return fmt::format("{:.5g}°", arcseconds / 3600);
+  if (size >= 0.1 || size == 0) return fmt::format("{:.5g} arcsec", arcseconds);
+  if (size >= 1e-4) return fmt::format("{:.5g} milliarcsec", arcseconds * 1e3);
+  return fmt::format("{:.5g} microarcsec", arcseconds * 1e6);
+}
+
+std::string grouped(std::int64_t number) {
+  std::string digits = fmt::format("{}", number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > (number < 0 ? 1 : 0); at -= 3)
+    digits.insert(static_cast<std::size_t>(at), 1, ',');
+  return digits;
+}
+
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string_view axes_of(Observer observer) {
+  switch (observer) {
+    case Observer::laboratory: return "the laboratory's axes";
+    case Observer::body: return "the body's axes";
+    case Observer::inertial: return "inertial axes";
+  }
+  return "";
+}
+
+class Page {
+ public:
+  explicit Page(bool color) : color_(color) {}
+
+  void heading(std::string_view text) { line("{}", strong(text)); }
+  void entry(std::string_view label, std::string_view text) { line("{:<12}{}", label, text); }
+  template <class... Values>
+  void line(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    text_ += '\n';
+  }
+  std::string strong(std::string_view text) const { return dressed("1", text); }
+  std::string warning(std::string_view text) const { return dressed("33", text); }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string dressed(std::string_view code, std::string_view text) const {
+    return color_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+  }
+
+  bool color_;
+  std::string text_;
+};
+
+void write_scene(Page& page, const Scenario& scenario, double reached_s) {
+  const Site& site = scenario.site;
+  const double turn = std::abs(scenario.rotation_rate_rad_s) * reached_s;
+  page.entry("Place", fmt::format("latitude {}°, longitude {}°, height {} m; gravity {} m/s²", site.latitude_deg,
+                                  site.longitude_deg, site.height_m, site.gravity_m_s2));
+  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by Ω t = {:.5g} rad = {}", scenario.rotation_rate_rad_s,
+                                  reached_s, turn, pictured(turn)));
+  page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
+  page.entry("", matching_rule(scenario));
+}
+
+void write_drift(Page& page, const DriftSummary& drift, double reached_s) {
+  page.heading(fmt::format("Drift after {} s", reached_s));
+  std::string share;
+  if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
+  page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad)),
+            page.strong(pictured(drift.axis_final_rad)), share);
+  page.line("  at most     {:.6e} rad = {}", drift.axis_max_rad, pictured(drift.axis_max_rad));
+  if (drift.azimuth_final_rad)
+    page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
+              pictured(*drift.azimuth_final_rad));
+  else
+    page.line("  azimuth     none: the axis is vertical");
+  page.line("  tilt       {:+.6e} rad = {} (+ is away from the vertical)", drift.tilt_final_rad,
+            pictured(drift.tilt_final_rad));
+  page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
+  page.line("  attitude    {} (the whole turn between the two)",
+            with_bound(drift.attitude_final_rad, drift.attitude_bound_rad));
+}
+
+void write_trend(Page& page, const RunResult& result) {
+  if (const auto& secular = result.drift.secular) {
+    const double theory = result.scenario.rotation_rate_rad_s * sin_cos_degrees(result.scenario.site.latitude_deg).sin;
+    page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise;",
+                                    secular->mean_precession_rate_change_rad_s, secular->azimuth_rate_standard_error_rad_s));
+    page.entry("", fmt::format("first-order theory of a fast top: -Ω sin(latitude) = {:.4e} rad/s", 0.0 - theory));
+    page.entry("Swings",
+               fmt::format("up to {:.3g} rad of azimuth to either side of the trend", secular->azimuth_oscillation_rad));
+  }
+  for (const TheoryReport& report : result.theory) {
+    if (report.name == "precession_rate_change") continue;  // said above
+    page.entry("Theory", fmt::format("{}: {:.6g} {} predicted, {:.6g} computed", spoken(report.name), report.predicted,
+                                     report.unit, report.computed));
+  }
+  if (const auto& time = result.drift.threshold_time_s)
+    page.entry("Threshold", fmt::format("{} rad passed at t = {:.9g} s", result.scenario.threshold_rad.value_or(0), *time));
+  else if (result.scenario.threshold_rad)
+    page.entry("Threshold", fmt::format("{} rad not reached", *result.scenario.threshold_rad));
+  for (const InvariantReport& invariant : result.invariants) {
+    const bool relative = invariant.scale > 0;
+    page.entry("Conserved", fmt::format("{} to {:.1e}{}{}", spoken(invariant.name),
+                                        relative ? invariant.largest_change / invariant.scale : invariant.largest_change,
+                                        relative ? " of its size" : " ", relative ? "" : invariant.unit));
+  }
+}
+
+std::string described(const IntegrationReport& report) {
+  return fmt::format("{} in {}, {} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
+                     axes_of(report.observer), grouped(report.counters.evaluations), report.seconds);
+}
+
+}  // namespace
+
+std::string summary_text(const RunResult& result, const std::string& directory, bool color) {
+  const Scenario& scenario = result.scenario;
+  Page page(color);
+  page.heading(harmless(scenario.title.empty() ? scenario.name : scenario.title));
+  write_scene(page, scenario, result.reached_s);
+  if (result.status != RunStatus::completed)
+    page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
+                                                   result.reached_s, scenario.duration_s)));
+  page.line("");
+  write_drift(page, result.drift, result.reached_s);
+  page.line("");
+  write_trend(page, result);
+  page.entry("Computed", described(result.solution));
+  page.entry("Checked", described(result.certificate));
+  for (const std::string& note : result.notes) page.entry("Note", page.warning(harmless(note)));
+  page.entry("Written", fmt::format("{}: trajectory.csv, summary.json, drift.svg, timing.json", harmless(directory)));
+  return std::move(page).text();
+}
+
+}  // namespace earthtop::tool

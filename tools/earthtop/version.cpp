@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/provenance.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+
+int version_verb(bool json) {
+  const BuildInfo& build = build_info();
+  if (json) {
+    nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
+    for (const auto& [name, version] : build.libraries) libraries[name] = version;
+    const nlohmann::ordered_json document = {{"program", "earthtop"},  {"version", build.version},
+                                             {"commit", build.commit}, {"compiler", build.compiler},
+                                             {"flags", build.flags},   {"libraries", libraries}};
+    print(document.dump(2) + '\n');
+    return kDone;
+  }
+  std::string libraries;
+  for (const auto& [name, version] : build.libraries)
+    libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
+  print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\n", build.version, build.commit,
+                    build.compiler, build.flags, libraries));
+  return kDone;
+}
+
+}  // namespace earthtop::tool
