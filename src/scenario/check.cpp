@@ -1,0 +1,170 @@
+#include "scenario/check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scenario/fields.hpp"
+#include "scenario/suggest.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+/// What stands there, for messages: short values are shown.
+std::string shown(const Node& node) {
+  switch (node.kind) {
+    case JsonKind::number: return fmt::format("{}", node.number);
+    case JsonKind::string: return fmt::format("\"{}\"", excerpt(node.text));
+    case JsonKind::boolean: return node.boolean ? "true" : "false";
+    case JsonKind::array: return fmt::format("an array of {}", node.children.size());
+    default: return std::string(name_of(node.kind));
+  }
+}
+
+class Checker {
+ public:
+  explicit Checker(Findings& findings) : findings_(findings) {}
+
+  void members(Node& node, std::string_view pattern, const std::string& pointer) {
+    for (Node& child : node.children) {
+      if (is_comment(child.key)) continue;
+      const std::string child_pointer = pointer + pointer_step(child.key);
+      const bool plain = child.key.size() < 80 && child.key.find('/') == std::string::npos && child.key != "*";
+      const Field* field = plain ? find_field(std::string(pattern) + "/" + child.key) : nullptr;
+      if (field)
+        value(child, *field, child_pointer);
+      else
+        unknown_key(child, pattern, child_pointer, pointer);
+    }
+  }
+
+ private:
+  void refuse(Node& node, const std::string& pointer, std::string message) {
+    if (node.kind != JsonKind::refused && !node.refused) findings_.add(node.place, pointer, std::move(message));
+    node.refused = true;
+  }
+  void wrong_type(Node& node, const Field& field, const std::string& pointer) {
+    refuse(node, pointer, fmt::format("is {}; must be {}", shown(node), allowed_values(field)));
+  }
+
+  void unknown_key(Node& node, std::string_view pattern, const std::string& pointer, const std::string& parent_pointer) {
+    node.refused = true;
+    if (findings_.full()) return findings_.add(node.key_place, "", "");
+    const std::vector<std::string_view> keys = keys_below(pattern);
+    std::string message = pattern == "/effects" ? "this effect is not available" : "unknown key";
+    message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
+    if (const auto key = suggest(node.key, keys)) {
+      message += fmt::format("; did you mean \"{}\"", *key);
+      findings_.expect(parent_pointer + "/" + std::string(*key));
+    } else {
+      for (const Field& field : all_fields()) {  // the right key in the wrong place
+        if (field.key() != node.key || field.pointer.find('*') != std::string_view::npos) continue;
+        message += fmt::format("; did you mean \"{}\"", field.pointer);
+        break;
+      }
+    }
+    findings_.add(node.key_place, pointer, std::move(message));
+  }
+
+  void value(Node& node, const Field& field, const std::string& pointer) {
+    using enum FieldKind;
+    switch (field.kind) {
+      case object:
+        if (node.kind != JsonKind::object) return wrong_type(node, field, pointer);
+        return members(node, field.pointer, pointer);
+      case object_or_word:
+        if (node.kind == JsonKind::object) return members(node, field.pointer, pointer);
+        return one_word(node, field, pointer);
+      case list: return objects(node, field, pointer);
+      case text:
+        if (node.kind != JsonKind::string) wrong_type(node, field, pointer);
+        return;
+      case name:
+        if (node.kind != JsonKind::string || !is_scenario_name(node.text)) wrong_type(node, field, pointer);
+        return;
+      case word: return one_word(node, field, pointer);
+      case flag:
+        if (node.kind != JsonKind::boolean) wrong_type(node, field, pointer);
+        return;
+      case number: return one_number(node, field, pointer);
+      case vector3: return numbers(node, field, pointer);
+      case matrix3: return rows(node, field, pointer);
+      case not_yet:
+        node.refused = true;
+        return findings_.add(node.key_place, pointer,
+                             fmt::format("not available in this version ({}); leave it out", field.doc));
+    }
+  }
+
+  void one_word(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::string) return wrong_type(node, field, pointer);
+    const auto words = split_words(field.words), not_yet = split_words(field.not_yet);
+    if (std::find(words.begin(), words.end(), node.text) != words.end()) return;
+    if (std::find(not_yet.begin(), not_yet.end(), node.text) != not_yet.end())
+      return refuse(node, pointer,
+                    fmt::format("{} is not available in this version; must be {}", shown(node), allowed_values(field)));
+    std::string message = fmt::format("is {}; must be {}", shown(node), allowed_values(field));
+    if (const auto near = suggest(node.text, words)) message += fmt::format("; did you mean \"{}\"", *near);
+    refuse(node, pointer, std::move(message));
+  }
+
+  void objects(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::array || node.children.empty()) return wrong_type(node, field, pointer);
+    const Field& element = *find_field(std::string(field.pointer) + "/*");
+    for (std::size_t i = 0; i < node.children.size(); ++i) value(node.children[i], element, fmt::format("{}/{}", pointer, i));
+    propagate(node);
+  }
+
+  void one_number(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::number) {
+      node.kind == JsonKind::array || node.kind == JsonKind::object
+          ? wrong_type(node, field, pointer)
+          : refuse(node, pointer, fmt::format("is {}; must be {}", shown(node), number_text(field)));
+      return;
+    }
+    if (!field.range.contains(node.number))
+      refuse(node, pointer, fmt::format("{} is out of range; must be {}", shown(node), number_text(field)));
+  }
+  static std::string number_text(const Field& field) {
+    Field one = field;
+    one.kind = FieldKind::number;
+    return allowed_values(one);
+  }
+
+  void numbers(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::array || node.children.size() != 3) return wrong_type(node, field, pointer);
+    for (std::size_t i = 0; i < 3; ++i) one_number(node.children[i], field, fmt::format("{}/{}", pointer, i));
+    propagate(node);
+  }
+
+  void rows(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::array || node.children.size() != 3) return wrong_type(node, field, pointer);
+    for (std::size_t i = 0; i < 3; ++i) numbers(node.children[i], field, fmt::format("{}/{}", pointer, i));
+    propagate(node);
+  }
+
+  /// An array with a refused element is of no use to later rules.
+  static void propagate(Node& array) {
+    for (const Node& child : array.children)
+      if (child.refused) array.refused = true;
+  }
+
+  Findings& findings_;
+};
+
+}  // namespace
+
+bool is_scenario_name(std::string_view text) {
+  const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+  return !text.empty() && text.size() <= 64 && text.front() != '-' && std::all_of(text.begin(), text.end(), allowed);
+}
+
+void check_structure(Node& root, Findings& findings) {
+  if (root.kind == JsonKind::object) return Checker(findings).members(root, "", "");
+  if (root.kind != JsonKind::refused)
+    findings.add(root.place, "", fmt::format("the text is {}; a scenario is an object {{...}}", name_of(root.kind)));
+  root.refused = true;
+}
+
+}  // namespace earthtop::scenario

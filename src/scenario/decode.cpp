@@ -1,0 +1,95 @@
+#include "scenario/decode.hpp"
+
+#include <fmt/format.h>
+
+#include "scenario/check.hpp"
+#include "scenario/overrides.hpp"
+#include "scenario/reader.hpp"
+
+namespace earthtop {
+namespace scenario {
+namespace {
+
+void decode_name(const Section& root, const std::string& file, Scenario& scenario) {
+  scenario.title = root.word("title").value_or("");
+  if (root.has("name")) {
+    scenario.name = root.word("name").value_or(scenario.name);
+    return;
+  }
+  if (file.empty() || file == "<stdin>") return;
+  const std::string stem = std::filesystem::path(file).stem().string();
+  if (is_scenario_name(stem))
+    scenario.name = stem;
+  else
+    root.missing("name",
+                 fmt::format("is missing, and the file's stem \"{}\" cannot stand in; give a name of 1 to 64 of a-z, 0-9 "
+                             "and '-', not beginning with '-'",
+                             excerpt(stem)));
+}
+
+/// @returns whether gravity is known
+bool decode_site(const Section& root, Scenario& scenario) {
+  const Section site = root.section("site");
+  const auto rate = root.section("earth").number("rotation_rate_rad_s");
+  const auto latitude = site.number("latitude_deg"), longitude = site.number("longitude_deg"), height = site.number("height_m");
+  const auto gravity = site.number("gravity_m_s2");
+  const bool gravity_given = site.has("gravity_m_s2");
+  if (!site.has("latitude_deg") && !(gravity_given && rate == 0.0))
+    site.missing("latitude_deg",
+                 "is missing; must be a number from -90 to 90 (deg), unless the rotation rate is 0 and gravity_m_s2 "
+                 "is given");
+  scenario.rotation_rate_rad_s = rate.value_or(0);
+  scenario.site = {latitude.value_or(0), longitude.value_or(0), height.value_or(0), gravity.value_or(0)};
+  if (gravity_given) return gravity.has_value();
+  if (!latitude || !height) return false;
+  scenario.site.gravity_m_s2 = normal_gravity(*latitude, *height);
+  return true;
+}
+
+/// A steady precession may not exist; whether it does needs the body and gravity.
+void check_start(const Section& release, const Scenario& scenario) {
+  try {
+    make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
+  } catch (const ScenarioError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics()) release.refuse("precession", diagnostic.message);
+  }
+}
+
+void decode(const Section& root, const std::string& file, Scenario& scenario) {
+  decode_name(root, file, scenario);
+  const bool gravity = decode_site(root, scenario);
+  const auto body = root.require("body") ? decode_body(root.section("body")) : std::nullopt;
+  const auto release = root.require("release") ? decode_release(root.section("release")) : std::nullopt;
+  if (body) scenario.body = *body;
+  if (release) scenario.release = *release;
+  if (body && release && gravity) check_start(root.section("release"), scenario);
+  decode_motion(root.section("motion"), scenario);
+  if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"));
+  const Section effects = root.section("effects");
+  scenario.effects = {effects.flag("coriolis").value_or(true), effects.flag("centrifugal").value_or(true),
+                      effects.flag("transverse").value_or(true)};
+  decode_numerics(root.section("numerics"), scenario);
+  scenario.threshold_rad = root.section("report").number("threshold_rad");
+}
+
+}  // namespace
+}  // namespace scenario
+
+Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  using namespace scenario;
+  std::string_view text = source.text;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark: columns are counted behind it
+  Findings findings;
+  Node root;
+  const ReadOutcome outcome = read_json(text, "", false, root, findings);
+  // After a syntax error the rest would be guesswork.
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) findings.raise(source.file, text);
+  Scenario scenario;
+  if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
+  check_structure(root, findings);
+  decode(Section(root, findings), source.file, scenario);
+  findings.raise(source.file, text);
+  return scenario;
+}
+
+}  // namespace earthtop

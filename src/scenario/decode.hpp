@@ -1,0 +1,31 @@
+/// From a checked tree to typed parts of a scenario: the rules that involve more than one key. One function a section; each
+/// adds what it finds and returns what it could read.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "scenario/section.hpp"
+
+namespace earthtop::scenario {
+
+/// The body, nothing where it is not physical or not complete.
+std::optional<BodySpec> decode_body(const Section& body);
+
+/// The release, nothing where it is not complete.
+std::optional<ReleaseSpec> decode_release(const Section& release);
+
+/// Duration and output step, with the limit on rows.
+void decode_motion(const Section& motion, Scenario& scenario);
+
+std::optional<PlatformSpec> decode_platform(const Section& platform);
+
+/// Method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
+void decode_numerics(const Section& numerics, Scenario& scenario);
+
+/// Output rows that a scenario may have, and the number that it would have (as a double: it may be huge).
+inline constexpr double kMostRows = 2'000'000;
+double output_row_count(double duration_s, double output_step_s);
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "earthtop/real.hpp"
+#include "scenario/decode.hpp"
+#include "scenario/fields.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+constexpr std::array<std::pair<std::string_view, SolidShape>, 6> kShapes = {{{"disc", SolidShape::disc},
+                                                                             {"cylinder", SolidShape::cylinder},
+                                                                             {"ring", SolidShape::ring},
+                                                                             {"cone", SolidShape::cone},
+                                                                             {"sphere", SolidShape::sphere},
+                                                                             {"rod", SolidShape::rod}}};
+
+enum class Need { required, optional, none };
+
+struct ShapeRule {
+  SolidShape shape;
+  Need radius, inner_radius, length;
+};
+
+constexpr ShapeRule kRules[] = {
+    {SolidShape::disc, Need::required, Need::none, Need::optional},
+    {SolidShape::cylinder, Need::required, Need::none, Need::required},
+    {SolidShape::ring, Need::required, Need::required, Need::optional},
+    {SolidShape::cone, Need::required, Need::none, Need::required},
+    {SolidShape::sphere, Need::required, Need::optional, Need::none},
+    {SolidShape::rod, Need::optional, Need::none, Need::required},
+};
+
+void check_member(const Section& solid, std::string_view key, Need need, std::string_view shape) {
+  if (need == Need::required && !solid.has(key)) {
+    solid.require(key);
+  } else if (need == Need::none && solid.has(key)) {
+    const char* instead = key == "inner_radius_m" ? "; only a ring and a sphere have one" : "; leave it out";
+    solid.refuse_key(key, fmt::format("a {} has no {}{}", shape, key, instead));
+  }
+}
+
+/// Volume zero: a disc or ring without length, a rod without radius. Its mass cannot come from a density.
+bool is_thin(const Solid& solid) {
+  switch (solid.shape) {
+    case SolidShape::disc:
+    case SolidShape::ring: return solid.length_m == 0;
+    case SolidShape::rod: return solid.radius_m == 0;
+    default: return false;
+  }
+}
+
+std::optional<Solid> decode_solid(const Section& section) {
+  if (!section.present()) return std::nullopt;
+  Solid solid;
+  const auto shape = section.word("shape");
+  const bool has_mass = section.has("mass_kg"), has_density = section.has("density_kg_m3");
+  bool complete = true;
+  if (has_mass && has_density) {
+    section.refuse_key("density_kg_m3", "mass_kg and density_kg_m3 are both given; give exactly one");
+    complete = false;
+  } else if (!has_mass && !has_density) {
+    section.missing("mass_kg", "neither mass_kg nor density_kg_m3 is given; give exactly one");
+    complete = false;
+  }
+  if (!shape) {
+    section.require("shape");
+    return std::nullopt;
+  }
+  solid.shape = std::find_if(kShapes.begin(), kShapes.end(), [&](const auto& s) { return s.first == *shape; })->second;
+  const ShapeRule& rule =
+      *std::find_if(std::begin(kRules), std::end(kRules), [&](const auto& r) { return r.shape == solid.shape; });
+  check_member(section, "radius_m", rule.radius, *shape);
+  check_member(section, "inner_radius_m", rule.inner_radius, *shape);
+  check_member(section, "length_m", rule.length, *shape);
+
+  const auto radius = section.number("radius_m"), inner = section.number("inner_radius_m"), length = section.number("length_m"),
+             at = section.number("at_m");
+  if (!inner || !length || !at || (!radius && section.has("radius_m"))) return std::nullopt;
+  solid.radius_m = radius.value_or(0);
+  solid.inner_radius_m = *inner;
+  solid.length_m = *length;
+  solid.at_m = *at;
+  solid.mass_kg = section.number("mass_kg");
+  solid.density_kg_m3 = section.number("density_kg_m3");
+  if (radius && solid.inner_radius_m >= *radius && rule.inner_radius != Need::none) {
+    section.refuse("inner_radius_m",
+                   fmt::format("{} is not smaller than radius_m, {}; the inner radius must be below the outer one",
+                               solid.inner_radius_m, *radius));
+    complete = false;
+  }
+  if (rule.length == Need::required && section.has("length_m") && solid.length_m == 0) {
+    section.refuse("length_m", fmt::format("is 0; the length of a {} must be above 0 (m)", *shape));
+    complete = false;
+  }
+  if (has_density && !has_mass && is_thin(solid)) {
+    section.refuse_key("density_kg_m3", fmt::format("a {} {} has no volume; give mass_kg", *shape,
+                                                    solid.shape == SolidShape::rod ? "without radius_m" : "without length_m"));
+    complete = false;
+  }
+  if (rule.radius == Need::required && !radius) complete = false;
+  if (!complete || (!solid.mass_kg && !solid.density_kg_m3)) return std::nullopt;
+  return solid;
+}
+
+bool decode_solids(const Section& body, BodySpec& spec) {
+  for (const std::string_view key : {"mass_kg", "center_of_mass_m", "inertia"})
+    if (body.has(key))
+      body.refuse_key(key, "solids are given too; give either solids or mass_kg, center_of_mass_m and inertia");
+  bool complete = body.size("solids") > 0;
+  for (std::size_t i = 0; i < body.size("solids"); ++i) {
+    const auto solid = decode_solid(body.element("solids", i));
+    if (solid)
+      spec.solids.push_back(*solid);
+    else
+      complete = false;
+  }
+  return complete && !body.has("mass_kg") && !body.has("center_of_mass_m") && !body.has("inertia");
+}
+
+/// Off-diagonal entries agree to 4 eps of the larger one (the rounding of a rotated tensor) and are averaged.
+bool make_symmetric(const Section& inertia, Matrix& matrix) {
+  bool symmetric = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i + 1; j < 3; ++j) {
+      double &upper = matrix[i][j], &lower = matrix[j][i];
+      if (std::abs(upper - lower) > 4 * real::epsilon<double>() * std::max(std::abs(upper), std::abs(lower))) {
+        inertia.refuse("matrix_kg_m2",
+                       fmt::format("is not symmetric: row {}, column {} is {}, row {}, column {} is {}; the two "
+                                   "must be equal",
+                                   i + 1, j + 1, upper, j + 1, i + 1, lower));
+        symmetric = false;
+      }
+      if (upper != lower) upper = lower = upper / 2 + lower / 2;
+    }
+  }
+  return symmetric;
+}
+
+std::optional<Matrix> decode_inertia(const Section& inertia) {
+  const bool principal = inertia.has("principal_kg_m2"), full = inertia.has("matrix_kg_m2");
+  if (principal && full) {
+    inertia.refuse_key("matrix_kg_m2", "principal_kg_m2 and matrix_kg_m2 are both given; give exactly one");
+    return std::nullopt;
+  }
+  if (!principal && !full) {
+    inertia.missing("principal_kg_m2", "neither principal_kg_m2 nor matrix_kg_m2 is given; give exactly one");
+    return std::nullopt;
+  }
+  if (principal) {
+    const auto moments = inertia.vector("principal_kg_m2");
+    if (!moments) return std::nullopt;
+    Matrix diagonal = {};
+    for (std::size_t i = 0; i < 3; ++i) diagonal[i][i] = (*moments)[i];
+    return diagonal;
+  }
+  auto matrix = inertia.matrix("matrix_kg_m2");
+  if (!matrix || !make_symmetric(inertia, *matrix)) return std::nullopt;
+  return matrix;
+}
+
+bool decode_given(const Section& body, BodySpec& spec) {
+  if (!body.has("mass_kg") && !body.has("center_of_mass_m") && !body.has("inertia")) {
+    body.missing("mass_kg", "mass_kg, center_of_mass_m and inertia are missing; give them, or solids");
+    return false;
+  }
+  body.require("mass_kg");
+  body.require("center_of_mass_m");
+  const auto mass = body.number("mass_kg");
+  const auto center = body.vector("center_of_mass_m");
+  if (!body.require("inertia")) return false;
+  const Section inertia = body.section("inertia");
+  const auto about = inertia.word("about");
+  const auto matrix = decode_inertia(inertia);
+  if (!mass || !center || !about || !matrix) return false;
+  spec.mass_kg = *mass;
+  spec.center_of_mass_m = *center;
+  spec.inertia_about = *about == "pivot" ? InertiaAbout::pivot : InertiaAbout::center_of_mass;
+  spec.inertia_kg_m2 = *matrix;
+  return true;
+}
+
+}  // namespace
+
+std::optional<BodySpec> decode_body(const Section& body) {
+  BodySpec spec;
+  const bool from_solids = body.has("solids");
+  if (!(from_solids ? decode_solids(body, spec) : decode_given(body, spec))) return std::nullopt;
+  const std::string_view source = from_solids ? "solids" : "inertia";
+  const auto violations = body_violations(spec);
+  for (const Diagnostic& violation : violations) {
+    // Sentences about the body as a whole: they stand at the part that it is computed from.
+    const bool at_inertia = violation.pointer.starts_with("/body/inertia") || violation.pointer.starts_with("/body/solids");
+    body.refuse(at_inertia ? source : "mass_kg", violation.message);
+  }
+  if (!violations.empty()) return std::nullopt;
+  const Body<double> made = make_body<double>(spec);
+  const Range mass_range = find_field("/body/mass_kg")->range;
+  if (!mass_range.contains(made.mass)) {
+    body.refuse(source, fmt::format("the mass is {} kg in all; it must be {} kg", made.mass, range_text(mass_range)));
+    return std::nullopt;
+  }
+  if (!made.I_BP_B_inverse.allFinite() || !made.I_BP_B.allFinite() || !(made.I_BP_B.determinant() > 0)) {
+    body.refuse(source, "the moments of inertia are too small or too large for a double; give a body of everyday size");
+    return std::nullopt;
+  }
+  return spec;
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,124 @@
+// Motion, platform and numerics: what happens after the release.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "scenario/decode.hpp"
+#include "scenario/fields.hpp"
+
+namespace earthtop::scenario {
+
+double output_row_count(double duration_s, double output_step_s) {
+  return std::max(1.0, std::ceil(duration_s / output_step_s - 1e-9)) + 1;
+}
+
+void decode_motion(const Section& motion, Scenario& scenario) {
+  motion.require("duration_s");
+  const auto duration = motion.number("duration_s");
+  auto step = motion.number("output_step_s");
+  if (!duration) return;
+  if (!step && motion.has("output_step_s")) return;  // refused already
+  if (!step) step = *duration / 1000;
+  const double rows = output_row_count(*duration, *step);
+  if (rows > kMostRows)
+    return motion.refuse("output_step_s",
+                         fmt::format("about {:.3g} output rows; at most {:.0f} are allowed: output_step_s must be "
+                                     "at least {:.6g} s for this duration",
+                                     rows, kMostRows, *duration / (kMostRows - 1)));
+  scenario.duration_s = *duration;
+  scenario.output_step_s = *step;
+}
+
+namespace {
+
+struct MotionRule {
+  std::string_view word;
+  PlatformMotion motion;
+  std::string_view required;  ///< without these nothing moves as the word says
+  std::string_view allowed;
+};
+
+constexpr MotionRule kMotions[] = {
+    {"constant", PlatformMotion::constant, "rate_rad_s", "rate_rad_s"},
+    {"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
+    {"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
+};
+
+bool lists(std::string_view words, std::string_view word) {
+  const auto list = split_words(words);
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+}  // namespace
+
+std::optional<PlatformSpec> decode_platform(const Section& platform) {
+  PlatformSpec spec;
+  platform.require("motion");
+  const auto word = platform.word("motion");
+  if (word) {
+    const MotionRule& rule =
+        *std::find_if(std::begin(kMotions), std::end(kMotions), [&](const auto& m) { return m.word == *word; });
+    spec.motion = rule.motion;
+    for (const std::string_view key : {"rate_rad_s", "acceleration_rad_s2", "amplitude_rad", "frequency_hz", "phase_deg"}) {
+      if (lists(rule.required, key)) platform.require(key);
+      if (!lists(rule.allowed, key) && platform.has(key))
+        platform.refuse_key(key, fmt::format("does not belong to \"{}\" motion; allowed with it: {}", rule.word,
+                                             fmt::join(split_words(rule.allowed), ", ")));
+    }
+  }
+  const auto axis = platform.vector("axis");
+  if (axis && *axis == std::array<double, 3>{0, 0, 0}) platform.refuse("axis", "is the zero vector; an axis needs a direction");
+  spec.axis = axis.value_or(spec.axis);
+  spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);
+  spec.acceleration_rad_s2 = platform.number("acceleration_rad_s2").value_or(0);
+  spec.amplitude_rad = platform.number("amplitude_rad").value_or(0);
+  spec.frequency_hz = platform.number("frequency_hz").value_or(0);
+  spec.phase_deg = platform.number("phase_deg").value_or(0);
+  spec.pivot_offset_m = platform.vector("pivot_offset_m").value_or(spec.pivot_offset_m);
+  return spec;
+}
+
+namespace {
+
+constexpr Method kMethods[] = {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
+constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
+
+void decode_fixed_step(const Section& numerics, Scenario& scenario) {
+  if (numerics.has("relative_tolerance"))
+    numerics.refuse_key("relative_tolerance",
+                        "abm8 has a fixed step and no tolerance; give step_s, or take a controlled method");
+  numerics.require("step_s");
+  scenario.numerics.step_s = numerics.number("step_s");
+  if (!scenario.numerics.step_s || !(scenario.duration_s > 0)) return;
+  const double interval = std::min(scenario.output_step_s, scenario.duration_s), step = *scenario.numerics.step_s;
+  const double steps = std::ceil(interval / step) * (output_row_count(scenario.duration_s, scenario.output_step_s) - 1);
+  const auto limit = static_cast<double>(scenario.numerics.step_limit);
+  if (steps > limit)
+    numerics.refuse("step_s",
+                    fmt::format("about {:.3g} steps; at most {:.3g} are allowed: step_s must be at least {:.6g} s for this "
+                                "duration",
+                                steps, limit, scenario.duration_s / limit));
+}
+
+}  // namespace
+
+void decode_numerics(const Section& numerics, Scenario& scenario) {
+  IntegrationOptions& options = scenario.numerics;
+  const auto method = numerics.word("method"), observer = numerics.word("observer");
+  if (const auto tolerance = numerics.number("relative_tolerance")) options.relative_tolerance = *tolerance;
+  if (observer)
+    options.observer =
+        *std::find_if(std::begin(kObservers), std::end(kObservers), [&](Observer o) { return to_string(o) == *observer; });
+  if (!method) return;
+  options.method = *std::find_if(std::begin(kMethods), std::end(kMethods), [&](Method m) { return to_string(m) == *method; });
+  if (options.method == Method::abm8) return decode_fixed_step(numerics, scenario);
+  if (numerics.has("step_s"))
+    numerics.refuse_key(
+        "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to \"abm8\"", *method));
+}
+
+}  // namespace earthtop::scenario

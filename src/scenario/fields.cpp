@@ -1,0 +1,182 @@
+#include "scenario/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPi = 3.141592653589793;
+using enum FieldKind;
+
+constexpr Range any() { return {}; }
+constexpr Range from(double least, double most) { return {least, most, false}; }
+constexpr Range above(double least, double most) { return {least, most, true}; }
+
+// Ranges without a physical reason keep squares and products inside a double and mistakes of unit outside.
+constexpr Range kLengths = from(-1e6, 1e6), kRates = from(-1e9, 1e9), kAngles = from(-360, 360);
+
+constexpr Field kFields[] = {
+    // pointer, kind, unit, range, words, words not available, default, doc
+    {"/$schema", word, "", any(), "earthtop-scenario-1.json", "", "\"earthtop-scenario-1.json\"", "version of this format"},
+    {"/name", name, "", any(), "", "", "", "names the results; default: the file's stem, \"unnamed\" from standard input"},
+    {"/title", text, "", any(), "", "", "\"\"", "any text"},
+
+    {"/site", object, "", any(), "", "", "{}", "where the laboratory stands"},
+    {"/site/latitude_deg", number, "deg", from(-90, 90), "", "", "",
+     "geodetic latitude, North positive; required unless the rotation rate is 0 and gravity is given"},
+    {"/site/longitude_deg", number, "deg", kAngles, "", "", "0", "longitude, East positive"},
+    {"/site/height_m", number, "m", from(-12000, 1e6), "", "", "0", "height above the WGS 84 ellipsoid"},
+    {"/site/gravity_m_s2", number, "m/s^2", from(0, kInfinity), "", "", "",
+     "apparent gravity along -Up, what a gravimeter reads; default: WGS 84 normal gravity at latitude and height"},
+
+    {"/earth", object, "", any(), "", "", "{}", "the rotating planet"},
+    {"/earth/rotation_rate_rad_s", number, "rad/s", any(), "", "", "7.292115e-5", "rotation rate; WGS 84"},
+
+    {"/body", object, "", any(), "", "", "", "the top: mass, centre of mass and inertia, or solids"},
+    {"/body/mass_kg", number, "kg", above(0, 1e6), "", "", "", "mass"},
+    {"/body/center_of_mass_m", vector3, "m", kLengths, "", "", "", "pivot to centre of mass, body axes"},
+    {"/body/inertia", object, "", any(), "", "", "", "inertia tensor, body axes"},
+    {"/body/inertia/about", word, "", any(), "pivot|center_of_mass", "", "\"pivot\"", "reference point of the tensor"},
+    {"/body/inertia/principal_kg_m2", vector3, "kg m^2", from(0, 1e18), "", "", "", "moments about the body axes"},
+    {"/body/inertia/matrix_kg_m2", matrix3, "kg m^2", from(-1e18, 1e18), "", "", "", "symmetric 3x3 tensor"},
+    {"/body/solids", list, "", any(), "", "", "", "uniform solids of revolution about body axis 3"},
+    {"/body/solids/*", object, "", any(), "", "", "", "one solid"},
+    {"/body/solids/*/shape", word, "", any(), "disc|cylinder|ring|cone|sphere|rod", "", "", "shape; a cone's tip points to -z"},
+    {"/body/solids/*/radius_m", number, "m", above(0, 1e6), "", "", "", "outer radius; a rod without radius is thin"},
+    {"/body/solids/*/inner_radius_m", number, "m", from(0, 1e6), "", "", "0", "of a ring, or of a spherical shell"},
+    {"/body/solids/*/length_m", number, "m", from(0, 1e6), "", "", "0", "along axis 3; disc and ring may have none"},
+    {"/body/solids/*/mass_kg", number, "kg", above(0, 1e6), "", "", "", "mass, or give the density"},
+    {"/body/solids/*/density_kg_m3", number, "kg/m^3", above(0, 1e6), "", "", "", "density, or give the mass"},
+    {"/body/solids/*/at_m", number, "m", kLengths, "", "", "0", "axial coordinate of its centre of mass, signed"},
+
+    {"/release", object, "", any(), "", "", "", "attitude and rates at t = 0"},
+    {"/release/tilt_deg", number, "deg", from(0, 180), "", "", "", "angle of body axis 3 from Up"},
+    {"/release/azimuth_deg", number, "deg", kAngles, "", "", "0", "compass azimuth that the axis leans toward"},
+    {"/release/spin_angle_deg", number, "deg", kAngles, "", "", "0", "turn about body axis 3"},
+    {"/release/quaternion_LB", object, "", any(), "", "", "", "attitude instead of the angles; unit to 1e-6, normalised"},
+    {"/release/quaternion_LB/w", number, "", from(-2, 2), "", "", "", "scalar part"},
+    {"/release/quaternion_LB/x", number, "", from(-2, 2), "", "", "", "vector part"},
+    {"/release/quaternion_LB/y", number, "", from(-2, 2), "", "", "", "vector part"},
+    {"/release/quaternion_LB/z", number, "", from(-2, 2), "", "", "", "vector part"},
+    {"/release/rates_relative_to", word, "", any(), "laboratory|inertial", "", "\"laboratory\"",
+     "frame of the rates, and what both predictions have in common at the start"},
+    {"/release/angular_velocity_body_rad_s", vector3, "rad/s", kRates, "", "", "", "rates in body axes"},
+    {"/release/spin_rad_s", number, "rad/s", kRates, "", "", "", "whole rate about body axis 3, precession's share included"},
+    {"/release/precession", object_or_word, "", any(), "none|steady_slow|steady_fast", "", "\"none\"",
+     "precession at the start, or {\"rate_rad_s\": ...}"},
+    {"/release/precession/rate_rad_s", number, "rad/s", kRates, "", "", "", "counterclockwise about Up"},
+
+    {"/motion", object, "", any(), "", "", "", "how long, and how often a row"},
+    {"/motion/duration_s", number, "s", from(1e-12, 1e9), "", "", "", "duration"},
+    {"/motion/output_step_s", number, "s", above(0, kInfinity), "", "", "",
+     "time between rows; default: duration/1000; longer than the duration: rows at 0 and the end only"},
+
+    {"/platform", object, "", any(), "", "", "", "a platform that carries the pivot; none if left out"},
+    {"/platform/motion", word, "", any(), "constant|ramp|harmonic", "table", "", "kind of motion"},
+    {"/platform/axis", vector3, "", kLengths, "", "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
+    {"/platform/rate_rad_s", number, "rad/s", kRates, "", "", "0", "constant, ramp: rate at t = 0"},
+    {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "", "0", "ramp: angular acceleration"},
+    {"/platform/amplitude_rad", number, "rad", from(-1e6, 1e6), "", "", "0", "harmonic: amplitude"},
+    {"/platform/frequency_hz", number, "Hz", from(0, 1e6), "", "", "0", "harmonic: frequency"},
+    {"/platform/phase_deg", number, "deg", kAngles, "", "", "0", "harmonic: phase at t = 0"},
+    {"/platform/pivot_offset_m", vector3, "m", kLengths, "", "", "[0, 0, 0]", "pivot from the centre, platform axes"},
+    {"/platform/file", not_yet, "", any(), "", "", "", "table of angles"},
+
+    {"/effects", object_or_word, "", any(), "", "auto", "{}", "which torques act"},
+    {"/effects/coriolis", flag, "", any(), "", "", "true", "Coriolis torque"},
+    {"/effects/centrifugal", flag, "", any(), "", "", "true", "centrifugal torque"},
+    {"/effects/transverse", flag, "", any(), "", "", "true", "transverse torque"},
+    {"/effects/select", not_yet, "", any(), "", "", "", "effects chosen by the drift error asked for"},
+    {"/effects/viscous_torque_N_m_s", not_yet, "", any(), "", "", "", "viscous damping"},
+    {"/effects/gravity_gradient", not_yet, "", any(), "", "", "", "gravity gradient torque"},
+
+    {"/numerics", object, "", any(), "", "", "{}", "how to integrate"},
+    {"/numerics/method", word, "", any(), "auto|dopri5|rkf78|bulirsch_stoer|abm8", "taylor|splitting|long_horizon|closed_form",
+     "\"auto\"", "integration method"},
+    {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
+    {"/numerics/precision", word, "", any(), "double", "long_double|float128", "\"double\"", "scalar type"},
+    // 1e-14 is 45 eps: rounding of one step's sums; a controlled step cannot meet less in double.
+    {"/numerics/relative_tolerance", number, "", from(1e-14, 1e-1), "", "", "1e-12",
+     "local error of a step, controlled methods"},
+    {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "", "step of abm8"},
+    {"/numerics/ledger", not_yet, "", any(), "", "", "", "observer of the torque ledger"},
+
+    {"/accuracy", object, "", any(), "", "", "{}", "accuracy asked for"},
+    {"/accuracy/drift_rad", not_yet, "", any(), "", "", "", "drift error asked for"},
+
+    {"/report", object, "", any(), "", "", "{}", "what else to report"},
+    {"/report/threshold_rad", number, "rad", above(0, kPi), "", "", "", "the first time the axis drift passes it is reported"},
+};
+
+}  // namespace
+
+std::span<const Field> all_fields() { return kFields; }
+
+const Field* find_field(std::string_view pattern) {
+  for (const Field& field : kFields)
+    if (field.pointer == pattern) return &field;
+  return nullptr;
+}
+
+std::vector<std::string_view> keys_below(std::string_view pattern) {
+  std::vector<std::string_view> keys;
+  for (const Field& field : kFields)
+    if (field.parent() == pattern && field.key() != "*") keys.push_back(field.key());
+  return keys;
+}
+
+std::vector<std::string_view> split_words(std::string_view words) {
+  std::vector<std::string_view> list;
+  while (!words.empty()) {
+    list.push_back(words.substr(0, words.find('|')));
+    words.remove_prefix(std::min(list.back().size() + 1, words.size()));
+  }
+  return list;
+}
+
+std::string range_text(const Range& range) {
+  if (std::isinf(range.least) && std::isinf(range.most)) return "";
+  if (std::isinf(range.most)) return fmt::format("{} {}", range.least_excluded ? "above" : "of at least", range.least);
+  if (range.least_excluded) return fmt::format("above {} and at most {}", range.least, range.most);
+  return fmt::format("from {} to {}", range.least, range.most);
+}
+
+namespace {
+
+std::string quoted_words(std::string_view words) {
+  std::string list;
+  for (const std::string_view w : split_words(words)) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", w);
+  return list;
+}
+
+std::string numbers_text(std::string_view what, const Field& field) {
+  std::string allowed(what);
+  if (const std::string range = range_text(field.range); !range.empty()) allowed += " " + range;
+  if (!field.unit.empty()) allowed += fmt::format(" ({})", field.unit);
+  return allowed;
+}
+
+}  // namespace
+
+std::string allowed_values(const Field& field) {
+  switch (field.kind) {
+    case object: return "an object {...}";
+    case object_or_word: return field.words.empty() ? "an object {...}" : quoted_words(field.words) + ", or an object {...}";
+    case list: return "an array of at least one object";
+    case text: return "a string";
+    case name: return "a string of 1 to 64 of a-z, 0-9 and '-', not beginning with '-'";
+    case word: return quoted_words(field.words);
+    case flag: return "true or false";
+    case number: return numbers_text("a number", field);
+    case vector3: return numbers_text("an array of 3 numbers", field);
+    case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);
+    case not_yet: break;
+  }
+  return "";
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,63 @@
+/// The one table of fields: every key of a scenario with its kind, unit, range, words, default and meaning.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace earthtop::scenario {
+
+enum class FieldKind {
+  object,
+  object_or_word,
+  list,  ///< of objects
+  text,  ///< any string
+  name,  ///< [a-z0-9][a-z0-9-]{0,63}
+  word,  ///< one of `words`
+  flag,  ///< true or false
+  number,
+  vector3,  ///< three numbers
+  matrix3,  ///< three rows of three numbers
+  not_yet,  ///< known, but not available in this version
+};
+
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_excluded = false;
+  bool contains(double x) const { return (least_excluded ? x > least : x >= least) && x <= most; }
+};
+
+struct Field {
+  std::string_view pointer;  ///< `*` stands for any index of a list
+  FieldKind kind;
+  std::string_view unit;      ///< of numbers; empty where there is none
+  Range range;                ///< of a number, or of every number of a vector or matrix
+  std::string_view words;     ///< allowed ones, separated by '|'
+  std::string_view not_yet;   ///< words that are known, but not available in this version
+  std::string_view fallback;  ///< default as JSON; empty where the key is required, optional without default, or computed
+  std::string_view doc;
+
+  std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
+  std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
+};
+
+std::span<const Field> all_fields();
+
+/// The field of a pointer pattern, null if there is none.
+const Field* find_field(std::string_view pattern);
+
+/// Keys of an object, in the table's order.
+std::vector<std::string_view> keys_below(std::string_view pattern);
+
+std::vector<std::string_view> split_words(std::string_view words);
+
+/// What is allowed, for messages: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
+std::string allowed_values(const Field& field);
+
+/// "from -90 to 90", "above 0 and at most 1e6", "of at least 0"; empty where every finite number is in the range.
+std::string range_text(const Range& range);
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,50 @@
+/// Everything that is wrong with a scenario, collected before anything is thrown.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "earthtop/error.hpp"
+#include "scenario/node.hpp"
+
+namespace earthtop::scenario {
+
+/// Diagnostics shown; one more says how many were left out.
+inline constexpr std::size_t kMostDiagnostics = 20;
+/// Findings kept for sorting. Rules run through the text from front to back, so the first ones found hold the first ones to
+/// show; a hostile file can have many thousands, which are only counted.
+inline constexpr std::size_t kMostKept = 2000;
+
+class Findings {
+ public:
+  void add(Place place, std::string pointer, std::string message);
+  /// A key given again; both places are named.
+  void add_duplicate(Place again, Place first, std::string pointer);
+  bool empty() const { return count_ == 0; }
+  bool full() const { return findings_.size() >= kMostKept; }  ///< further ones are only counted
+
+  /// A key that an unknown key probably meant: it is not reported as missing as well.
+  void expect(std::string pointer) { expected_.insert(std::move(pointer)); }
+  bool expected(const std::string& pointer) const { return expected_.contains(pointer); }
+
+  /// @throws ScenarioError, sorted by position, with lines and columns (1-based, in bytes) counted in `text`; what comes
+  /// from --set stands first, at line 0. Does nothing where nothing was found.
+  void raise(const std::string& file, std::string_view text) const;
+
+ private:
+  struct Finding {
+    Place place;
+    std::string pointer;
+    std::string message;
+    std::optional<Place> first;  // of a duplicate key
+  };
+  void keep(Finding finding);
+  std::vector<Finding> findings_;
+  std::size_t count_ = 0;
+  std::set<std::string> expected_;
+};
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,37 @@
+#include "scenario/node.hpp"
+
+namespace earthtop::scenario {
+
+std::string_view name_of(JsonKind kind) {
+  switch (kind) {
+    case JsonKind::null: return "null";
+    case JsonKind::boolean: return "true or false";
+    case JsonKind::number: return "a number";
+    case JsonKind::string: return "a string";
+    case JsonKind::array: return "an array";
+    case JsonKind::object: return "an object";
+    case JsonKind::refused: break;
+  }
+  return "no JSON value";
+}
+
+std::string excerpt(std::string_view text, std::size_t limit) {
+  if (text.size() <= limit) return std::string(text);
+  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;  // not inside a character
+  return std::string(text.substr(0, limit)) + "...";
+}
+
+std::string pointer_step(std::string_view key) {
+  std::string step = "/";
+  for (const char c : excerpt(key, 80)) {
+    if (c == '~')
+      step += "~0";
+    else if (c == '/')
+      step += "~1";
+    else
+      step += c;
+  }
+  return step;
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,99 @@
+#include "scenario/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "scenario/reader.hpp"
+#include "scenario/utf8.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr Place kFromSet{0, true};
+
+/// The reference tokens of a JSON pointer (RFC 6901), nothing where it is malformed.
+std::optional<std::vector<std::string>> tokens_of(std::string_view pointer) {
+  if (pointer.empty() || pointer.front() != '/') return std::nullopt;
+  std::vector<std::string> tokens;
+  for (std::size_t i = 0; i < pointer.size(); ++i) {
+    if (pointer[i] == '/') {
+      tokens.emplace_back();
+    } else if (pointer[i] == '~') {
+      ++i;
+      if (i >= pointer.size() || (pointer[i] != '0' && pointer[i] != '1')) return std::nullopt;
+      tokens.back() += pointer[i] == '0' ? '~' : '/';
+    } else {
+      tokens.back() += pointer[i];
+    }
+  }
+  return tokens;
+}
+
+std::optional<std::size_t> array_index(std::string_view token, std::size_t size) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  const bool canonical = token.size() == 1 || !token.starts_with('0');
+  if (error != std::errc() || end != token.data() + token.size() || !canonical || index >= size) return std::nullopt;
+  return index;
+}
+
+/// The node below `parent`; created where an object lacks it; null, with a finding, where there cannot be one.
+Node* step_into(Node& parent, const std::string& token, const std::string& pointer, Findings& findings) {
+  if (parent.kind == JsonKind::array) {
+    if (const auto index = array_index(token, parent.children.size())) return &parent.children[*index];
+    findings.add(kFromSet, pointer,
+                 fmt::format("--set: \"{}\" is no index of an array of {}", excerpt(token), parent.children.size()));
+    return nullptr;
+  }
+  if (parent.kind != JsonKind::object) {
+    findings.add(
+        kFromSet, pointer,
+        fmt::format("--set: the pointer leads through {}; it may lead through objects and arrays only", name_of(parent.kind)));
+    return nullptr;
+  }
+  if (Node* child = parent.find(token)) return child;
+  Node& child = parent.children.emplace_back();
+  child.key = token;
+  child.key_place = child.place = kFromSet;
+  child.kind = JsonKind::object;
+  return &child;
+}
+
+void apply(Node& root, const std::string& pointer, const std::string& value, Findings& findings) {
+  const std::string shown = excerpt(pointer, 200);
+  const auto tokens = tokens_of(pointer);
+  if (!tokens || tokens->size() > kGreatestDepth || first_invalid_utf8(pointer) != std::string_view::npos) {
+    findings.add(kFromSet, shown, "--set: malformed JSON pointer; write --set /site/latitude_deg=45");
+    return;
+  }
+  Node* node = &root;
+  for (const std::string& token : *tokens)
+    if (node = step_into(*node, token, shown, findings); !node) return;
+
+  Node replacement;
+  Findings ignored;
+  const ReadOutcome outcome = read_json(value, shown, true, replacement, ignored);
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::not_finite) {
+    replacement = Node{};
+    replacement.kind = JsonKind::string;
+    replacement.text = value;
+  } else {
+    replacement = Node{};  // once more, now for the findings
+    if (read_json(value, shown, true, replacement, findings) == ReadOutcome::refused) replacement.kind = JsonKind::refused;
+  }
+  replacement.place = kFromSet;
+  replacement.key = node->key;
+  replacement.key_place = node->key_place;
+  *node = std::move(replacement);
+}
+
+}  // namespace
+
+void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings) {
+  for (const auto& [pointer, value] : overrides) apply(root, pointer, value, findings);
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,17 @@
+/// `--set /json/pointer=VALUE`: values put into the tree before it is validated.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenario/findings.hpp"
+#include "scenario/node.hpp"
+
+namespace earthtop::scenario {
+
+/// Replaces or adds values in order, creating missing objects on the way. A value that is not JSON is a string. Finds
+/// malformed pointers, pointers that lead through what is no container, and values out of a double's range.
+void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings);
+
+}  // namespace earthtop::scenario

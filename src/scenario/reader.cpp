@@ -1,0 +1,288 @@
+#include "scenario/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "scenario/number.hpp"
+#include "scenario/utf8.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+class Reader {
+ public:
+  Reader(std::string_view text, std::string_view pointer, bool from_set, Findings& findings)
+      : text_(text), pointer_(pointer), from_set_(from_set), findings_(findings) {}
+
+  ReadOutcome document(Node& root) {
+    if (!encoding() || !value(root, 1)) return outcome_;
+    skip_space();
+    if (at_ < text_.size()) stop(at_, "text after the end of the scenario: " + here() + "; one JSON object is allowed");
+    return outcome_;
+  }
+
+ private:
+  // -- complaints
+  Place place(std::size_t offset) const { return {offset, from_set_}; }
+  void complain(std::size_t offset, std::string message) { findings_.add(place(offset), pointer_, std::move(message)); }
+  bool stop(std::size_t offset, std::string message, ReadOutcome outcome = ReadOutcome::not_json) {
+    complain(offset, std::move(message));
+    outcome_ = outcome;
+    return false;
+  }
+  std::string here() const {
+    if (at_ >= text_.size()) return "the end of the text";
+    std::size_t length = 1;
+    while (at_ + length < text_.size() && (static_cast<unsigned char>(text_[at_ + length]) & 0xC0) == 0x80) ++length;
+    return fmt::format("'{}'", text_.substr(at_, length));
+  }
+
+  // -- the text as a whole
+  bool encoding() {
+    if (text_.size() > kLargestText)
+      return stop(0, fmt::format("the text has {} bytes; at most 16 MiB are allowed", text_.size()), ReadOutcome::refused);
+    const auto nul_at = [&](std::size_t i) { return i < text_.size() && text_[i] == '\0'; };
+    if (text_.starts_with("\xFE\xFF") || text_.starts_with("\xFF\xFE") || (nul_at(0) && nul_at(2)) || (nul_at(1) && nul_at(3)))
+      return stop(0, "the text is in UTF-16 or UTF-32; save it as UTF-8", ReadOutcome::refused);
+    if (const auto nul = text_.find('\0'); nul != std::string_view::npos)
+      return stop(nul, "a NUL byte; a scenario is plain UTF-8 text", ReadOutcome::refused);
+    if (const auto bad = first_invalid_utf8(text_); bad != std::string_view::npos)
+      return stop(bad,
+                  fmt::format("byte 0x{:02x} is not valid UTF-8; save the text as UTF-8",
+                              static_cast<unsigned>(static_cast<unsigned char>(text_[bad]))),
+                  ReadOutcome::refused);
+    return true;
+  }
+
+  // -- tokens
+  void skip_space() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
+  }
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  bool take(char c) {
+    skip_space();
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+
+  bool value(Node& node, int depth) {
+    skip_space();
+    node.place = place(at_);
+    if (++values_ > kMostValues)
+      return stop(at_, fmt::format("more than {} values; a scenario has a few dozen", kMostValues), ReadOutcome::refused);
+    const char c = peek();
+    if ((c == '{' || c == '[') && depth > kGreatestDepth)
+      return stop(at_, fmt::format("nested more than {} deep; a scenario needs 5", kGreatestDepth), ReadOutcome::refused);
+    if (c == '{') return object(node, depth);
+    if (c == '[') return array(node, depth);
+    if (c == '"') return node.kind = JsonKind::string, string(node.text);
+    if (c == '-' || is_digit(c)) return number(node);
+    if (is_letter(c)) return literal(node);
+    if (c == '+' || c == '.') return stop(at_, "a number begins with a digit or '-'; write 0.5, not .5 or +0.5");
+    if (c == '\'') return stop(at_, "single quotes; JSON strings stand in double quotes");
+    if (c == '/') return stop(at_, no_comments());
+    return stop(at_, "unexpected " + here() + "; a JSON value must stand here");
+  }
+
+  static std::string no_comments() { return "JSON has no comments; use a key that begins with \"//\" or \"_\""; }
+
+  bool literal(Node& node) {
+    const std::size_t start = at_;
+    while (is_letter(peek())) ++at_;
+    const std::string_view word = text_.substr(start, at_ - start);
+    if (word == "true" || word == "false") return node.kind = JsonKind::boolean, node.boolean = word == "true", true;
+    if (word == "null") return node.kind = JsonKind::null, true;
+    if (is_not_finite(word)) return not_finite(node, start);
+    at_ = start;
+    return stop(start, fmt::format("\"{}\" is no JSON value; strings stand in double quotes, and the literals are true, false "
+                                   "and null",
+                                   excerpt(word)));
+  }
+
+  static bool is_not_finite(std::string_view word) {
+    std::string lower(word);
+    for (char& c : lower)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower == "nan" || lower == "inf" || lower == "infinity";
+  }
+  bool not_finite(Node& node, std::size_t start) {
+    complain(start, fmt::format("{} is not a finite number; numbers must be finite", text_.substr(start, at_ - start)));
+    outcome_ = ReadOutcome::not_finite;  // what follows can still be read
+    node.kind = JsonKind::refused;
+    return true;
+  }
+
+  bool number(Node& node) {
+    const std::size_t start = at_;
+    if (peek() == '-') ++at_;
+    if (is_letter(peek())) {
+      const std::size_t word = at_;
+      while (is_letter(peek())) ++at_;
+      if (is_not_finite(text_.substr(word, at_ - word))) return not_finite(node, start);
+      at_ = word;
+    }
+    if (!is_digit(peek())) return stop(at_, "'-' must be followed by a digit, not by " + here());
+    if (peek() == '0' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))
+      return stop(start, "a number with a leading zero; write it without");
+    digits();
+    if (peek() == '.') {
+      ++at_;
+      if (!is_digit(peek())) return stop(at_, "a decimal point must be followed by a digit, not by " + here());
+      digits();
+    }
+    if (peek() == 'e' || peek() == 'E') {
+      ++at_;
+      if (peek() == '+' || peek() == '-') ++at_;
+      if (!is_digit(peek())) return stop(at_, "an exponent needs a digit, not " + here());
+      digits();
+    }
+    const std::string_view digits_given = text_.substr(start, at_ - start);
+    node.kind = JsonKind::number;
+    const NumberFit fit = decimal_to_double(digits_given, node.number);
+    if (fit == NumberFit::fits) return true;
+    node.kind = JsonKind::refused;
+    complain(start,
+             fmt::format(fmt::runtime(fit == NumberFit::too_large
+                                          ? "{} is too large for a double; the largest is about 1.8e308"
+                                          : "{} is too small for a double and would become 0; write 0, or at least 5e-324"),
+                         excerpt(digits_given)));
+    return true;
+  }
+  void digits() {
+    while (is_digit(peek())) ++at_;
+  }
+
+  // -- strings; that the bytes are UTF-8 has been checked
+  bool string(std::string& out) {
+    const std::size_t start = at_++;
+    for (;;) {
+      const std::size_t run = at_;
+      while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\\' && static_cast<unsigned char>(text_[at_]) >= 0x20)
+        ++at_;
+      out.append(text_.substr(run, at_ - run));
+      if (at_ >= text_.size()) return stop(start, "a string without its closing quote");
+      if (text_[at_] == '"') return ++at_, true;
+      if (text_[at_] != '\\')
+        return stop(at_, "a line break or control character inside a string; close the string, or write \\n, \\t, \\u00XX");
+      if (!escape(out)) return false;
+    }
+  }
+
+  bool escape(std::string& out) {
+    const std::size_t start = at_++;
+    const char c = peek();
+    constexpr std::string_view kLetters = "\"\\/bfnrt", kMeanings = "\"\\/\b\f\n\r\t";
+    if (const auto i = kLetters.find(c); at_ < text_.size() && i != std::string_view::npos)
+      return ++at_, out += kMeanings[i], true;
+    if (c != 'u') return stop(start, "an escape that JSON does not know; allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
+    ++at_;
+    char32_t code = 0;
+    if (!hex4(code)) return stop(start, "\\u must be followed by four hexadecimal digits");
+    if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_).starts_with("\\u")) {
+      at_ += 2;
+      char32_t low = 0;
+      if (!hex4(low) || low < 0xDC00 || low > 0xDFFF) return stop(start, "half of a surrogate pair; both halves are needed");
+      code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+    }
+    if (code >= 0xD800 && code < 0xE000) return stop(start, "half of a surrogate pair; both halves are needed");
+    if (code == 0) complain(start, "a NUL character in a string; it is not allowed");
+    append_utf8(code, out);
+    return true;
+  }
+  bool hex4(char32_t& code) {
+    for (int i = 0; i < 4; ++i, ++at_) {
+      const char c = peek();
+      const auto digit = std::string_view("0123456789abcdef").find(is_letter(c) ? static_cast<char>(c | 0x20) : c);
+      if (at_ >= text_.size() || digit == std::string_view::npos) return false;
+      code = code * 16 + static_cast<char32_t>(digit);
+    }
+    return true;
+  }
+
+  // -- containers
+  bool array(Node& node, int depth) {
+    node.kind = JsonKind::array;
+    ++at_;
+    if (take(']')) return true;
+    const std::size_t parent = pointer_.size();
+    for (std::size_t i = 0;; ++i) {
+      pointer_ += fmt::format("/{}", i);
+      if (!value(node.children.emplace_back(), depth + 1)) return false;
+      pointer_.resize(parent);
+      if (take(']')) return true;
+      const std::size_t comma = at_;
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; ',' or ']' must stand here");
+      skip_space();
+      if (peek() == ']') return stop(comma, "a comma after the last element; leave it out");
+    }
+  }
+
+  bool object(Node& node, int depth) {
+    node.kind = JsonKind::object;
+    ++at_;
+    if (take('}')) return true;
+    const std::size_t parent = pointer_.size();
+    for (;;) {
+      skip_space();
+      if (peek() != '"')
+        return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; a key in double quotes must stand here");
+      Node& member = node.children.emplace_back();
+      member.key_place = place(at_);
+      if (!string(member.key)) return false;
+      pointer_ += pointer_step(member.key);
+      if (!take(':')) return stop(at_, "unexpected " + here() + "; ':' must stand here");
+      if (!value(member, depth + 1)) return false;
+      pointer_.resize(parent);
+      if (take('}')) return refuse_duplicates(node), true;
+      const std::size_t comma = at_;
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; ',' or '}' must stand here");
+      skip_space();
+      if (peek() == '}') return stop(comma, "a comma after the last member; leave it out");
+    }
+  }
+
+  /// Keeps the first of each key. Sorted, not hashed: no input makes it slow. Comments may share a key.
+  void refuse_duplicates(Node& object) {
+    std::vector<std::size_t> order(object.children.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto key = [&](std::size_t i) -> const std::string& { return object.children[i].key; };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    std::vector<std::pair<std::size_t, std::size_t>> repeated;  // the later one, the first one
+    for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+      if (key(order[i]) != key(order[first]))
+        first = i;
+      else if (i != first && !is_comment(key(order[i])))
+        repeated.emplace_back(order[i], order[first]);
+    }
+    std::sort(repeated.begin(), repeated.end());
+    for (const auto& [later, first] : repeated) {
+      const Node& again = object.children[later];
+      findings_.add_duplicate(again.key_place, object.children[first].key_place, pointer_ + pointer_step(again.key));
+      object.children[later].refused = true;
+    }
+    if (!repeated.empty()) std::erase_if(object.children, [](const Node& child) { return child.refused; });
+  }
+
+  std::string_view text_;
+  std::string pointer_;
+  bool from_set_;
+  Findings& findings_;
+  std::size_t at_ = 0;
+  std::size_t values_ = 0;
+  ReadOutcome outcome_ = ReadOutcome::complete;
+};
+
+}  // namespace
+
+ReadOutcome read_json(std::string_view text, std::string_view pointer, bool from_set, Node& root, Findings& findings) {
+  return Reader(text, pointer, from_set, findings).document(root);
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,104 @@
+#include "scenario/section.hpp"
+
+#include <fmt/format.h>
+
+#include "scenario/fields.hpp"
+#include "scenario/reader.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+std::array<double, 3> three_numbers(const Node& array) {
+  return {array.children[0].number, array.children[1].number, array.children[2].number};
+}
+
+}  // namespace
+
+Section::Section(const Node& root, Findings& findings)
+    : Section(root.refused ? nullptr : &root, root.place, root.refused, "", "", findings) {}
+
+Section Section::section(std::string_view key) const {
+  const std::string step = fmt::format("/{}", key);
+  const Node* child = node_ ? node_->find(key) : nullptr;
+  const bool refused = refused_ || (child && (child->refused || child->kind != JsonKind::object));
+  return Section(refused ? nullptr : child, child ? child->place : place_, refused, pointer_ + step, pattern_ + step,
+                 *findings_);
+}
+
+Section Section::element(std::string_view key, std::size_t index) const {
+  const Node& child = node_->find(key)->children[index];
+  const bool refused = child.refused || child.kind != JsonKind::object;
+  return Section(refused ? nullptr : &child, child.place, refused, fmt::format("{}/{}/{}", pointer_, key, index),
+                 fmt::format("{}/{}/*", pattern_, key), *findings_);
+}
+
+std::size_t Section::size(std::string_view key) const {
+  const Node* list = node_ ? node_->find(key) : nullptr;
+  return list && list->kind == JsonKind::array ? list->children.size() : 0;
+}
+
+const Node* Section::value(std::string_view key, Node& fallback) const {
+  if (refused_) return nullptr;
+  if (const Node* child = node_ ? node_->find(key) : nullptr) return child->refused ? nullptr : child;
+  const Field* field = find_field(fmt::format("{}/{}", pattern_, key));
+  if (!field || field->fallback.empty()) return nullptr;
+  Findings none;
+  read_json(field->fallback, "", false, fallback, none);
+  return &fallback;
+}
+
+std::optional<double> Section::number(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  return node ? std::optional(node->number) : std::nullopt;
+}
+
+std::optional<bool> Section::flag(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  return node ? std::optional(node->boolean) : std::nullopt;
+}
+
+std::optional<std::string> Section::word(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  return node ? std::optional(node->text) : std::nullopt;
+}
+
+std::optional<std::array<double, 3>> Section::vector(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  return node ? std::optional(three_numbers(*node)) : std::nullopt;
+}
+
+std::optional<std::array<std::array<double, 3>, 3>> Section::matrix(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  if (!node) return std::nullopt;
+  return {{three_numbers(node->children[0]), three_numbers(node->children[1]), three_numbers(node->children[2])}};
+}
+
+void Section::refuse(std::string_view key, std::string message) const {
+  const Node* child = node_ ? node_->find(key) : nullptr;
+  findings_->add(child ? child->place : place_, fmt::format("{}/{}", pointer_, key), std::move(message));
+}
+
+void Section::refuse_key(std::string_view key, std::string message) const {
+  const Node* child = node_ ? node_->find(key) : nullptr;
+  findings_->add(child ? child->key_place : place_, fmt::format("{}/{}", pointer_, key), std::move(message));
+}
+
+void Section::missing(std::string_view key, std::string message) const {
+  std::string pointer = fmt::format("{}/{}", pointer_, key);
+  if (!refused_ && !findings_->expected(pointer) && !findings_->expected(pointer_))
+    findings_->add(place_, std::move(pointer), std::move(message));
+}
+
+bool Section::require(std::string_view key) const {
+  if (has(key)) return true;
+  const Field* field = find_field(fmt::format("{}/{}", pattern_, key));
+  missing(key, fmt::format("is missing; must be {}", field ? allowed_values(*field) : "given"));
+  return false;
+}
+
+}  // namespace earthtop::scenario

@@ -1,0 +1,63 @@
+#include "scenario/suggest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr std::size_t kLongestWord = 48;  // longer ones are no misspelling, and hostile ones would cost time
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return lower;
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string alignment).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::array<std::array<std::size_t, kLongestWord + 1>, kLongestWord + 1> d;
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// The shortest candidate that begins with the prefix.
+std::optional<std::string_view> with_prefix(const std::string& prefix, const std::vector<std::string_view>& candidates) {
+  std::optional<std::string_view> best;
+  for (const std::string_view candidate : candidates)
+    if (lower_case(candidate).starts_with(prefix) && (!best || candidate.size() < best->size())) best = candidate;
+  return best;
+}
+
+}  // namespace
+
+std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates) {
+  if (given.empty() || given.size() > kLongestWord) return std::nullopt;
+  const std::string word = lower_case(given);
+  std::optional<std::string_view> nearest;
+  std::size_t least = 2 + word.size() / 4;  // one letter in short words, a quarter of the letters in long ones
+  for (const std::string_view candidate : candidates) {
+    if (candidate.size() > kLongestWord) continue;
+    const std::size_t distance = edit_distance(word, lower_case(candidate));
+    if (distance < least) least = distance, nearest = candidate;
+  }
+  if (nearest && least <= 1) return nearest;
+  if (const auto match = with_prefix(word + "_", candidates)) return match;
+  if (nearest && least <= 2) return nearest;
+  if (const auto unit = word.rfind('_'); unit != std::string::npos && unit > 1)
+    if (const auto match = with_prefix(word.substr(0, unit + 1), candidates)) return match;
+  return nearest;
+}
+
+}  // namespace earthtop::scenario
