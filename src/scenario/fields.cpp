@@ -139,10 +139,11 @@ std::vector<std::string_view> split_words(std::string_view words) {
 }
 
 std::string range_text(const Range& range) {
+  const auto end = [](double x) { return std::abs(x) < 1e6 ? fmt::format("{}", x) : fmt::format("{:g}", x); };
   if (std::isinf(range.least) && std::isinf(range.most)) return "";
-  if (std::isinf(range.most)) return fmt::format("{} {}", range.least_excluded ? "above" : "of at least", range.least);
-  if (range.least_excluded) return fmt::format("above {} and at most {}", range.least, range.most);
-  return fmt::format("from {} to {}", range.least, range.most);
+  if (std::isinf(range.most)) return fmt::format("{} {}", range.least_excluded ? "above" : "of at least", end(range.least));
+  if (range.least_excluded) return fmt::format("above {} and at most {}", end(range.least), end(range.most));
+  return fmt::format("from {} to {}", end(range.least), end(range.most));
 }
 
 namespace {

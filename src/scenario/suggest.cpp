@@ -32,6 +32,22 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+/// The candidate whose beginning, up to some '_', is nearest to the word: a misspelled quantity without its unit.
+std::optional<std::string_view> with_misspelled_prefix(const std::string& word,
+                                                       const std::vector<std::string_view>& candidates) {
+  std::optional<std::string_view> best;
+  std::size_t least = 1 + word.size() / 4;
+  for (const std::string_view candidate : candidates) {
+    if (candidate.size() > kLongestWord) continue;
+    for (auto end = candidate.find('_'); end != std::string_view::npos; end = candidate.find('_', end + 1)) {
+      const std::size_t distance = edit_distance(word, lower_case(candidate.substr(0, end)));
+      if (distance < least || (best && distance == least && candidate.size() < best->size()))
+        least = distance, best = candidate;
+    }
+  }
+  return best;
+}
+
 /// The shortest candidate that begins with the prefix.
 std::optional<std::string_view> with_prefix(const std::string& prefix, const std::vector<std::string_view>& candidates) {
   std::optional<std::string_view> best;
@@ -57,7 +73,7 @@ std::optional<std::string_view> suggest(std::string_view given, const std::vecto
   if (nearest && least <= 2) return nearest;
   if (const auto unit = word.rfind('_'); unit != std::string::npos && unit > 1)
     if (const auto match = with_prefix(word.substr(0, unit + 1), candidates)) return match;
-  return nearest;
+  return nearest ? nearest : with_misspelled_prefix(word, candidates);
 }
 
 }  // namespace earthtop::scenario
