@@ -60,9 +60,11 @@ class DriftSystem {
     const Deviation<T> deviation = load_deviation(x);
     const PivotField<T> field = pivot_field<K>(model_, t);
     if constexpr (O == Observer::laboratory) {
-      store_motion(laboratory_equation<true, K>(model_, rotating, field.rotating_L), dxdt, kRotating);
-      store_motion(laboratory_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
-      store_deviation(laboratory_deviation_equation<K>(model_, reference, deviation, field), dxdt);
+      const Vec3<T> torque_scaled = non_inertial_torque_scaled<K>(model_, rotating);
+      const Vec3<T> torque = model_.epsilon * torque_scaled, none = Vec3<T>::Zero();
+      store_motion(laboratory_equation(model_, rotating, field.rotating_L, torque), dxdt, kRotating);
+      store_motion(laboratory_equation(model_, reference, field.reference_L, none), dxdt, kReference);
+      store_deviation(laboratory_deviation_equation(model_, reference, deviation, field, torque_scaled), dxdt);
     } else if constexpr (O == Observer::body) {
       store_motion(body_equation<true, K>(model_, rotating, field.rotating_L), dxdt, kRotating);
       store_motion(body_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
@@ -73,7 +75,7 @@ class DriftSystem {
       const Mat3<T> unturned = Mat3<T>::Identity();
       store_motion(inertial_equation<true, K>(model_, rotating, field.rotating_L, R_NL), dxdt, kRotating);
       store_motion(inertial_equation<false, K>(model_, reference, field.reference_L, unturned), dxdt, kReference);
-      store_deviation(inertial_deviation_equation<K>(model_, reference, deviation, field, turn), dxdt);
+      store_deviation(inertial_deviation_equation<K>(model_, rotating, reference, deviation, field, turn), dxdt);
     }
   }
 
@@ -97,7 +99,7 @@ class DriftSystem {
       drift_state::store_deviation<T>({T(1), zero, deviation}, x);
     };
     if constexpr (O == Observer::laboratory)
-      store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * (model_.I_BP_B * w_XB_B), model_.I_BP_B * Dw_LB_B);
+      store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * (model_.I_BP_B * w_XB_B), R_LB * (model_.I_BP_B * Dw_LB_B));
     else if constexpr (O == Observer::body)
       store(w_IB_B, w_XB_B, model_.I_BP_B * Dw_IB_B);
     else
@@ -123,7 +125,7 @@ class DriftSystem {
       s.q_LB = rotating.q;
       s.w_LB_B = rate_from_momentum(rotating);
       s.ref_w_LB_B = rate_from_momentum(reference);
-      s.e_v_scaled = deviation.y;
+      s.e_v_scaled = R_ref.transpose() * deviation.y;
     } else if constexpr (O == Observer::body) {
       s.q_LB = rotating.q;
       s.w_LB_B = rotating.m - rotation_matrix(rotating.q).transpose() * model_.W_IL_L;

@@ -1,5 +1,5 @@
-/// The equations of motion in three observers' own variables. `kEarth` says whether the Earth turns: the non-rotating
-/// prediction is the same equations without it.
+/// The equations of motion in three observers' own variables. The non-rotating prediction is the same equations without
+/// the Earth's rate (`kEarth` false, or no non-inertial torque).
 ///
 /// | observer             | attitude | rate variable                        | equation                                   |
 /// | rotating laboratory  | q_LB     | L'_L = Theta w_LB in laboratory axes | dL'/dt = tau_Cor + tau_cent + tau_phys [F]  |
@@ -34,17 +34,22 @@ Quaternion<T> attitude_rate_from_outer(const Quaternion<T>& q_AB, const Vec3<T>&
   return {-q_AB.v.dot(h), q_AB.w * h + h.cross(q_AB.v)};
 }
 
-/// Rotating laboratory axes, [F]: the torques from the velocity moment J and the second moment, in L axes.
-template <bool kEarth, SceneKind K, class T>
-Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L) {
+/// [F]'s torques on the body in laboratory axes over epsilon, from the velocity moment J and the second moment in L axes.
+template <SceneKind K, class T>
+Vec3<T> non_inertial_torque_scaled(const Model<T>& model, const Motion<T>& rotating) {
+  const Mat3<T> R_LB = rotation_matrix(rotating.q);
+  const Vec3<T> w_LB_L = R_LB * (model.I_BP_B_inverse * (R_LB.transpose() * rotating.m));
+  const Mat3<T> S_BP_L = R_LB * model.S_BP_B * R_LB.transpose();
+  return laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L_scaled, w_LB_L, S_BP_L);
+}
+
+/// Rotating laboratory axes, [F]: dL'/dt = tau_Cor + tau_cent + tau_phys.
+/// @param torque_L  the non-inertial torques; zero in a laboratory that does not turn.
+template <class T>
+Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Vec3<T>& torque_L) {
   const Mat3<T> R_LB = rotation_matrix(x.q);
   const Vec3<T> w_LB_L = R_LB * (model.I_BP_B_inverse * (R_LB.transpose() * x.m));
-  Vec3<T> torque_L = field_torque<T>(R_LB * model.mass_moment_B, field_L);
-  if constexpr (kEarth) {
-    const Mat3<T> S_BP_L = R_LB * model.S_BP_B * R_LB.transpose();
-    torque_L += laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L, w_LB_L, S_BP_L);
-  }
-  return {attitude_rate_from_outer(x.q, w_LB_L), torque_L};
+  return {attitude_rate_from_outer(x.q, w_LB_L), field_torque<T>(R_LB * model.mass_moment_B, field_L) + torque_L};
 }
 
 /// Body axes, Euler. Torques that the scene leaves out in the laboratory are subtracted as applied ones.

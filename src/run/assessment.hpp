@@ -1,0 +1,15 @@
+/// What a run says beside its drift: how well the conserved quantities were kept, and first-order theory beside the numbers.
+#pragma once
+
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+
+/// Jacobi integral and inertial spin along the rotating motion, the energy of the reference; none for a scene that does not
+/// conserve them (platform, switched-off torques).
+std::vector<InvariantReport> assess_invariants(const Scenario& scenario, const std::vector<DriftRow>& rows);
+
+/// Leading-order predictions that fit the scene: fast top, free gyroscope, sleeping top.
+std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows, const DriftSummary& drift);
+
+}  // namespace earthtop

@@ -1,0 +1,135 @@
+#include "earthtop/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "run/assessment.hpp"
+#include "run/drift_bound.hpp"
+#include "run/setup.hpp"
+
+namespace earthtop {
+namespace {
+
+std::atomic<bool> interrupt_requested = false;
+
+/// `automatic` is rkf78: of odeint's methods the one with the least error at a given cost on the shipped scenarios.
+Method method_of(const IntegrationOptions& options) {
+  return options.method == Method::automatic ? Method::rkf78 : options.method;
+}
+
+/// The second integration: rkf78 in another observer's equations; ten times coarser where the rows come from rkf78 too,
+/// finer than the rows otherwise.
+IntegrationOptions second_options(const IntegrationOptions& first) {
+  IntegrationOptions second = first;
+  second.step_s.reset();
+  second.method = Method::rkf78;
+  second.observer = first.observer == Observer::inertial ? Observer::laboratory : Observer::inertial;
+  if (first.method == Method::rkf78)
+    second.relative_tolerance = std::min(10 * first.relative_tolerance, 0.1);
+  else if (first.method == Method::abm8)
+    second.relative_tolerance = 1e-13;
+  else
+    second.relative_tolerance = std::max(1e-13, std::min(0.1 * first.relative_tolerance, 1e-10));
+  return second;
+}
+
+/// An integration that would take days is refused before it starts.
+void refuse_cost_bomb(const DriftProblem<double>& problem, const IntegrationOptions& options) {
+  const double duration = problem.units.time_from_s(problem.times_s.back());
+  const double step = options.step_s ? problem.units.time_from_s(*options.step_s) : 0.2 / problem.fastest_rate;
+  const double steps = duration / step;
+  if (steps > static_cast<double>(options.step_limit))
+    throw ScenarioError("/motion/duration_s", fmt::format("this scene needs about {:.1e} steps; at most {:.1e} are allowed; take "
+                                                          "a shorter duration, a slower spin or a longer step",
+                                                          steps, static_cast<double>(options.step_limit)));
+}
+
+DriftTrajectory<double> integrate_timed(const DriftProblem<double>& problem, const IntegrationOptions& options,
+                                        IntegrationReport& report) {
+  const auto start = std::chrono::steady_clock::now();
+  DriftTrajectory<double> trajectory = integrate_drift(problem, options, &interrupt_requested);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.observer = options.observer;
+  report.method = options.method;
+  report.relative_tolerance = options.relative_tolerance;
+  report.step_s = trajectory.step_s;
+  report.counters = trajectory.counters;
+  return trajectory;
+}
+
+template <class Vector>
+std::array<double, 3> to_array(const Vector& v) {
+  return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0};
+}
+std::array<double, 4> to_array(const Quaternion<double>& q) { return {q.w + 0.0, q.v[0] + 0.0, q.v[1] + 0.0, q.v[2] + 0.0}; }
+
+DriftRow make_row(const DriftSample<double>& sample, const DriftBound& bound) {
+  const DriftState<double>& s = sample.state;
+  const DriftMeasures<double>& m = sample.measures;
+  DriftRow row;
+  row.t_s = s.t_s;
+  const Quaternion<double> q_LB = s.q_LB.normalized(), ref_q_LB = s.ref_q_LB.normalized();
+  row.q_LB = to_array(q_LB);
+  row.w_LB_B = to_array(s.w_LB_B);
+  row.ref_q_LB = to_array(ref_q_LB);
+  row.ref_w_LB_B = to_array(s.ref_w_LB_B);
+  row.axis_L = to_array(rotation_matrix(q_LB).col(2));
+  row.ref_axis_L = to_array(rotation_matrix(ref_q_LB).col(2));
+  row.drift_axis_rad = m.axis;
+  row.drift_axis_bound_rad = bound.axis();
+  if (m.azimuth_defined) row.drift_azimuth_rad = sample.azimuth;
+  row.drift_tilt_rad = m.tilt;
+  row.drift_attitude_rad = m.attitude;
+  row.drift_attitude_bound_rad = bound.attitude();
+  row.drift_spin_rad = sample.spin;
+  return row;
+}
+
+/// The angle between two attitudes (rad).
+double attitude_distance(const Quaternion<double>& p, const Quaternion<double>& q) {
+  const Quaternion<double> d = p.conjugate() * q;
+  return 2 * std::atan2(norm(d.v), std::abs(d.w));
+}
+
+}  // namespace
+
+void request_interrupt() noexcept { interrupt_requested = true; }
+
+RunResult run(const Scenario& scenario) {
+  const auto problem = make_problem<double>(scenario);
+  IntegrationOptions options = scenario.numerics;
+  options.method = method_of(options);
+  refuse_cost_bomb(problem, options);
+
+  RunResult result;
+  result.scenario = scenario;
+  const DriftTrajectory<double> first = integrate_timed(problem, options, result.solution);
+  const DriftTrajectory<double> second = integrate_timed(problem, second_options(options), result.certificate);
+  result.status = first.status != RunStatus::completed ? first.status : second.status;
+
+  DriftBound bound;
+  const std::size_t count = std::min(first.samples.size(), second.samples.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const DriftSample<double>& sample = first.samples[i];
+    const DriftSample<double>& other = second.samples[i];
+    bound.include(sample.measures, other.measures, sample.state.epsilon);
+    result.rows.push_back(make_row(sample, bound));
+    const double distance = std::max(attitude_distance(sample.state.q_LB, other.state.q_LB),
+                                     attitude_distance(sample.state.ref_q_LB, other.state.ref_q_LB));
+    result.attitude_bound_rad = std::max(result.attitude_bound_rad, DriftBound::kSafety * distance);
+  }
+  result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
+  result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
+  result.drift.threshold_time_s = first.threshold_time_s;
+  result.invariants = assess_invariants(scenario, result.rows);
+  result.theory = assess_theory(scenario, result.rows, result.drift);
+  if (!scenario.effects.all_on())
+    result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
+  return result;
+}
+
+}  // namespace earthtop
