@@ -56,6 +56,17 @@ Figure figure_of(std::vector<double> y, AxisScale scale = AxisScale::linear) {
 /// How many pieces the one line of `figure_of` is drawn in.
 std::size_t pieces(const std::string& picture) { return count(picture, "stroke-linejoin"); }
 
+/// How many straight segments those pieces have.
+std::size_t segments(const std::string& picture) {
+  std::size_t found = 0;
+  for (std::size_t end = picture.find("\" fill=\"none\""); end != std::string::npos;
+       end = picture.find("\" fill=\"none\"", end + 1)) {
+    const std::size_t begin = picture.rfind("d=\"", end);
+    found += count(picture.substr(begin, end - begin), "L");
+  }
+  return found;
+}
+
 std::vector<std::string> labels(const Ticks& ticks) {
   std::vector<std::string> texts;
   for (const Tick& tick : ticks.ticks)
@@ -98,7 +109,9 @@ TEST(DriftFigure, SizeDoesNotGrowWithTheRows) {
 
 TEST(Svg, GapsBreakTheLine) {
   EXPECT_EQ(pieces(svg(figure_of({1, 2, 3, 4, 5}))), 1U);
+  EXPECT_EQ(segments(svg(figure_of({1, 2, 3, 4, 5}))), 4U);
   EXPECT_EQ(pieces(svg(figure_of({1, 2, kNan, 4, 5}))), 2U);
+  EXPECT_EQ(segments(svg(figure_of({1, 2, kNan, 4, 5}))), 2U);
   EXPECT_EQ(pieces(svg(figure_of({1, kNan, 3, std::numeric_limits<double>::infinity(), 5}))), 3U);
   EXPECT_EQ(pieces(svg(figure_of({1, 2, 0, 4, 5}, AxisScale::logarithmic))), 2U);
 }
@@ -137,6 +150,8 @@ TEST(SvgText, OnlyWhatXmlHolds) {
 
 TEST(Ticks, OneTwoFive) {
   EXPECT_EQ(labels(linear_ticks(0, 60, 8, true)), (std::vector<std::string>{"0", "10", "20", "30", "40", "50", "60"}));
+  EXPECT_EQ(labels(linear_ticks(0, 24, 6, false)), (std::vector<std::string>{"0", "5", "10", "15", "20", "25"}));
+  EXPECT_EQ(labels(linear_ticks(0, 9, 6, false)), (std::vector<std::string>{"0", "2", "4", "6", "8", "10"}));
   EXPECT_EQ(labels(linear_ticks(-0.3, 1, 6, false)),
             (std::vector<std::string>{"−0.4", "−0.2", "0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
 }
