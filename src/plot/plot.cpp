@@ -21,7 +21,7 @@ constexpr double kCharacter = 6.4;
 /// Grey text and rules follow the reader's scheme; the line colours are legible on both.
 constexpr const char* kStyle = R"(<style>
 .et{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;font-size:12px}
-.et text{fill:#374151}.et .et-h{fill:#111827;font-size:17px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
+.et text{fill:#374151}.et .et-h{fill:#111827;font-size:16px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
 .et .et-s{fill:#6b7280}.et .et-page{fill:#ffffff}.et .et-grid{stroke:#e5e7eb}.et .et-minor{stroke:#f3f4f6}.et .et-frame{stroke:#9ca3af}
 @media (prefers-color-scheme:dark){.et text{fill:#d1d5db}.et .et-h,.et .et-b{fill:#f9fafb}.et .et-s{fill:#9ca3af}
 .et .et-page{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
@@ -246,7 +246,7 @@ std::string svg(const Figure& figure) {
                  kWidth, height, escape_xml(figure.title), escape_xml(figure.subtitle));
   out += kStyle;
   fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", kWidth, height);
-  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 68));
+  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 80));
   draw_text(out, kLeft, 49, "start", " class=\"et-s\"", shorten(figure.subtitle, 116));
   double top = kTop;
   for (std::size_t i = 0; i < figure.panels.size(); ++i, top += kPanelHeight + kPanelGap)

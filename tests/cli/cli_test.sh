@@ -2,7 +2,8 @@
 # The program as a shell sees it: exit statuses, what goes to which stream, what is left on disk.
 # usage: cli_test.sh PATH_OF_EARTHTOP
 set -u
-tool=$1
+tool=$(realpath "$1") || exit 1
+[ -x "$tool" ] || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -120,6 +121,18 @@ grep -q '^Written' closed/* && fault "the summary went into a result file"
   [ $? -eq 4 ]
 ) || fault "file size limit: not exit status 4"
 [ -z "$(ls -A limited 2>/dev/null)" ] || fault "file size limit: files were left"
+
+# Numerical failure: a fixed step of three turns of the top. The rows up to it are kept.
+failing="run top.json --set /motion/duration_s=60 --set /numerics/method=abm8 --set /numerics/step_s=0.1 --out failed"
+# shellcheck disable=SC2086
+expect 3 $failing --quiet
+on_stderr 'numerical failure'
+grep -q '"status": "not_finite"' failed/summary.json || fault "the outcome is not in summary.json"
+[ "$(wc -l <failed/trajectory.csv)" -gt 2 ] || fault "the rows were not kept"
+if grep -qi -e nan -e inf failed/trajectory.csv; then fault "what is no number was written"; fi
+# shellcheck disable=SC2086
+expect 3 $failing --json
+on_stdout '"status": "not_finite"'
 
 # Interrupted.
 for pair in INT:130 TERM:143; do
