@@ -49,7 +49,8 @@ bool decode_site(const Section& root, Scenario& scenario) {
 /// A steady precession may not exist; whether it does needs the body and gravity.
 void check_start(const Section& release, const Scenario& scenario) {
   try {
-    make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
+    const auto start = make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
+    if (!start.w_XB_B.allFinite()) release.refuse("precession", "no steady precession: its rate is too large for a double");
   } catch (const ScenarioError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) release.refuse("precession", diagnostic.message);
   }

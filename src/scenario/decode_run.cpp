@@ -71,7 +71,9 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
     }
   }
   const auto axis = platform.vector("axis");
-  if (axis && *axis == std::array<double, 3>{0, 0, 0}) platform.refuse("axis", "is the zero vector; an axis needs a direction");
+  // The square of a shorter one is no normal double, and its direction would be lost.
+  if (axis && std::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
+    platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
   spec.axis = axis.value_or(spec.axis);
   spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);
   spec.acceleration_rad_s2 = platform.number("acceleration_rad_s2").value_or(0);

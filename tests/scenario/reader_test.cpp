@@ -97,6 +97,12 @@ TEST(ScenarioSyntax, DepthIsLimitedTo64) {
   EXPECT_TRUE(found.says(0, "more than 64 deep"));
 }
 
+#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
+constexpr double kPatience = 40;  // s; builds that are not optimised are an order of magnitude slower
+#else
+constexpr double kPatience = 2;  // s, as promised
+#endif
+
 TEST(ScenarioSyntax, HostileTextsAreRefusedInUnderTwoSeconds) {
   const auto repeated = [](const std::string& unit, std::size_t bytes) {
     std::string text;
@@ -126,7 +132,7 @@ TEST(ScenarioSyntax, HostileTextsAreRefusedInUnderTwoSeconds) {
     const Found found = found_in(text);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     EXPECT_FALSE(found.places.empty()) << name;
-    EXPECT_LT(elapsed.count(), 2.0) << name;
+    EXPECT_LT(elapsed.count(), kPatience) << name;
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < found.places.size(); ++i) bytes += found.places[i].size() + found.messages[i].size();
     EXPECT_LT(bytes, 30'000u) << name;

@@ -1,6 +1,7 @@
 // Rules that involve more than one key, and the defaults.
-#include <cmath>
+#include <random>
 
+#include "scenario/fields.hpp"
 #include "support.hpp"
 
 namespace earthtop::scenario_test {
@@ -248,6 +249,8 @@ TEST(ScenarioRules, PlatformKeysBelongToTheirMotion) {
   expect_set({{"/platform", R"({"motion": "harmonic", "amplitude_rad": 1, "frequency_hz": 1, "rate_rad_s": 1})"}},
              "/platform/rate_rad_s", "does not belong");
   expect_set({{"/platform", R"({"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]})"}}, "/platform/axis", "zero vector");
+  expect_set({{"/platform", R"({"motion": "constant", "rate_rad_s": 1, "axis": [0, 1e-200, 0]})"}}, "/platform/axis",
+             "zero vector");
   expect_set({{"/platform", R"({"motion": "harmonic", "frequency_hz": 1})"}}, "/platform/amplitude_rad", "is missing");
   expect_set({{"/platform", R"({"rate_rad_s": 1})"}}, "/platform/motion", "is missing");
 }
@@ -267,6 +270,73 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
   for (const std::string observer : {"laboratory", "body", "inertial"})
     EXPECT_EQ(to_string(parse(kMinimal, {{"/numerics/observer", observer}}).numerics.observer), observer);
   expect_set({{"/numerics", R"({"method": "abm8", "step_s": 1e-9})"}}, "/numerics/step_s", "about 6e+10 steps; at most 2e+09");
+}
+
+// Any value at any key, several at a time: refused with places, or a scenario whose canonical form reads back to itself and
+// whose start and times are finite.
+TEST(ScenarioRules, AnyValueAnywhereIsRefusedOrGivesAWholeScenario) {
+  const std::vector<std::string> values = {"0",
+                                           "-0.0",
+                                           "1",
+                                           "-1",
+                                           "0.5",
+                                           "1e300",
+                                           "5e-324",
+                                           "1e-12",
+                                           "1e999",
+                                           "null",
+                                           "true",
+                                           "false",
+                                           "x",
+                                           "",
+                                           "[]",
+                                           "{}",
+                                           "[0,0,0]",
+                                           "[1,2,3]",
+                                           "[1e-200,0,0]",
+                                           "[[1,0,0],[0,1,0],[0,0,1]]",
+                                           "[{}]",
+                                           "ring",
+                                           "rod",
+                                           "abm8",
+                                           "steady_slow",
+                                           "steady_fast",
+                                           "harmonic",
+                                           "ramp",
+                                           "constant",
+                                           R"({"w":1,"x":0,"y":0,"z":0})",
+                                           R"({"rate_rad_s":1})",
+                                           R"([{"shape":"disc","radius_m":0.1,"mass_kg":1,"at_m":0.1}])"};
+  std::vector<std::string> pointers;
+  for (const scenario::Field& field : scenario::all_fields()) {
+    std::string pointer(field.pointer);
+    if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';
+    pointers.push_back(pointer);
+  }
+  std::mt19937 random(271828);
+  int accepted = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Overrides overrides;
+    for (unsigned k = 0; k < 1 + random() % 3; ++k)
+      overrides.emplace_back(pointers[random() % pointers.size()], values[random() % values.size()]);
+    try {
+      const Scenario s = parse(kMinimal, overrides);
+      ++accepted;
+      const std::string canonical = canonical_json(s);
+      EXPECT_EQ(canonical_json(parse(canonical)), canonical) << overrides[0].first << "=" << overrides[0].second;
+      const auto times = output_times(s.duration_s, s.output_step_s);
+      EXPECT_EQ(times.back(), s.duration_s);
+      EXPECT_TRUE(make_release<double>(s.release, make_body<double>(s.body), s.site.gravity_m_s2).w_XB_B.allFinite())
+          << canonical;
+      if (s.platform) {
+        EXPECT_NEAR(norm(make_platform<double>(*s.platform).turn.axis), 1, 1e-12) << canonical;
+      }
+    } catch (const ScenarioError& error) {
+      EXPECT_FALSE(error.diagnostics().empty());
+      for (const Diagnostic& d : error.diagnostics()) EXPECT_FALSE(d.message.empty());
+    }
+  }
+  EXPECT_GT(accepted, 200);
 }
 
 }  // namespace
