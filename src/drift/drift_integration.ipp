@@ -71,6 +71,17 @@ class StepWatcher {
   std::optional<double> threshold_time_s_;
 };
 
+/// The rates at release as they are given, not as they come back from an angular momentum.
+template <class T>
+void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
+  const Release<T>& release = problem.release;
+  state.ref_w_LB_B = release.w_XB_B;
+  state.w_LB_B = release.w_XB_B;
+  if (release.X == RatesRelativeTo::inertial)
+    for (int i = 0; i < 3; ++i)
+      state.w_LB_B[i] -= problem.units.rate_to_rad_s(transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L)[i]);
+}
+
 template <class T, Observer O, SceneKind K>
 DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                 const std::atomic<bool>* stop) {
@@ -94,6 +105,7 @@ DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const Integratio
   StepWatcher<T, System> watcher(system, problem.units, problem.threshold_rad);
   const auto on_row = [&](std::size_t row, const typename System::State&) {
     trajectory.samples.push_back(watcher.sample(problem.times_s[row]));
+    if (row == 0) set_release_rates(problem, trajectory.samples.front().state);
   };
   Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);
   trajectory.status = driver.run(x, times);

@@ -53,7 +53,7 @@ class DriftSystem {
     return {{{0, 4, 1.0}, {4, 3, 1e-5}, {7, 4, 1.0}, {11, 3, 1e-5}, {14, 1, 1.0}, {15, 3, 1e-5}, {18, 3, 1e-5}}};
   }
 
-  void operator()(const State& x, State& dxdt, T t) const {
+  [[gnu::flatten, gnu::noinline]] void operator()(const State& x, State& dxdt, T t) const {
     using namespace drift_state;
     const Motion<T> rotating = load_motion(x, kRotating);
     const Motion<T> reference = load_motion(x, kReference);

@@ -77,7 +77,8 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
     }
     return theory;
   }
-  const bool fast = spin_momentum * spin_momentum > 100 * I1 * std::abs(mgl);
+  // Fast: at least twice the spin at which an upright top falls asleep.
+  const bool fast = spin_momentum * spin_momentum > 16 * I1 * std::abs(mgl);
   if (!fast) return theory;
   if (vertical) {
     double lean_south = 0;

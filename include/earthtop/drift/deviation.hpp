@@ -48,17 +48,17 @@ Deviation<T> body_deviation_equation(const Model<T>& model, const Motion<T>& ref
   const T epsilon = model.epsilon;
   const Mat3<T> R_ref = rotation_matrix(reference.q);
   const Vec3<T>& w_ref_B = reference.m;
-  const Vec3<T> Dw_B = model.I_BP_B_inverse * x.p;
+  const Vec3<T> Dw_B = times(model.I_BP_B_inverse, x.p);
   const Vec3<T> w_IB_B = w_ref_B + epsilon * Dw_B;
   const auto into_rotating_body = [&](const Vec3<T>& u_L) -> Vec3<T> {
-    const Vec3<T> u_ref = R_ref.transpose() * u_L;
+    const Vec3<T> u_ref = transposed_times(R_ref, u_L);
     return u_ref + epsilon * turn_back_minus_one_scaled(x.w, x.y, epsilon, u_ref);
   };
   const Vec3<T> W_B_scaled = into_rotating_body(model.W_IL_L_scaled);
   const Vec3<T> d_B = Dw_B - W_B_scaled;
-  Vec3<T> Dfield_B = turn_back_minus_one_scaled(x.w, x.y, epsilon, Vec3<T>(R_ref.transpose() * field.reference_L));
+  Vec3<T> Dfield_B = turn_back_minus_one_scaled(x.w, x.y, epsilon, transposed_times(R_ref, field.reference_L));
   if constexpr (K == SceneKind::full) Dfield_B += into_rotating_body(field.difference_L_scaled);
-  Vec3<T> dp = x.p.cross(w_ref_B) + Vec3<T>(model.I_BP_B * w_IB_B).cross(Dw_B) + field_torque(model.mass_moment_B, Dfield_B);
+  Vec3<T> dp = x.p.cross(w_ref_B) + times(model.I_BP_B, w_IB_B).cross(Dw_B) + field_torque(model.mass_moment_B, Dfield_B);
   if constexpr (K == SceneKind::full) {
     const Vec3<T> W_B = epsilon * W_B_scaled;
     dp -= laboratory_torque<K>(model.weights.complement(), W_B, W_B_scaled, Vec3<T>(w_IB_B - W_B), model.S_BP_B);
@@ -77,14 +77,12 @@ Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& refere
                                   const Vec3<T>& extra_torque_A_scaled) {
   const T epsilon = model.epsilon;
   const Mat3<T> R_ref = rotation_matrix(reference.q);
-  const auto J = [&](const Vec3<T>& u) -> Vec3<T> {
-    return R_ref * (model.I_BP_B_inverse * (R_ref.transpose() * u));
-  };
+  const auto J = [&](const Vec3<T>& u) { return rate_from_momentum(model, R_ref, u); };
   const Vec3<T> w_ref_A = J(reference.m);
   const Vec3<T> L_rot_A = reference.m + epsilon * x.p;
   const Vec3<T> AT_L = turn_back_minus_one_scaled(x.w, x.y, epsilon, L_rot_A);
   const Vec3<T> Dw_A = turn_minus_one_scaled(x.w, x.y, epsilon, J(Vec3<T>(L_rot_A + epsilon * AT_L))) + J(Vec3<T>(AT_L + x.p));
-  const Vec3<T> mr_ref_A = R_ref * model.mass_moment_B;
+  const Vec3<T> mr_ref_A = times(R_ref, model.mass_moment_B);
   const Vec3<T> Dmr_A = turn_minus_one_scaled(x.w, x.y, epsilon, mr_ref_A);
   return {-epsilon * epsilon * x.y.dot(Dw_A) / T(2),
           w_ref_A.cross(x.y) + (x.w * Dw_A + epsilon * Dw_A.cross(x.y)) / T(2),
@@ -110,8 +108,8 @@ Deviation<T> inertial_deviation_equation(const Model<T>& model, const Motion<T>&
   if constexpr (K == SceneKind::full) {
     const Mat3<T> R_NB = rotation_matrix(rotating.q);
     const Vec3<T>& W_N = model.W_IL_L;  // the laboratory turns about W, which is the same vector in L and in N
-    const Vec3<T> w_LB_N = R_NB * (model.I_BP_B_inverse * (R_NB.transpose() * rotating.m)) - W_N;
-    const Mat3<T> S_BP_N = R_NB * model.S_BP_B * R_NB.transpose();
+    const Vec3<T> w_LB_N = rate_from_momentum(model, R_NB, rotating.m) - W_N;
+    const Mat3<T> S_BP_N = turned_tensor(R_NB, model.S_BP_B);
     applied_N = -laboratory_torque<K>(model.weights.complement(), W_N, model.W_IL_L_scaled, w_LB_N, S_BP_N);
   }
   return outer_axes_deviation(model, reference, x, Vec3<T>(field.rotating_L + epsilon * turned),

@@ -34,12 +34,18 @@ Quaternion<T> attitude_rate_from_outer(const Quaternion<T>& q_AB, const Vec3<T>&
   return {-q_AB.v.dot(h), q_AB.w * h + h.cross(q_AB.v)};
 }
 
+/// Theta^-1 L with everything in the outer axes A: R Theta^-1 R^T L.
+template <class T>
+Vec3<T> rate_from_momentum(const Model<T>& model, const Mat3<T>& R_AB, const Vec3<T>& L_A) {
+  return times(R_AB, times(model.I_BP_B_inverse, transposed_times(R_AB, L_A)));
+}
+
 /// [F]'s torques on the body in laboratory axes over epsilon, from the velocity moment J and the second moment in L axes.
 template <SceneKind K, class T>
 Vec3<T> non_inertial_torque_scaled(const Model<T>& model, const Motion<T>& rotating) {
   const Mat3<T> R_LB = rotation_matrix(rotating.q);
-  const Vec3<T> w_LB_L = R_LB * (model.I_BP_B_inverse * (R_LB.transpose() * rotating.m));
-  const Mat3<T> S_BP_L = R_LB * model.S_BP_B * R_LB.transpose();
+  const Vec3<T> w_LB_L = rate_from_momentum(model, R_LB, rotating.m);
+  const Mat3<T> S_BP_L = turned_tensor(R_LB, model.S_BP_B);
   return laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L_scaled, w_LB_L, S_BP_L);
 }
 
@@ -48,8 +54,8 @@ Vec3<T> non_inertial_torque_scaled(const Model<T>& model, const Motion<T>& rotat
 template <class T>
 Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Vec3<T>& torque_L) {
   const Mat3<T> R_LB = rotation_matrix(x.q);
-  const Vec3<T> w_LB_L = R_LB * (model.I_BP_B_inverse * (R_LB.transpose() * x.m));
-  return {attitude_rate_from_outer(x.q, w_LB_L), field_torque<T>(R_LB * model.mass_moment_B, field_L) + torque_L};
+  const Vec3<T> w_LB_L = rate_from_momentum(model, R_LB, x.m);
+  return {attitude_rate_from_outer(x.q, w_LB_L), field_torque(times(R_LB, model.mass_moment_B), field_L) + torque_L};
 }
 
 /// Body axes, Euler. Torques that the scene leaves out in the laboratory are subtracted as applied ones.
@@ -57,16 +63,16 @@ template <bool kEarth, SceneKind K, class T>
 Motion<T> body_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L) {
   const Mat3<T> R_LB = rotation_matrix(x.q);
   const Vec3<T>& w_IB_B = x.m;
-  Vec3<T> torque_B = field_torque<T>(model.mass_moment_B, R_LB.transpose() * field_L);
+  Vec3<T> torque_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L));
   Vec3<T> w_LB_B = w_IB_B;
   if constexpr (kEarth) {
-    const Vec3<T> W_B = R_LB.transpose() * model.W_IL_L;
+    const Vec3<T> W_B = transposed_times(R_LB, model.W_IL_L);
     w_LB_B -= W_B;
     if constexpr (K == SceneKind::full)
       torque_B -= laboratory_torque<K>(model.weights.complement(), W_B, W_B, w_LB_B, model.S_BP_B);
   }
-  const Vec3<T> L_B = model.I_BP_B * w_IB_B;
-  return {attitude_rate_from_body(x.q, w_LB_B), model.I_BP_B_inverse * (L_B.cross(w_IB_B) + torque_B)};
+  const Vec3<T> L_B = times(model.I_BP_B, w_IB_B);
+  return {attitude_rate_from_body(x.q, w_LB_B), times<T>(model.I_BP_B_inverse, L_B.cross(w_IB_B) + torque_B)};
 }
 
 /// q_NL(t): the laboratory turned by W t since the release, as (cos, sin / epsilon): the vector part over epsilon keeps its
@@ -89,11 +95,11 @@ LaboratoryTurn<T> laboratory_turn(const Model<T>& model, T t) {
 template <bool kEarth, SceneKind K, class T>
 Motion<T> inertial_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Mat3<T>& R_NL) {
   const Mat3<T> R_NB = rotation_matrix(x.q);
-  const Vec3<T> w_IB_N = R_NB * (model.I_BP_B_inverse * (R_NB.transpose() * x.m));
-  Vec3<T> torque_N = field_torque<T>(R_NB * model.mass_moment_B, R_NL * field_L);
+  const Vec3<T> w_IB_N = rate_from_momentum(model, R_NB, x.m);
+  Vec3<T> torque_N = field_torque(times(R_NB, model.mass_moment_B), times(R_NL, field_L));
   if constexpr (kEarth && K == SceneKind::full) {
-    const Vec3<T> W_N = R_NL * model.W_IL_L;
-    const Mat3<T> S_BP_N = R_NB * model.S_BP_B * R_NB.transpose();
+    const Vec3<T> W_N = times(R_NL, model.W_IL_L);
+    const Mat3<T> S_BP_N = turned_tensor(R_NB, model.S_BP_B);
     torque_N -= laboratory_torque<K>(model.weights.complement(), W_N, W_N, Vec3<T>(w_IB_N - W_N), S_BP_N);
   }
   return {attitude_rate_from_outer(x.q, w_IB_N), torque_N};

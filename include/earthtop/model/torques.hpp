@@ -14,7 +14,9 @@ namespace earthtop {
 /// @param S_BP_A  second moment about the pivot (kg m^2)   @param w_AB_A  rate of the body in A (rad/s)
 template <class T>
 Mat3<T> velocity_moment(const Mat3<T>& S_BP_A, const Vec3<T>& w_AB_A) {
-  return -(S_BP_A * cross_matrix(w_AB_A));
+  Mat3<T> J;
+  for (int m = 0; m < 3; ++m) J.row(m) = w_AB_A.cross(S_BP_A.row(m).transpose()).transpose();  // S symmetric: -(S [w]x)
+  return J;
 }
 
 /// Coriolis torque about the pivot seen in the rotating frame A:
@@ -24,7 +26,7 @@ Mat3<T> velocity_moment(const Mat3<T>& S_BP_A, const Vec3<T>& w_AB_A) {
 template <class T>
 Vec3<T> coriolis_torque(const Vec3<T>& w_IA_A, const Mat3<T>& velocity_moment_A) {
   const Mat3<T>& J = velocity_moment_A;
-  return T(-2) * ((J(0, 0) + J(1, 1) + J(2, 2)) * w_IA_A - J.transpose() * w_IA_A);
+  return T(-2) * ((J(0, 0) + J(1, 1) + J(2, 2)) * w_IA_A - transposed_times(J, w_IA_A));
 }
 
 /// Transverse torque about the pivot seen in the frame A with angular acceleration:
@@ -34,7 +36,7 @@ Vec3<T> coriolis_torque(const Vec3<T>& w_IA_A, const Mat3<T>& velocity_moment_A)
 template <class T>
 Vec3<T> transverse_torque(const Vec3<T>& alpha_IA_A, const Mat3<T>& S_BP_A) {
   const Mat3<T>& S = S_BP_A;
-  return S.transpose() * alpha_IA_A - (S(0, 0) + S(1, 1) + S(2, 2)) * alpha_IA_A;
+  return times(S, alpha_IA_A) - (S(0, 0) + S(1, 1) + S(2, 2)) * alpha_IA_A;
 }
 
 /// Centrifugal torque about the pivot seen in the rotating frame A:
@@ -44,7 +46,7 @@ Vec3<T> transverse_torque(const Vec3<T>& alpha_IA_A, const Mat3<T>& S_BP_A) {
 /// @returns (N m), expressed in A.
 template <class T>
 Vec3<T> centrifugal_torque(const Vec3<T>& w_IA_A, const Vec3<T>& w_IA_A_scaled, const Mat3<T>& S_BP_A) {
-  return w_IA_A.cross(S_BP_A * w_IA_A_scaled);
+  return w_IA_A.cross(times(S_BP_A, w_IA_A_scaled));
 }
 template <class T>
 Vec3<T> centrifugal_torque(const Vec3<T>& w_IA_A, const Mat3<T>& S_BP_A) {
