@@ -41,7 +41,9 @@ struct Scenario {
 };
 
 /// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is
-/// that last row.
+/// that last row; a step longer than the duration gives the rows 0 and the end only.
+/// @param duration_s, output_step_s  (s)   @returns times (s), ascending
+/// @throws ScenarioError for a duration or step that is not above 0, or for more than 2,000,000 rows.
 std::vector<double> output_times(double duration_s, double output_step_s);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).
@@ -55,9 +57,9 @@ struct ScenarioSource {
 ScenarioSource read_scenario_source(const std::string& path);
 
 /// Decodes and validates a scenario. @param overrides  `--set` pairs: JSON pointer and JSON value (a value that is not JSON
-/// is taken as a string). @throws ScenarioError with all violations of the text.
-Scenario parse_scenario(const ScenarioSource& source,
-                        const std::vector<std::pair<std::string, std::string>>& overrides = {});
+/// is taken as a string). @throws ScenarioError with all violations of the text, sorted by position (at most 20, then one
+/// that says how many more); those of an override stand first, at line 0.
+Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
 /// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
 /// a run. Output location and comments are not part of it.
