@@ -1,0 +1,122 @@
+/// Random cases that are the same on every platform, and comparisons that can print every scalar.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <random>
+
+#include "earthtop/frames/rotation.hpp"
+
+namespace earthtop::test {
+
+/// Numbers from a fixed seed, which is printed. The mapping to doubles is our own: the standard's distributions differ
+/// between libraries.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {
+    std::printf("[   seed   ] %llu\n", static_cast<unsigned long long>(seed));
+  }
+  /// In [low, high), 53 random bits.
+  double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
+  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
+  /// Components in [-size, size).
+  template <class T>
+  Vec3<T> vector(double size = 1) {
+    Vec3<T> v;
+    for (int i = 0; i < 3; ++i) v[i] = T(uniform(-size, size));  // one statement each: the order of arguments is not fixed
+    return v;
+  }
+  template <class T>
+  Vec3<T> unit() {
+    while (true) {
+      const Vec3<T> v = vector<T>();
+      const T n = norm(v);
+      if (n > T(0.1)) return v / n;
+    }
+  }
+  /// A rotation; `norm_of_q` other than 1 asks whether the norm leaks into the result.
+  template <class T>
+  Quaternion<T> quaternion(double norm_of_q = 1) {
+    const Vec3<T> axis = unit<T>();
+    const T half = T(uniform(-3, 3));
+    return {T(norm_of_q) * real::cos(half), (T(norm_of_q) * real::sin(half)) * axis};
+  }
+  template <class T>
+  Mat3<T> general_matrix(double size = 1) {
+    Mat3<T> m;
+    for (int i = 0; i < 3; ++i) m.row(i) = vector<T>(size).transpose();
+    return m;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+template <class T>
+testing::AssertionResult at_most(T error, T bound) {
+  if (error <= bound) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << static_cast<double>(error) << " is not at most " << static_cast<double>(bound);
+}
+
+template <class T>
+testing::AssertionResult close(T a, T b, T bound) {
+  return at_most(real::abs(a - b), bound) << " (" << static_cast<double>(a) << " against " << static_cast<double>(b) << ")";
+}
+
+/// Every component of a within `bound` of b; a NaN is never close.
+template <class T, class A, class B>
+testing::AssertionResult close(const Eigen::MatrixBase<A>& a_expression, const Eigen::MatrixBase<B>& b_expression, T bound) {
+  const auto a = a_expression.eval();
+  const auto b = b_expression.eval();
+  for (int i = 0; i < a.rows(); ++i)
+    for (int j = 0; j < a.cols(); ++j)
+      if (!(real::abs(a(i, j) - b(i, j)) <= bound))
+        return testing::AssertionFailure() << "component " << i << "," << j << ": " << static_cast<double>(a(i, j))
+                                           << " against " << static_cast<double>(b(i, j)) << ", bound "
+                                           << static_cast<double>(bound);
+  return testing::AssertionSuccess();
+}
+
+/// The same numbers exactly; a zero's sign does not count. (gtest's EXPECT_EQ cannot print matrices of float128.)
+template <class A, class B>
+testing::AssertionResult identical(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  return close<typename A::Scalar>(a, b, typename A::Scalar(0));
+}
+
+/// Rodrigues' formula, for tests of whatever is built on quaternions: exp([n]x angle) for a unit n.
+template <class T>
+Mat3<T> rodrigues(const Vec3<T>& n, T angle) {
+  const T c = real::cos(angle), s = real::sin(angle);
+  const T half_sine = real::sin(angle / T(2));
+  const T one_less_c = T(2) * half_sine * half_sine;
+  Mat3<T> R;
+  R << c + one_less_c * n[0] * n[0], one_less_c * n[0] * n[1] - s * n[2], one_less_c * n[0] * n[2] + s * n[1],
+      one_less_c * n[1] * n[0] + s * n[2], c + one_less_c * n[1] * n[1], one_less_c * n[1] * n[2] - s * n[0],
+      one_less_c * n[2] * n[0] - s * n[1], one_less_c * n[2] * n[1] + s * n[0], c + one_less_c * n[2] * n[2];
+  return R;
+}
+
+/// First and second derivative at t of f: central differences at h, h/2, h/4, extrapolated twice (Richardson), so that
+/// the error is at most W (W h)^6 and W^2 (W h)^6 times the size of f for an f whose n-th derivative is below W^n.
+/// f returns anything that adds and scales.
+template <class T, class F>
+auto first_derivative(const F& f, T t, T h) {
+  using V = decltype(f(t));
+  const auto difference = [&](T k) -> V { return (f(t + k) - f(t - k)) / (T(2) * k); };
+  const V d1 = difference(h), d2 = difference(h / T(2)), d4 = difference(h / T(4));
+  const V once1 = (T(4) * d2 - d1) / T(3), once2 = (T(4) * d4 - d2) / T(3);
+  return V((T(16) * once2 - once1) / T(15));
+}
+template <class T, class F>
+auto second_derivative(const F& f, T t, T h) {
+  using V = decltype(f(t));
+  const V centre = f(t);
+  const auto difference = [&](T k) -> V { return (f(t + k) - T(2) * centre + f(t - k)) / (k * k); };
+  const V d1 = difference(h), d2 = difference(h / T(2)), d4 = difference(h / T(4));
+  const V once1 = (T(4) * d2 - d1) / T(3), once2 = (T(4) * d4 - d2) / T(3);
+  return V((T(16) * once2 - once1) / T(15));
+}
+
+}  // namespace earthtop::test
