@@ -8,15 +8,9 @@ namespace earthtop {
 namespace {
 
 using test::close;
+using test::for_each_scalar;
 using test::identical;
 using test::Random;
-
-template <class Check>
-void for_each_scalar(const Check& check) {
-  check(double{});
-  check(static_cast<long double>(0));
-  check(float128{});
-}
 
 TEST(Earth, SineAndCosineAreExactAtMultiplesOf90Degrees) {
   for_each_scalar([](auto scalar) {

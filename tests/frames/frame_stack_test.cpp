@@ -20,19 +20,9 @@ struct RandomStack {
 
   RandomStack(Random& random, int n) {
     for (int i = 0; i < n; ++i) {
-      PrescribedMotion<Q> m;
-      m.axis = random.unit<Q>();
-      m.angle0 = Q(random.uniform(-3, 3));
-      m.rate = Q(random.uniform(-2, 2));
-      m.acceleration = Q(random.uniform(-2, 2));
-      m.amplitude = Q(random.uniform(0.1, 0.5));
-      m.frequency = Q(random.uniform(0.1, 0.5));
-      m.phase = Q(random.uniform(-3, 3));
-      layers.push_back(m);
-      stack.add(kNames[static_cast<std::size_t>(i) + 1], m);
-      const Q pulsation = 2 * real::pi<Q>() * m.frequency;
-      W +=
-          real::abs(m.rate) + real::abs(m.acceleration) + real::sqrt(real::abs(m.acceleration)) + pulsation * (1 + m.amplitude);
+      layers.push_back(test::random_motion<Q>(random));
+      stack.add(kNames[static_cast<std::size_t>(i) + 1], layers.back());
+      W += test::derivative_bound(layers.back());
     }
   }
   int frames() const { return static_cast<int>(layers.size()) + 1; }

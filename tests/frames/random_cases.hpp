@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <random>
 
-#include "earthtop/frames/rotation.hpp"
+#include "earthtop/frames/prescribed_motion.hpp"
 
 namespace earthtop::test {
 
@@ -53,6 +53,35 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// A turn about a random axis with all its terms: angle, rate, ramp and harmonic.
+template <class T>
+PrescribedMotion<T> random_motion(Random& random) {
+  PrescribedMotion<T> m;
+  m.axis = random.unit<T>();
+  m.angle0 = T(random.uniform(-3, 3));
+  m.rate = T(random.uniform(-2, 2));
+  m.acceleration = T(random.uniform(-2, 2));
+  m.amplitude = T(random.uniform(0.1, 0.5));
+  m.frequency = T(random.uniform(0.1, 0.5));
+  m.phase = T(random.uniform(-3, 3));
+  return m;
+}
+/// W such that the n-th derivative of the attitude stays below W^n for |t| <= 1; bounds of composed motions add.
+template <class T>
+T derivative_bound(const PrescribedMotion<T>& m) {
+  const T pulsation = T(2) * real::pi<T>() * m.frequency;
+  return real::abs(m.rate) + real::abs(m.acceleration) + real::sqrt(real::abs(m.acceleration)) +
+         pulsation * (T(1) + real::abs(m.amplitude));
+}
+
+/// The check in every precision.
+template <class Check>
+void for_each_scalar(const Check& check) {
+  check(double{});
+  check(static_cast<long double>(0));
+  check(float128{});
+}
 
 template <class T>
 testing::AssertionResult at_most(T error, T bound) {
