@@ -82,10 +82,10 @@ void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
       state.w_LB_B[i] -= problem.units.rate_to_rad_s(transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L)[i]);
 }
 
-template <class T, Observer O, SceneKind K>
+template <class T, Observer O, SceneKind K, RotatingMotion R>
 DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                 const std::atomic<bool>* stop) {
-  using System = DriftSystem<T, O, K>;
+  using System = DriftSystem<T, O, K, R>;
   System system(problem.model);
   auto x = system.initial_state(problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B), problem.release.X);
   std::vector<T> times;
@@ -119,11 +119,11 @@ DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const Integratio
   return trajectory;
 }
 
-template <class T, Observer O>
+template <class T, Observer O, RotatingMotion R = RotatingMotion::integrated>
 DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                 const std::atomic<bool>* stop) {
-  if (problem.model.kind == SceneKind::plain) return integrate_in<T, O, SceneKind::plain>(problem, options, stop);
-  return integrate_in<T, O, SceneKind::full>(problem, options, stop);
+  if (problem.model.kind == SceneKind::plain) return integrate_in<T, O, SceneKind::plain, R>(problem, options, stop);
+  return integrate_in<T, O, SceneKind::full, R>(problem, options, stop);
 }
 
 }  // namespace
@@ -133,7 +133,10 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
                                    const std::atomic<bool>* stop) {
   switch (options.observer) {
     case Observer::laboratory: return integrate_as<T, Observer::laboratory>(problem, options, stop);
-    case Observer::body: return integrate_as<T, Observer::body>(problem, options, stop);
+    case Observer::body:
+      if (problem.rotating == RotatingMotion::composed)
+        return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
+      return integrate_as<T, Observer::body>(problem, options, stop);
     case Observer::inertial: return integrate_as<T, Observer::inertial>(problem, options, stop);
   }
   throw std::logic_error("unknown observer");

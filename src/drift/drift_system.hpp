@@ -1,5 +1,5 @@
 /// The right-hand side of a drift integration on one state vector:
-///   [0,7) rotating motion   [7,14) non-rotating reference   14 deviation w   [15,18) y   [18,21) p
+///   [0,7) non-rotating reference   7 deviation w   [8,11) y   [11,14) p   [14,21) rotating motion, where it is integrated
 #pragma once
 
 #include <array>
@@ -11,65 +11,72 @@ namespace earthtop {
 
 namespace drift_state {
 
-constexpr std::size_t kRotating = 0;
-constexpr std::size_t kReference = 7;
-constexpr std::size_t kDeviation = 14;
-constexpr std::size_t kSize = 21;
-template <class T>
-using State = std::array<T, kSize>;
+constexpr std::size_t kReference = 0;
+constexpr std::size_t kDeviation = 7;
+constexpr std::size_t kRotating = 14;
 
-template <class T>
-Motion<T> load_motion(const State<T>& x, std::size_t at) {
+template <class T, std::size_t N>
+Motion<T> load_motion(const std::array<T, N>& x, std::size_t at) {
   return {{x[at], Vec3<T>(x[at + 1], x[at + 2], x[at + 3])}, Vec3<T>(x[at + 4], x[at + 5], x[at + 6])};
 }
-template <class T>
-void store_motion(const Motion<T>& motion, State<T>& x, std::size_t at) {
+template <class T, std::size_t N>
+void store_motion(const Motion<T>& motion, std::array<T, N>& x, std::size_t at) {
   x[at] = motion.q.w;
   for (std::size_t i = 0; i < 3; ++i) x[at + 1 + i] = motion.q.v[static_cast<int>(i)];
   for (std::size_t i = 0; i < 3; ++i) x[at + 4 + i] = motion.m[static_cast<int>(i)];
 }
-template <class T>
-Deviation<T> load_deviation(const State<T>& x) {
-  constexpr std::size_t at = kDeviation;
-  return {x[at], Vec3<T>(x[at + 1], x[at + 2], x[at + 3]), Vec3<T>(x[at + 4], x[at + 5], x[at + 6])};
+template <class T, std::size_t N>
+Deviation<T> load_deviation(const std::array<T, N>& x) {
+  const Motion<T> packed = load_motion(x, kDeviation);
+  return {packed.q.w, packed.q.v, packed.m};
 }
-template <class T>
-void store_deviation(const Deviation<T>& deviation, State<T>& x) {
+template <class T, std::size_t N>
+void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
   store_motion<T>({{deviation.w, deviation.y}, deviation.p}, x, kDeviation);
 }
 
 }  // namespace drift_state
 
 /// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
-template <class T, Observer O, SceneKind K>
+/// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation (body axes only)
+template <class T, Observer O, SceneKind K, RotatingMotion R>
 class DriftSystem {
  public:
-  static constexpr std::size_t kSize = drift_state::kSize;
-  using State = drift_state::State<T>;
+  static constexpr bool kIntegrated = R == RotatingMotion::integrated;
+  static_assert(kIntegrated || O == Observer::body);
+  static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
+  using State = std::array<T, kSize>;
   explicit DriftSystem(const Model<T>& model) : model_(model) {}
 
   /// Attitudes and rates against their own size; the deviation may start from zero, so its scale has a floor.
-  static constexpr std::array<ComponentGroup, 7> groups() {
-    return {{{0, 4, 1.0}, {4, 3, 1e-5}, {7, 4, 1.0}, {11, 3, 1e-5}, {14, 1, 1.0}, {15, 3, 1e-5}, {18, 3, 1e-5}}};
+  static constexpr auto groups() {
+    constexpr std::array<ComponentGroup, 7> all{
+        {{0, 4, 1.0}, {4, 3, 1e-5}, {7, 1, 1.0}, {8, 3, 1e-5}, {11, 3, 1e-5}, {14, 4, 1.0}, {18, 3, 1e-5}}};
+    if constexpr (kIntegrated)
+      return all;
+    else
+      return std::array<ComponentGroup, 5>{all[0], all[1], all[2], all[3], all[4]};
   }
 
   [[gnu::flatten, gnu::noinline]] void operator()(const State& x, State& dxdt, T t) const {
     using namespace drift_state;
-    const Motion<T> rotating = load_motion(x, kRotating);
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
     const PivotField<T> field = pivot_field<K>(model_, t);
     if constexpr (O == Observer::laboratory) {
+      const Motion<T> rotating = load_motion(x, kRotating);
       const Vec3<T> torque_scaled = non_inertial_torque_scaled<K>(model_, rotating);
       const Vec3<T> torque = model_.epsilon * torque_scaled, none = Vec3<T>::Zero();
       store_motion(laboratory_equation(model_, rotating, field.rotating_L, torque), dxdt, kRotating);
       store_motion(laboratory_equation(model_, reference, field.reference_L, none), dxdt, kReference);
       store_deviation(laboratory_deviation_equation(model_, reference, deviation, field, torque_scaled), dxdt);
     } else if constexpr (O == Observer::body) {
-      store_motion(body_equation<true, K>(model_, rotating, field.rotating_L), dxdt, kRotating);
+      if constexpr (kIntegrated)
+        store_motion(body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L), dxdt, kRotating);
       store_motion(body_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
       store_deviation(body_deviation_equation<K>(model_, reference, deviation, field), dxdt);
     } else {
+      const Motion<T> rotating = load_motion(x, kRotating);
       const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
       const Mat3<T> unturned = Mat3<T>::Identity();
@@ -94,7 +101,7 @@ class DriftSystem {
     const Vec3<T> Dw_IB_B = inertial_rates ? zero : W_B_scaled;
     State x;
     const auto store = [&](const Vec3<T>& rotating, const Vec3<T>& reference, const Vec3<T>& deviation) {
-      drift_state::store_motion<T>({q_LB, rotating}, x, drift_state::kRotating);
+      if constexpr (kIntegrated) drift_state::store_motion<T>({q_LB, rotating}, x, drift_state::kRotating);
       drift_state::store_motion<T>({q_LB, reference}, x, drift_state::kReference);
       drift_state::store_deviation<T>({T(1), zero, deviation}, x);
     };
@@ -110,9 +117,9 @@ class DriftSystem {
   /// The observer's variables turned into those all observers share; rates in natural units, `t_s` left to the caller.
   DriftState<T> shared_state(const State& x, T t) const {
     using namespace drift_state;
-    const Motion<T> rotating = load_motion(x, kRotating);
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
+    const Motion<T> rotating = rotating_motion(x, reference, deviation);
     DriftState<T> s;
     s.epsilon = model_.epsilon;
     s.ref_q_LB = reference.q;
@@ -147,6 +154,15 @@ class DriftSystem {
   }
 
  private:
+  Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation) const {
+    if constexpr (kIntegrated) {
+      return drift_state::load_motion(x, drift_state::kRotating);
+    } else {
+      const Quaternion<T> e{deviation.w, model_.epsilon * deviation.y};
+      return {reference.q * e, reference.m + model_.epsilon * times(model_.I_BP_B_inverse, deviation.p)};
+    }
+  }
+
   const Model<T>& model_;
 };
 

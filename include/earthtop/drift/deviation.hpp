@@ -2,9 +2,11 @@
 /// motions: no two nearly equal trajectories are ever subtracted. One form for each observer, derived apart:
 ///
 /// | observer    | attitude deviation              | rate deviation                                        |
-/// | laboratory  | d of R_rot R_ref^T, axes L      | L'_rot - L'_ref in L; [F]'s torques drive it          |
-/// | body        | e of R_ref^T R_rot, body axes   | Theta (w_IB,rot - w_IB,ref), each in its body axes    |
-/// | inertial    | d of R_rot R_ref^T, axes N      | L_rot - L_ref in N; gravity turning drives it         |
+/// | laboratory  | R_rot R_ref^T, axes L           | of w_LB, carried to L; [F]'s torques drive it         |
+/// | body        | R_ref^T R_rot, body axes        | of w_IB; the laboratory turns away under the attitude |
+/// | inertial    | R_rot R_ref^T, axes N           | of w_IB, carried to N; gravity turning drives it      |
+///
+/// The rate deviation is p = Theta (w_rot - w_ref), each rate in its own body axes: what the two spins share cancels exactly.
 ///
 /// The vector part of the quaternion and the rate deviation are carried divided by epsilon (see Model): y = v / epsilon.
 #pragma once
@@ -66,27 +68,27 @@ Deviation<T> body_deviation_equation(const Model<T>& model, const Motion<T>& ref
   return {-epsilon * epsilon * x.y.dot(d_B) / T(2), x.y.cross(w_ref_B) + (x.w * d_B + epsilon * x.y.cross(d_B)) / T(2), dp};
 }
 
-/// What the two forms in outer axes A (laboratory or inertial) share. D = R_rot R_ref^T = 1 + epsilon A,
-/// J = R_ref Theta^-1 R_ref^T; the difference of the angular velocities is
-///   Delta w = D J D^T L_rot - J L_ref = A J D^T L_rot + J A^T L_rot + J Delta L    (over epsilon)
-/// and that of the torques  (A m r) x f_rot + m r x (f_rot - f_ref) + extra.
+/// What the two forms in outer axes A (laboratory or inertial) share: the body form carried by the reference's attitude,
+/// k = R_ref e_v and P = R_ref p, which do not turn with the spin. The reference's own rate drops out of both,
+///   dk/dt = (e_w d + k x d)/2 ,  de_w/dt = -(k.d)/2 ,  d = R_ref Theta^-1 R_ref^T P
+///   dP/dt = (L_ref + P) x d + m r_ref x (D^T f_rot - f_ref) + D^T tau ,  D = R_rot R_ref^T = R(e_w + k)
+/// and no term is larger than what it leaves: the spin that both motions have in common appears nowhere.
 /// @param reference  the non-rotating motion (q, L in A)   @param field_difference_A_scaled  (f_rot - f_ref) / epsilon
+/// @param torque_A_scaled  further torque on the rotating body / epsilon
 template <class T>
 Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
-                                  const Vec3<T>& field_rot_A, const Vec3<T>& field_difference_A_scaled,
-                                  const Vec3<T>& extra_torque_A_scaled) {
+                                  const Vec3<T>& field_ref_A, const Vec3<T>& field_difference_A_scaled,
+                                  const Vec3<T>& torque_A_scaled) {
   const T epsilon = model.epsilon;
   const Mat3<T> R_ref = rotation_matrix(reference.q);
-  const auto J = [&](const Vec3<T>& u) { return rate_from_momentum(model, R_ref, u); };
-  const Vec3<T> w_ref_A = J(reference.m);
-  const Vec3<T> L_rot_A = reference.m + epsilon * x.p;
-  const Vec3<T> AT_L = turn_back_minus_one_scaled(x.w, x.y, epsilon, L_rot_A);
-  const Vec3<T> Dw_A = turn_minus_one_scaled(x.w, x.y, epsilon, J(Vec3<T>(L_rot_A + epsilon * AT_L))) + J(Vec3<T>(AT_L + x.p));
-  const Vec3<T> mr_ref_A = times(R_ref, model.mass_moment_B);
-  const Vec3<T> Dmr_A = turn_minus_one_scaled(x.w, x.y, epsilon, mr_ref_A);
-  return {-epsilon * epsilon * x.y.dot(Dw_A) / T(2),
-          w_ref_A.cross(x.y) + (x.w * Dw_A + epsilon * Dw_A.cross(x.y)) / T(2),
-          field_torque(Dmr_A, field_rot_A) + field_torque(mr_ref_A, field_difference_A_scaled) + extra_torque_A_scaled};
+  const Vec3<T> d_A = rate_from_momentum(model, R_ref, x.p);
+  const auto D_transposed_minus_one = [&](const Vec3<T>& u) { return turn_back_minus_one_scaled(x.w, x.y, epsilon, u); };
+  const Vec3<T> Dfield_A = D_transposed_minus_one(field_ref_A) + field_difference_A_scaled +
+                           epsilon * D_transposed_minus_one(field_difference_A_scaled);
+  const Vec3<T> momentum_A = reference.m + epsilon * x.p;
+  return {-epsilon * epsilon * x.y.dot(d_A) / T(2), (x.w * d_A + epsilon * x.y.cross(d_A)) / T(2),
+          momentum_A.cross(d_A) + field_torque(times(R_ref, model.mass_moment_B), Dfield_A) + torque_A_scaled +
+              epsilon * D_transposed_minus_one(torque_A_scaled)};
 }
 
 /// Laboratory form: relative rates; [F]'s Coriolis and centrifugal torques on the rotating body drive the deviation.
@@ -94,7 +96,7 @@ Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& refere
 template <class T>
 Deviation<T> laboratory_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                            const PivotField<T>& field, const Vec3<T>& torque_L_scaled) {
-  return outer_axes_deviation(model, reference, x, field.rotating_L, field.difference_L_scaled, torque_L_scaled);
+  return outer_axes_deviation(model, reference, x, field.reference_L, field.difference_L_scaled, torque_L_scaled);
 }
 
 /// Inertial form: what drives the deviation is that the laboratory's field turns with the Earth.
@@ -112,8 +114,7 @@ Deviation<T> inertial_deviation_equation(const Model<T>& model, const Motion<T>&
     const Mat3<T> S_BP_N = turned_tensor(R_NB, model.S_BP_B);
     applied_N = -laboratory_torque<K>(model.weights.complement(), W_N, model.W_IL_L_scaled, w_LB_N, S_BP_N);
   }
-  return outer_axes_deviation(model, reference, x, Vec3<T>(field.rotating_L + epsilon * turned),
-                              Vec3<T>(turned + field.difference_L_scaled), applied_N);
+  return outer_axes_deviation(model, reference, x, field.reference_L, Vec3<T>(turned + field.difference_L_scaled), applied_N);
 }
 
 }  // namespace earthtop

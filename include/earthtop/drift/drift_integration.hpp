@@ -54,6 +54,10 @@ struct DriftSample {
   T ref_azimuth = T(0);  ///< compass azimuth of the reference, continuous (rad)
 };
 
+/// Where the rotating motion of a sample comes from: integrated in its own state, or composed from the reference and the
+/// deviation, which saves a third of the work (body axes only; the other observers integrate it in any case).
+enum class RotatingMotion { integrated, composed };
+
 template <class T>
 struct DriftProblem {
   Model<T> model;  ///< in `units`
@@ -62,6 +66,7 @@ struct DriftProblem {
   T fastest_rate = T(1);              ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
   std::vector<double> times_s;        ///< output times; the first is the release, 0
   std::optional<double> threshold_rad;
+  RotatingMotion rotating = RotatingMotion::integrated;
 };
 
 template <class T>

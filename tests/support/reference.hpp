@@ -1,0 +1,47 @@
+/// The tests' reference: the same scene in 113-bit arithmetic, in an observer's equations of the caller's choice.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/run.hpp"
+#include "run/setup.hpp"
+
+namespace earthtop::testing {
+
+inline DriftTrajectory<float128> reference_run(const Scenario& scenario, Observer observer, double tolerance = 1e-17) {
+  IntegrationOptions options;
+  options.observer = observer;
+  options.method = Method::rkf78;
+  options.relative_tolerance = tolerance;
+  return integrate_drift(make_problem<float128>(scenario), options);
+}
+
+/// What a run's rows miss of the reference, and how its bounds stand to that, over all rows.
+struct Comparison {
+  double worst_axis_error = 0;      ///< over the largest axis drift so far
+  double worst_attitude_error = 0;  ///< over the largest attitude drift so far
+  double least_margin = 1e300;      ///< bound / true error, the smaller of axis and attitude; errors at round-off left out
+  double worst_excess = 0;          ///< bound / max(true error, 1e-13 rad, 1e-10 x largest drift so far)
+};
+
+inline Comparison compare(const RunResult& result, const DriftTrajectory<float128>& reference) {
+  Comparison c;
+  double largest_axis = 0, largest_attitude = 0;
+  for (std::size_t i = 0; i < result.rows.size(); ++i) {
+    const DriftRow& row = result.rows[i];
+    const DriftMeasures<float128>& exact = reference.samples.at(i).measures;
+    const auto follow = [&](double computed, float128 truth, double bound, double& largest, double& worst) {
+      const double error = static_cast<double>(real::abs(static_cast<float128>(computed) - truth));
+      largest = std::max(largest, static_cast<double>(truth));
+      if (largest > 0) worst = std::max(worst, error / largest);
+      if (error > 0) c.least_margin = std::min(c.least_margin, bound / error);
+      c.worst_excess = std::max(c.worst_excess, bound / std::max({error, 1e-13, 1e-10 * largest}));
+    };
+    follow(row.drift_axis_rad, exact.axis, row.drift_axis_bound_rad, largest_axis, c.worst_axis_error);
+    follow(row.drift_attitude_rad, exact.attitude, row.drift_attitude_bound_rad, largest_attitude, c.worst_attitude_error);
+  }
+  return c;
+}
+
+}  // namespace earthtop::testing
