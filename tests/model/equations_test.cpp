@@ -1,0 +1,231 @@
+#include "earthtop/model/equations.hpp"
+
+#include "earthtop/model/invariants.hpp"
+#include "frames/random_cases.hpp"
+
+namespace earthtop {
+namespace {
+
+using test::close;
+using test::for_each_scalar;
+using test::identical;
+using test::Random;
+using Q = float128;
+
+/// An asymmetric body with products of inertia and its centre of mass off every axis.
+BodySpec asymmetric() {
+  BodySpec spec;
+  spec.mass_kg = 0.5;
+  spec.center_of_mass_m = {0.25, -0.125, 0.75};
+  spec.inertia_kg_m2 = {{{1.5, 0.125, -0.0625}, {0.125, 1.75, 0.25}, {-0.0625, 0.25, 1.0}}};
+  return spec;
+}
+template <class T>
+Model<T> model_of(const BodySpec& spec, double latitude_deg, double earth_rate) {
+  return make_model<T>(make_body<T>(spec), Site{latitude_deg, 0, 0, 9.75}, earth_rate, {}, nullptr);
+}
+
+/// Fourth-order Runge-Kutta from t = 0 in n equal steps.
+template <class F>
+Motion<Q> integrated(const F& f, Motion<Q> x, Q duration, int n) {
+  const auto moved = [](const Motion<Q>& from, Q h, const Motion<Q>& by) {
+    return Motion<Q>{{from.q.w + h * by.q.w, from.q.v + h * by.q.v}, from.m + h * by.m};
+  };
+  const Q h = duration / n;
+  for (int k = 0; k < n; ++k) {
+    const Q t = k * h;
+    const Motion<Q> a = f(t, x), b = f(t + h / 2, moved(x, h / 2, a)), c = f(t + h / 2, moved(x, h / 2, b)),
+                    d = f(t + h, moved(x, h, c));
+    x = moved(moved(moved(moved(x, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+  }
+  return x;
+}
+
+TEST(Equations, ObserversAgree) {
+  // Omega = 1 rad/s at latitude 50 deg, for 0.5 s: three integrations of three different variables.
+  const Model<Q> model = model_of<Q>(asymmetric(), 50, 1);
+  Random random(501);
+  const Quaternion<Q> q = random.quaternion<Q>(1.5);
+  const Vec3<Q> w_LB_B = random.vector<Q>(3), W_B = rotation_matrix(q).transpose() * model.W_IL_L;
+  const Mat3<Q> R = rotation_matrix(q);
+  const Vec3<Q> g = model.apparent_gravity_L;
+  const Q duration = Q(0.5);
+  const auto in_laboratory = [&](Q, const Motion<Q>& x) {
+    return laboratory_equation<Q>(model, x, g, model.epsilon * non_inertial_torque_scaled<SceneKind::plain>(model, x));
+  };
+  const auto in_body = [&](Q, const Motion<Q>& x) { return body_equation<true, SceneKind::plain, Q>(model, x, g); };
+  const auto in_space = [&](Q t, const Motion<Q>& x) {
+    return inertial_equation<true, SceneKind::plain, Q>(model, x, g,
+                                                        rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)));
+  };
+  const Mat3<Q> R_NL = test::rodrigues<Q>(model.W_IL_L / norm(model.W_IL_L), duration * norm(model.W_IL_L));
+  Q C = 0;
+  for (int n = 32; n <= 256; n *= 2) {
+    const Motion<Q> laboratory = integrated(in_laboratory, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
+    const Motion<Q> body = integrated(in_body, {q, w_LB_B + W_B}, duration, n);
+    const Motion<Q> space = integrated(in_space, {q, R * (model.I_BP_B * (w_LB_B + W_B))}, duration, n);
+    const Mat3<Q> R_LB = rotation_matrix(laboratory.q), R_LB_body = rotation_matrix(body.q),
+                  R_LB_space = R_NL.transpose() * rotation_matrix(space.q);
+    // Rates relative to the laboratory, in laboratory axes.
+    const Vec3<Q> w = rate_from_momentum<Q>(model, R_LB, laboratory.m), w_body = R_LB_body * body.m - model.W_IL_L,
+                  w_space = R_NL.transpose() * rate_from_momentum<Q>(model, rotation_matrix(space.q), space.m) - model.W_IL_L;
+    // Order 4: C from the first number of steps, and every halving divides the difference by 16, nearly.
+    const Q steps = Q(n) * n * n * n;
+    Q largest = 0;
+    for (const Mat3<Q>& difference : {Mat3<Q>(R_LB - R_LB_body), Mat3<Q>(R_LB - R_LB_space)})
+      largest = std::max(largest, difference.cwiseAbs().maxCoeff());
+    for (const Vec3<Q>& difference : {Vec3<Q>(w - w_body), Vec3<Q>(w - w_space)})
+      largest = std::max(largest, difference.cwiseAbs().maxCoeff());
+    if (n == 32) C = largest * steps;
+    EXPECT_LE(static_cast<double>(largest), static_cast<double>(Q(1.25) * C / steps)) << n;
+    if (n == 256) {
+      EXPECT_LE(static_cast<double>(largest), 1e-6);
+      // What the Earth's rate did to this motion is far larger.
+      const auto at_rest = [&](Q, const Motion<Q>& x) { return laboratory_equation<Q>(model, x, g, Vec3<Q>::Zero()); };
+      const Motion<Q> reference = integrated(at_rest, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
+      EXPECT_GT(static_cast<double>((rotation_matrix(reference.q) - R_LB).cwiseAbs().maxCoeff()), 0.1);
+    }
+  }
+}
+
+TEST(Equations, AttitudeRatesAreHalfTheProduct) {
+  for_each_scalar([](auto scalar) {
+    using T = decltype(scalar);
+    Random random(502);
+    for (int k = 0; k < 50; ++k) {
+      const Quaternion<T> q = random.quaternion<T>(1.5);
+      const Vec3<T> w_B = random.vector<T>(3);
+      const T bound = T(32) * real::epsilon<T>() * T(3 * 1.5);
+      const Quaternion<T> product = q * Quaternion<T>{T(0), w_B / T(2)};
+      for (const Quaternion<T>& rate :
+           {attitude_rate_from_body(q, w_B), attitude_rate_from_outer(q, Vec3<T>(rotation_matrix(q) * w_B))}) {
+        EXPECT_TRUE(close<T>(rate.w, product.w, bound));
+        EXPECT_TRUE(close<T>(rate.v, product.v, bound));
+      }
+    }
+  });
+  // dR/dt = R [w_B]x, by differentiation along the flow.
+  Random random(503);
+  for (int k = 0; k < 10; ++k) {
+    const Quaternion<Q> q = random.quaternion<Q>(1.5);
+    const Vec3<Q> w_B = random.vector<Q>(3);
+    const Quaternion<Q> rate = attitude_rate_from_body(q, w_B);
+    const Q h = Q(1e-5), W = 6;
+    const Mat3<Q> Rdot = test::first_derivative(
+        [&](Q at) {
+          return rotation_matrix(Quaternion<Q>{q.w + at * rate.w, q.v + at * rate.v});
+        },
+        Q(0), h);
+    const Q Wh = W * h;
+    EXPECT_TRUE(close<Q>(Rdot, Mat3<Q>(rotation_matrix(q) * cross_matrix(w_B)),
+                         W * Wh * Wh * Wh * Wh * Wh * Wh + 256 * real::epsilon<Q>() / h));
+  }
+}
+
+TEST(Equations, WithoutTheEarthAllAreTheReference) {
+  for_each_scalar([](auto scalar) {
+    using T = decltype(scalar);
+    const Model<T> model = model_of<T>(asymmetric(), 50, 0);
+    Random random(504);
+    const Motion<T> x{random.quaternion<T>(), random.vector<T>(3)};
+    const Vec3<T> g = model.apparent_gravity_L;
+    const Motion<T> with = body_equation<true, SceneKind::plain, T>(model, x, g),
+                    without = body_equation<false, SceneKind::plain, T>(model, x, g);
+    EXPECT_TRUE(identical(with.m, without.m));
+    EXPECT_TRUE(identical(with.q.v, without.q.v));
+    EXPECT_TRUE(identical(non_inertial_torque_scaled<SceneKind::plain>(model, x), Vec3<T>::Zero()));
+    const LaboratoryTurn<T> turn = laboratory_turn(model, T(1e6));
+    EXPECT_TRUE(identical(rotation_matrix(turn.quaternion(model.epsilon)), Mat3<T>::Identity()));
+  });
+}
+
+TEST(Equations, EulersComponentsInPrincipalAxes) {
+  for_each_scalar([](auto scalar) {
+    using T = decltype(scalar);
+    BodySpec spec;
+    spec.mass_kg = 2;
+    spec.inertia_kg_m2 = {{{2, 0, 0}, {0, 4, 0}, {0, 0, 5}}};
+    const Model<T> model = model_of<T>(spec, 0, 0);
+    // Free: wdot = ((4-5) w2 w3 / 2, (5-2) w3 w1 / 4, (2-4) w1 w2 / 5), exact numbers.
+    const Motion<T> xdot = body_equation<false, SceneKind::plain, T>(model, {Quaternion<T>{}, Vec3<T>(T(2), T(4), T(10))},
+                                                                     model.apparent_gravity_L);
+    EXPECT_TRUE(close<T>(xdot.m, Vec3<T>(T(-20), T(15), T(-16) / T(5)), T(8) * real::epsilon<T>() * T(20)));
+  });
+}
+
+TEST(Equations, LaboratoryTurnIsARotationByWt) {
+  for (const double rate : {1.0, -3.0, 7.292115e-5}) {
+    const Model<Q> model = model_of<Q>(asymmetric(), -35, rate);
+    for (const Q t : {Q(0), Q(0.7), Q(1000)})
+      EXPECT_TRUE(close<Q>(rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)),
+                           Rotation<Q>::exp(t * model.W_IL_L).matrix(), 16 * real::epsilon<Q>() * (1 + std::abs(rate) * t)));
+  }
+  // 1e-300 rad/s: half the angle over epsilon keeps its digits where the angle's square is no longer a number.
+  const Model<double> slow = model_of<double>(asymmetric(), 45, 1e-300);
+  EXPECT_TRUE(close<double>(laboratory_turn(slow, 60.0).v_scaled,
+                            Vec3<double>(30 * celestial_axis_L<double>(Site{45, 0, 0, 0})), 30 * 8 * real::epsilon<double>()));
+}
+
+TEST(Equations, InertialSpinOfASymmetricTopDoesNotChange) {
+  for_each_scalar([](auto scalar) {
+    using T = decltype(scalar);
+    BodySpec spec;
+    spec.mass_kg = 0.1;
+    spec.center_of_mass_m = {0, 0, 0.03};
+    spec.inertia_kg_m2 = {{{1.2e-4, 0, 0}, {0, 1.2e-4, 0}, {0, 0, 4e-5}}};
+    const Model<T> model = model_of<T>(spec, 45, 1);
+    Random random(505);
+    for (int k = 0; k < 20; ++k) {
+      const Motion<T> x{random.quaternion<T>(), random.vector<T>(200)};
+      // (I1 w1) w2 - (I1 w2) w1 is zero but for the rounding of its four products.
+      const T bound = T(2) * real::epsilon<T>() * real::abs(x.m[0] * x.m[1]) * T(1.2e-4) / T(4e-5);
+      EXPECT_TRUE(close<T>(body_equation<true, SceneKind::plain, T>(model, x, model.apparent_gravity_L).m[2], T(0), bound));
+    }
+  });
+}
+
+/// The derivative of f along the flow of the body equation, at t = 0.
+template <class F>
+Q along_the_flow(const Model<Q>& model, const Motion<Q>& x, Q h, const F& f) {
+  const Motion<Q> rate = body_equation<true, SceneKind::plain, Q>(model, x, model.apparent_gravity_L);
+  return test::first_derivative(
+      [&](Q at) {
+        return f(Motion<Q>{{x.q.w + at * rate.q.w, x.q.v + at * rate.q.v}, x.m + at * rate.m});
+      },
+      Q(0), h);
+}
+
+TEST(Invariants, JacobiIntegralIsConservedAndEnergyIsNot) {
+  const Model<Q> model = model_of<Q>(asymmetric(), 50, 1);
+  Random random(506);
+  int energies_that_change = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Motion<Q> x{random.quaternion<Q>(), random.vector<Q>(3)};
+    const auto integral = [&](const Motion<Q>& at) {
+      const Vec3<Q> w_LB_B = at.m - rotation_matrix(at.q).transpose() * model.W_IL_L;
+      return jacobi_integral<Q>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, model.W_IL_L, at.q, w_LB_B);
+    };
+    const auto energy = [&](const Motion<Q>& at) {  // T(w_IB) + V
+      return jacobi_integral<Q>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, Vec3<Q>::Zero(), at.q, at.m).value;
+    };
+    // Rates and their derivatives over rates stay below W; the integral is of the size of its terms.
+    const Q h = Q(1e-5), W = 30, Wh = W * h, scale = integral(x).scale;
+    const Q bound = scale * (W * Wh * Wh * Wh * Wh * Wh * Wh + 512 * real::epsilon<Q>() / h);
+    ASSERT_LT(static_cast<double>(bound), 1e-12);
+    EXPECT_TRUE(close<Q>(along_the_flow(model, x, h, [&](const Motion<Q>& at) { return integral(at).value; }), Q(0), bound));
+    if (real::abs(along_the_flow(model, x, h, energy)) > Q(0.1)) ++energies_that_change;
+
+    // Its terms, written out.
+    const Mat3<Q> R_LB = rotation_matrix(x.q);
+    const Vec3<Q> L_L = R_LB * (model.I_BP_B * x.m);
+    const Q kinetic = x.m.dot(model.I_BP_B * x.m) / 2, potential = Q(9.75) * (R_LB * model.mass_moment_B)[2],
+            turning = L_L.dot(model.W_IL_L);
+    EXPECT_TRUE(close<Q>(integral(x).value, kinetic + potential - turning, 64 * real::epsilon<Q>() * scale));
+    EXPECT_TRUE(
+        close<Q>(scale, kinetic + Q(9.75) * norm(model.mass_moment_B) + real::abs(turning), 64 * real::epsilon<Q>() * scale));
+  }
+  EXPECT_GT(energies_that_change, 10);
+}
+
+}  // namespace
+}  // namespace earthtop
