@@ -1,5 +1,6 @@
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {
-template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&, const std::atomic<bool>*);
+template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
+                                                      const std::atomic<bool>*);
 }  // namespace earthtop

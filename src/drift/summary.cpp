@@ -25,7 +25,8 @@ std::optional<SecularDrift> fit_secular_drift(const std::vector<DriftRow>& rows)
   double offset = 0, slope = 0, cov00 = 0, cov01 = 0, cov11 = 0, residual_squares = 0;
   gsl_fit_linear(t.data(), 1, azimuth.data(), 1, t.size(), &offset, &slope, &cov00, &cov01, &cov11, &residual_squares);
   double oscillation = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) oscillation = std::max(oscillation, std::abs(azimuth[i] - (offset + slope * t[i])));
+  for (std::size_t i = 0; i < t.size(); ++i)
+    oscillation = std::max(oscillation, std::abs(azimuth[i] - (offset + slope * t[i])));
   secular.azimuth_rate_rad_s = slope * size;
   secular.azimuth_rate_standard_error_rad_s = std::sqrt(cov11) * size;
   secular.azimuth_oscillation_rad = oscillation * size;

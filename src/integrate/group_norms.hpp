@@ -57,7 +57,8 @@ class GroupScales {
 template <class T, std::size_t N, std::size_t G, class Algebra>
 class GroupErrorChecker {
  public:
-  GroupErrorChecker(T relative_tolerance, const GroupScales<T, N, G>& scales) : tolerance_(relative_tolerance), scales_(&scales) {}
+  GroupErrorChecker(T relative_tolerance, const GroupScales<T, N, G>& scales)
+      : tolerance_(relative_tolerance), scales_(&scales) {}
 
   template <class State, class Deriv, class Err, class Time>
   T error(Algebra&, const State&, const Deriv& dxdt_old, Err& x_err, Time dt) const {

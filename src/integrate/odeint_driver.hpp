@@ -171,7 +171,8 @@ class Driver {
     T step_before = T(0);
     for (std::size_t row = 1; row < times.size(); ++row) {
       const T interval = times[row] - times[row - 1];
-      const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / options_.fixed_step * (1 - 1e-12))));
+      const auto steps =
+          std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / options_.fixed_step * (1 - 1e-12))));
       T h = interval / static_cast<T>(steps);
       // Output times k * step differ by a rounding: the step is the same one.
       if (real::abs(h - step_before) <= T(1e-9) * h)

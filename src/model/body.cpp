@@ -1,9 +1,10 @@
 #include "earthtop/model/body.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace earthtop {
 namespace {
@@ -92,8 +93,7 @@ Body<T> make_body(const BodySpec& spec) {
       for (int j = 0; j < 3; ++j)
         body.I_BP_B(i, j) = T(spec.inertia_kg_m2[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
     }
-    if (spec.inertia_about == InertiaAbout::center_of_mass)
-      body.I_BP_B += point_mass_inertia(body.mass, body.p_PBcm_B);
+    if (spec.inertia_about == InertiaAbout::center_of_mass) body.I_BP_B += point_mass_inertia(body.mass, body.p_PBcm_B);
   }
   const T trace = body.I_BP_B(0, 0) + body.I_BP_B(1, 1) + body.I_BP_B(2, 2);
   body.S_BP_B = (trace / T(2)) * Mat3<T>::Identity() - body.I_BP_B;

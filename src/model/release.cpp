@@ -20,11 +20,13 @@ template <class T>
 void require_symmetric_about_axis_3(const Body<T>& body) {
   const Mat3<T>& I = body.I_BP_B;
   if (I(0, 1) != T(0) || I(0, 2) != T(0) || I(1, 2) != T(0) || I(0, 0) != I(1, 1))
-    throw ScenarioError(kPointer, "no steady precession: the moments I1 and I2 about the pivot are not equal; give "
-                                  "{\"rate_rad_s\": ...} or \"none\"");
+    throw ScenarioError(kPointer,
+                        "no steady precession: the moments I1 and I2 about the pivot are not equal; give "
+                        "{\"rate_rad_s\": ...} or \"none\"");
   if (body.p_PBcm_B[0] != T(0) || body.p_PBcm_B[1] != T(0))
-    throw ScenarioError(kPointer, "no steady precession: the centre of mass is off body axis 3; give {\"rate_rad_s\": ...} "
-                                  "or \"none\"");
+    throw ScenarioError(kPointer,
+                        "no steady precession: the centre of mass is off body axis 3; give {\"rate_rad_s\": ...} "
+                        "or \"none\"");
 }
 
 }  // namespace
@@ -44,12 +46,14 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
   const T cosine = R_LB(2, 2), sine = real::hypot(R_LB(0, 2), R_LB(1, 2));
   const T round_off = T(8) * real::epsilon<T>();
   if (sine <= round_off)
-    throw ScenarioError(kPointer, "no steady precession: the axis is vertical (tilt 0 or 180 deg), where every rate is steady; "
-                                  "give \"none\"");
+    throw ScenarioError(kPointer,
+                        "no steady precession: the axis is vertical (tilt 0 or 180 deg), where every rate is steady; "
+                        "give \"none\"");
   const bool horizontal = real::abs(cosine) <= round_off;
   if (horizontal && which == Precession::steady_fast)
-    throw ScenarioError(kPointer, "no fast steady precession: at a tilt of 90 deg there is only the slow one; take "
-                                  "\"steady_slow\"");
+    throw ScenarioError(kPointer,
+                        "no fast steady precession: at a tilt of 90 deg there is only the slow one; take "
+                        "\"steady_slow\"");
   const T spin_momentum = body.I_BP_B(2, 2) * w3;
   const T mgl = body.mass * gravity * body.p_PBcm_B[2];
   const T a = horizontal ? T(0) : body.I_BP_B(0, 0) * cosine;
@@ -61,8 +65,9 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
   const T root = real::sqrt(discriminant);
   const T sum = spin_momentum < T(0) ? spin_momentum - root : spin_momentum + root;  // no cancellation
   if (sum == T(0))
-    throw ScenarioError(kPointer, "no steady precession: without spin and without a gravity torque every rate is steady or "
-                                  "none is; give \"none\"");
+    throw ScenarioError(kPointer,
+                        "no steady precession: without spin and without a gravity torque every rate is steady or "
+                        "none is; give \"none\"");
   return which == Precession::steady_fast ? sum / (T(2) * a) : T(2) * mgl / sum;
 }
 template double steady_precession_rate(const Body<double>&, const Quaternion<double>&, double, double, Precession);

@@ -42,8 +42,8 @@ std::vector<InvariantReport> assess_invariants(const Scenario& scenario, const s
     const Vec3<double> w_LB_B = vector(row.w_LB_B);
     const auto J = jacobi_integral(body.I_BP_B, mass_moment_B, gravity_L, W_L, q, w_LB_B);
     jacobi.include(J.value, J.scale);
-    const auto E = jacobi_integral<double>(body.I_BP_B, mass_moment_B, gravity_L, Vec3<double>::Zero(), quaternion(row.ref_q_LB),
-                                           vector(row.ref_w_LB_B));
+    const auto E = jacobi_integral<double>(body.I_BP_B, mass_moment_B, gravity_L, Vec3<double>::Zero(),
+                                           quaternion(row.ref_q_LB), vector(row.ref_w_LB_B));
     energy.include(E.value, E.scale);
     if (axis >= 0) {
       const double w = w_LB_B[axis] + (rotation_matrix(q).transpose() * W_L)[axis];
@@ -55,7 +55,8 @@ std::vector<InvariantReport> assess_invariants(const Scenario& scenario, const s
   return reports;
 }
 
-std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
+std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows,
+                                        const DriftSummary& drift) {
   const auto body = make_body<double>(scenario.body);
   const double Omega = scenario.rotation_rate_rad_s;
   if (symmetry_axis(body) != 2 || scenario.platform || !scenario.effects.coriolis || Omega == 0 || rows.size() < 3) return {};
@@ -72,8 +73,9 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
       // The axis keeps its direction in space: in the laboratory it turns about the celestial axis.
       const double sine = norm(Vec3<double>(celestial_axis_L<double>(scenario.site).cross(axis_L)));
       const double t = rows.back().t_s;
-      theory.push_back({"free_gyro_axis_drift", "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)",
-                        "rad", 2 * std::asin(sine * std::abs(std::sin(Omega * t / 2))), drift.axis_final_rad});
+      theory.push_back({"free_gyro_axis_drift",
+                        "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)", "rad",
+                        2 * std::asin(sine * std::abs(std::sin(Omega * t / 2))), drift.axis_final_rad});
     }
     return theory;
   }

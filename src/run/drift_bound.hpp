@@ -22,7 +22,8 @@ class DriftBound {
 
   void include(const DriftMeasures<double>& rows, const DriftMeasures<double>& second, double epsilon) {
     const double axis_vector = epsilon * norm(Vec3<double>(rows.axis_difference_L_scaled - second.axis_difference_L_scaled));
-    const double turn_vector = 2 * epsilon * norm(Vec3<double>(rows.attitude_vector_L_scaled - second.attitude_vector_L_scaled));
+    const double turn_vector =
+        2 * epsilon * norm(Vec3<double>(rows.attitude_vector_L_scaled - second.attitude_vector_L_scaled));
     axis_distance_ = std::max({axis_distance_, std::abs(rows.axis - second.axis), axis_vector});
     attitude_distance_ = std::max({attitude_distance_, std::abs(rows.attitude - second.attitude), turn_vector});
     axis_largest_ = std::max(axis_largest_, rows.axis);

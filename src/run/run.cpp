@@ -48,9 +48,10 @@ void refuse_cost_bomb(const DriftProblem<double>& problem, const IntegrationOpti
   const double step = options.step_s ? problem.units.time_from_s(*options.step_s) : 0.2 / problem.fastest_rate;
   const double steps = duration / step;
   if (steps > static_cast<double>(options.step_limit))
-    throw ScenarioError("/motion/duration_s", fmt::format("this scene needs about {:.1e} steps; at most {:.1e} are allowed; take "
-                                                          "a shorter duration, a slower spin or a longer step",
-                                                          steps, static_cast<double>(options.step_limit)));
+    throw ScenarioError("/motion/duration_s",
+                        fmt::format("this scene needs about {:.1e} steps; at most {:.1e} are allowed; take "
+                                    "a shorter duration, a slower spin or a longer step",
+                                    steps, static_cast<double>(options.step_limit)));
 }
 
 DriftTrajectory<double> integrate_timed(const DriftProblem<double>& problem, const IntegrationOptions& options,
@@ -132,8 +133,7 @@ RunResult run(const Scenario& scenario) {
   result.drift.threshold_time_s = first.threshold_time_s;
   result.invariants = assess_invariants(scenario, result.rows);
   result.theory = assess_theory(scenario, result.rows, result.drift);
-  if (!scenario.effects.all_on())
-    result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
+  if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
   return result;
 }
 

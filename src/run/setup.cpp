@@ -39,8 +39,8 @@ DriftProblem<T> make_problem(const Scenario& scenario) {
   problem.release = make_release<T>(scenario.release, body, T(site.gravity_m_s2));
   problem.units = natural_units(body_double, release_double, site.gravity_m_s2, scenario.rotation_rate_rad_s,
                                 on_platform ? &platform_double : nullptr);
-  problem.model = make_model<T>(body, site, scenario.rotation_rate_rad_s, weights, on_platform ? &platform : nullptr,
-                                problem.units);
+  problem.model =
+      make_model<T>(body, site, scenario.rotation_rate_rad_s, weights, on_platform ? &platform : nullptr, problem.units);
   problem.fastest_rate = problem.units.rate_from_rad_s(T(fastest_rate(body_double, release_double, scenario)));
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;

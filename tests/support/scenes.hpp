@@ -65,9 +65,7 @@ inline Scenario non_rotating(Scenario s) {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
+  double uniform(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   bool coin() { return (engine_() & 1) != 0; }
 

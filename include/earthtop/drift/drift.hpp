@@ -18,8 +18,8 @@ struct DriftRow {
   std::array<double, 3> ref_w_LB_B = {};
   std::array<double, 3> axis_L = {0, 0, 1};  ///< body axis 3: East, North, Up
   std::array<double, 3> ref_axis_L = {0, 0, 1};
-  double drift_axis_rad = 0;        ///< angle between the two axes
-  double drift_axis_bound_rad = 0;  ///< bound on the error of the above
+  double drift_axis_rad = 0;                ///< angle between the two axes
+  double drift_axis_bound_rad = 0;          ///< bound on the error of the above
   std::optional<double> drift_azimuth_rad;  ///< difference of compass azimuths, continuous; none where an axis is vertical
   double drift_tilt_rad = 0;
   double drift_attitude_rad = 0;        ///< angle of R_ref^T R_rot, 0 to pi
@@ -32,7 +32,7 @@ struct DriftRow {
 struct SecularDrift {
   double azimuth_rate_rad_s = 0;
   double azimuth_rate_standard_error_rad_s = 0;
-  double azimuth_oscillation_rad = 0;  ///< largest distance of a row from the line
+  double azimuth_oscillation_rad = 0;            ///< largest distance of a row from the line
   double mean_precession_rate_change_rad_s = 0;  ///< counterclockwise about Up: minus the azimuth rate
 };
 

@@ -32,11 +32,11 @@ struct DriftMeasures {
   T attitude;  ///< angle of R_ref^T R_rot, 0 to pi
   T tilt;      ///< tilt of the rotating axis less that of the reference
   bool azimuth_defined;
-  T azimuth;      ///< compass azimuth less that of the reference, -pi to pi; 0 where not defined
-  T half_spin;    ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
-  T ref_azimuth;  ///< compass azimuth of the reference, -pi to pi; 0 where not defined
-  Vec3<T> axis_difference_L_scaled;   ///< (n_rot - n_ref) / epsilon
-  Vec3<T> attitude_vector_L_scaled;   ///< vector part of R_rot R_ref^T / epsilon
+  T azimuth;                         ///< compass azimuth less that of the reference, -pi to pi; 0 where not defined
+  T half_spin;                       ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
+  T ref_azimuth;                     ///< compass azimuth of the reference, -pi to pi; 0 where not defined
+  Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
+  Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon
 };
 template <class T>
 DriftMeasures<T> measure_drift(const DriftState<T>& state);
@@ -60,11 +60,11 @@ enum class RotatingMotion { integrated, composed };
 
 template <class T>
 struct DriftProblem {
-  Model<T> model;  ///< in `units`
+  Model<T> model;      ///< in `units`
   Release<T> release;  ///< SI
   NaturalUnits units;
-  T fastest_rate = T(1);              ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
-  std::vector<double> times_s;        ///< output times; the first is the release, 0
+  T fastest_rate = T(1);        ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
+  std::vector<double> times_s;  ///< output times; the first is the release, 0
   std::optional<double> threshold_rad;
   RotatingMotion rotating = RotatingMotion::integrated;
 };

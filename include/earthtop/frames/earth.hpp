@@ -35,7 +35,8 @@ SinCos<T> sin_cos_degrees(T degrees) {
   }
 }
 
-/// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity (m/s^2).
+/// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity
+/// (m/s^2).
 struct Site {
   double latitude_deg = 0;
   double longitude_deg = 0;

@@ -47,7 +47,9 @@ class FrameStack {
   using Motion = std::function<FrameKinematics<T>(T t)>;
 
   /// @param root the name of the outermost frame.
-  explicit FrameStack(char root) { layers_.push_back({root, [](T) { return FrameKinematics<T>(); }}); }
+  explicit FrameStack(char root) {
+    layers_.push_back({root, [](T) { return FrameKinematics<T>(); }});
+  }
 
   /// Adds a frame inside the innermost one. @throws std::invalid_argument if the name is taken.
   FrameStack& add(char name, Motion motion) {

@@ -17,15 +17,9 @@ struct PrescribedMotion {
   T frequency = T(0);               ///< Hz
   T phase = T(0);                   ///< rad
 
-  T angle(T t) const {
-    return angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t));
-  }
-  T angle_rate(T t) const {
-    return rate + t * acceleration + amplitude * pulsation() * real::cos(argument(t));
-  }
-  T angle_acceleration(T t) const {
-    return acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t));
-  }
+  T angle(T t) const { return angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t)); }
+  T angle_rate(T t) const { return rate + t * acceleration + amplitude * pulsation() * real::cos(argument(t)); }
+  T angle_acceleration(T t) const { return acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t)); }
 
  private:
   T pulsation() const { return T(2) * real::pi<T>() * frequency; }

@@ -19,8 +19,8 @@ std::string_view to_string(Method method);
 struct IntegrationOptions {
   Observer observer = Observer::laboratory;
   Method method = Method::automatic;
-  double relative_tolerance = 1e-12;   ///< local error per step, against the size of each component group
-  std::optional<double> step_s;        ///< fixed-step methods; the step taken divides the output step
+  double relative_tolerance = 1e-12;  ///< local error per step, against the size of each component group
+  std::optional<double> step_s;       ///< fixed-step methods; the step taken divides the output step
   std::int64_t step_limit = 2'000'000'000;
 };
 

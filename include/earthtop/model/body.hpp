@@ -38,11 +38,11 @@ struct BodySpec {
 /// A rigid body on its pivot; every tensor about the pivot P, in body axes B.
 template <class T>
 struct Body {
-  T mass = T(0);                              ///< kg
-  Vec3<T> p_PBcm_B = Vec3<T>::Zero();         ///< pivot to centre of mass (m)
-  Mat3<T> I_BP_B = Mat3<T>::Zero();           ///< inertia tensor Theta (kg m^2)
-  Mat3<T> S_BP_B = Mat3<T>::Zero();           ///< second moment, integral r r^T dm = (tr Theta / 2) 1 - Theta (kg m^2)
-  Mat3<T> I_BP_B_inverse = Mat3<T>::Zero();   ///< 1/(kg m^2)
+  T mass = T(0);                             ///< kg
+  Vec3<T> p_PBcm_B = Vec3<T>::Zero();        ///< pivot to centre of mass (m)
+  Mat3<T> I_BP_B = Mat3<T>::Zero();          ///< inertia tensor Theta (kg m^2)
+  Mat3<T> S_BP_B = Mat3<T>::Zero();          ///< second moment, integral r r^T dm = (tr Theta / 2) 1 - Theta (kg m^2)
+  Mat3<T> I_BP_B_inverse = Mat3<T>::Zero();  ///< 1/(kg m^2)
 
   /// Inertia about the centre of mass (kg m^2).
   Mat3<T> I_BBcm_B() const;

@@ -25,14 +25,14 @@ struct TorqueWeights {
 /// time), so that deviations divided by epsilon stay of ordinary size for every rate down to 1e-300 rad/s.
 template <class T>
 struct Model {
-  Mat3<T> I_BP_B;            ///< inertia about the pivot
-  Mat3<T> I_BP_B_inverse;    ///< its inverse
-  Mat3<T> S_BP_B;            ///< second moment about the pivot
-  Vec3<T> mass_moment_B;     ///< m r_cm
+  Mat3<T> I_BP_B;          ///< inertia about the pivot
+  Mat3<T> I_BP_B_inverse;  ///< its inverse
+  Mat3<T> S_BP_B;          ///< second moment about the pivot
+  Vec3<T> mass_moment_B;   ///< m r_cm
   Vec3<T> apparent_gravity_L;
   T epsilon = T(1);
-  Vec3<T> W_IL_L_scaled;     ///< W / epsilon
-  Vec3<T> W_IL_L;            ///< the Earth's rate
+  Vec3<T> W_IL_L_scaled;  ///< W / epsilon
+  Vec3<T> W_IL_L;         ///< the Earth's rate
   TorqueWeights<T> weights;
   Platform<T> platform;
   SceneKind kind = SceneKind::plain;
@@ -44,11 +44,17 @@ struct NaturalUnits {
   int mass_exponent = 0;
   int time_exponent = 0;
   template <class T>
-  T time_from_s(T t) const { return real::scale(t, -time_exponent); }
+  T time_from_s(T t) const {
+    return real::scale(t, -time_exponent);
+  }
   template <class T>
-  T rate_from_rad_s(T w) const { return real::scale(w, time_exponent); }
+  T rate_from_rad_s(T w) const {
+    return real::scale(w, time_exponent);
+  }
   template <class T>
-  T rate_to_rad_s(T w) const { return real::scale(w, -time_exponent); }
+  T rate_to_rad_s(T w) const {
+    return real::scale(w, -time_exponent);
+  }
   template <class T>
   Vec3<T> rate_from_rad_s(const Vec3<T>& w) const {
     return {rate_from_rad_s(w[0]), rate_from_rad_s(w[1]), rate_from_rad_s(w[2])};
@@ -94,8 +100,8 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
 /// absent because the Earth turns uniformly: the laboratory has no angular acceleration.
 /// @param w_LB_A  the body's rate relative to the laboratory   @param S_BP_A  second moment about the pivot
 template <SceneKind K, class T>
-Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled,
-                          const Vec3<T>& w_LB_A, const Mat3<T>& S_BP_A) {
+Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled, const Vec3<T>& w_LB_A,
+                          const Mat3<T>& S_BP_A) {
   const Vec3<T> cor = coriolis_torque(W_A_scaled, velocity_moment(S_BP_A, w_LB_A));
   const Vec3<T> cent = centrifugal_torque(W_A, W_A_scaled, S_BP_A);
   if constexpr (K == SceneKind::plain)

@@ -1,0 +1,189 @@
+/// The drift at default settings against 113-bit arithmetic in another observer's equations, and what its bound is worth.
+
+#include "support/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::compare;
+using testing::Comparison;
+using testing::reference_run;
+
+/// The accuracy asked of the defaults: 1e-8 of the largest drift so far; a bound that holds at every row and is never more
+/// than 100 times max(true error, 1e-13 rad, 1e-10 of the largest drift so far).
+void expect_sound(const Scenario& scenario, Observer reference_observer) {
+  SCOPED_TRACE(scenario.name);
+  const RunResult result = run(scenario);
+  ASSERT_EQ(result.status, RunStatus::completed);
+  const auto reference = reference_run(scenario, reference_observer, 1e-16);
+  ASSERT_EQ(reference.status, RunStatus::completed);
+  ASSERT_GT(result.drift.axis_max_rad, 0);
+  const Comparison c = compare(result, reference);
+  EXPECT_LT(c.worst_axis_error, 1e-8);
+  EXPECT_LT(c.worst_attitude_error, 1e-8);
+  EXPECT_GE(c.least_margin, 1);
+  EXPECT_LE(c.worst_excess, 100);
+}
+
+Scenario shipped(const std::string& name) {
+  return parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
+}
+
+class RandomScene : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomScene, DriftAndBoundAgainstExtendedPrecision) {
+  const Scenario scenario = testing::random_scene(GetParam(), 100);
+  ASSERT_TRUE(body_violations(scenario.body).empty());
+  expect_sound(scenario, GetParam() % 2 == 0 ? Observer::inertial : Observer::body);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene, ::testing::Range<std::uint64_t>(1000, 1024));
+
+/// Shipped scenarios, cut short so that 113 bits stay affordable; whole in the slow tests.
+class ShippedScene : public ::testing::TestWithParam<std::pair<const char*, double>> {};
+
+TEST_P(ShippedScene, DriftAndBoundAgainstExtendedPrecision) {
+  Scenario scenario = shipped(GetParam().first);
+  scenario.duration_s = GetParam().second;
+  scenario.output_step_s = scenario.duration_s / 50;
+  expect_sound(scenario, Observer::inertial);
+}
+INSTANTIATE_TEST_SUITE_P(Beginnings, ShippedScene,
+                         ::testing::Values(std::pair("toy-top", 1.0), std::pair("fast-gyro", 0.3), std::pair("free-gyro", 0.5),
+                                           std::pair("asymmetric-top", 2.0), std::pair("turntable", 1.0)));
+
+// Three observers, each with its own state from release to end: attitudes and drifts agree within the stated bounds.
+TEST(Observers, AgreeWithinTheirBounds) {
+  std::vector<Scenario> scenes;
+  for (const char* name : {"toy-top", "free-gyro", "asymmetric-top", "turntable"}) scenes.push_back(shipped(name));
+  scenes.push_back(shipped("fast-gyro"));
+  scenes.back().duration_s = 20;
+  for (std::uint64_t seed = 2000; seed < 2010; ++seed) scenes.push_back(testing::random_scene(seed, 500));
+  Scenario without_coriolis = testing::random_scene(2011, 500);
+  without_coriolis.effects.coriolis = false;
+  scenes.push_back(without_coriolis);
+  Scenario without_centrifugal = testing::random_scene(2013, 500);
+  without_centrifugal.effects.centrifugal = false;
+  without_centrifugal.rotation_rate_rad_s = 1;
+  scenes.push_back(without_centrifugal);
+  Scenario on_a_ship = testing::random_scene(2015, 500);
+  on_a_ship.platform = PlatformSpec{PlatformMotion::harmonic, {1, 1, 0.2}, 0, 0, 0.1, 0.7, 20, {0.1, -0.2, 0.3}};
+  on_a_ship.rotation_rate_rad_s = 0.3;
+  scenes.push_back(on_a_ship);
+  for (Scenario& scene : scenes) {
+    SCOPED_TRACE(scene.name);
+    std::vector<RunResult> results;
+    for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
+      scene.numerics.observer = observer;
+      results.push_back(run(scene));
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = a + 1; b < 3; ++b)
+        for (std::size_t i = 0; i < results[a].rows.size(); ++i) {
+          const DriftRow &x = results[a].rows[i], &y = results[b].rows[i];
+          ASSERT_LE(std::abs(x.drift_axis_rad - y.drift_axis_rad), x.drift_axis_bound_rad + y.drift_axis_bound_rad)
+              << a << b << i;
+          ASSERT_LE(std::abs(x.drift_attitude_rad - y.drift_attitude_rad),
+                    x.drift_attitude_bound_rad + y.drift_attitude_bound_rad);
+          const Quaternion<double> p{x.q_LB[0], Vec3<double>(x.q_LB[1], x.q_LB[2], x.q_LB[3])};
+          const Quaternion<double> q{y.q_LB[0], Vec3<double>(y.q_LB[1], y.q_LB[2], y.q_LB[3])};
+          ASSERT_LE(2 * norm((p.conjugate() * q).v), results[a].attitude_bound_rad + results[b].attitude_bound_rad + 4e-16);
+        }
+  }
+}
+
+// drift / Omega tends to a limit and is the same at every tiny rate, down to 1e-300 rad/s.
+TEST(TinyRates, DriftOverOmegaIsOneNumber) {
+  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
+    for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial})
+      for (Scenario s : {testing::heavy_rotor_top(), testing::asymmetric_top()}) {
+        s.duration_s = 2;
+        s.output_step_s = 0.1;
+        s.numerics.observer = observer;
+        s.release.rates_relative_to = rule;
+        s.rotation_rate_rad_s = 1e-12;
+        const RunResult at_1e_12 = run(s);
+        for (const double Omega : {1e-9, -1e-9, 1e-15, 1e-18, 1e-30, 1e-100, 1e-200, 1e-300}) {
+          s.rotation_rate_rad_s = Omega;
+          const RunResult r = run(s);
+          for (std::size_t i = 1; i < r.rows.size(); ++i) {
+            const double expected = at_1e_12.rows[i].drift_axis_rad / 1e-12;
+            ASSERT_NEAR(r.rows[i].drift_axis_rad / std::abs(Omega), expected, 1e-9 * expected) << Omega << " row " << i;
+            ASSERT_NEAR(r.rows[i].drift_azimuth_rad.value() / Omega, at_1e_12.rows[i].drift_azimuth_rad.value() / 1e-12,
+                        1e-8 * expected * 10)
+                << Omega << " row " << i;
+          }
+        }
+      }
+}
+
+// The value that 113-bit subtraction gives for the heavy-rotor top at 1 s.
+TEST(TinyRates, H2DriftOverOmegaOfTheHeavyRotorTop) {
+  Scenario s = testing::heavy_rotor_top();
+  for (const double Omega : {1e-9, 1e-12, 1e-15, 1e-18}) {
+    s.rotation_rate_rad_s = Omega;
+    EXPECT_NEAR(run(s).drift.axis_final_rad / Omega, 0.907499753, 1e-9);
+  }
+}
+
+// Without the Earth's rate every drift column is exactly zero, with every method and observer, on a platform too.
+TEST(ZeroRate, H3DriftIsExactlyZero) {
+  for (const Method method : {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8})
+    for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
+      for (const bool platform : {false, true})
+        for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial})
+          for (Scenario s : {testing::toy_top(), testing::asymmetric_top()}) {
+            s.rotation_rate_rad_s = 0;
+            s.duration_s = 0.5;
+            s.numerics.method = method;
+            s.numerics.observer = observer;
+            s.release.rates_relative_to = rule;
+            if (platform) s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0.3, 1}, 0.2, 1.0, 0, 0, 0, {0.3, 0, 0}};
+            if (method == Method::abm8) s.numerics.step_s = 5e-4;
+            const RunResult r = run(s);
+            ASSERT_EQ(r.status, RunStatus::completed);
+            for (const DriftRow& row : r.rows) {
+              for (const double value :
+                   {row.drift_axis_rad, row.drift_axis_bound_rad, row.drift_azimuth_rad.value(), row.drift_tilt_rad,
+                    row.drift_attitude_rad, row.drift_attitude_bound_rad, row.drift_spin_rad}) {
+                ASSERT_EQ(value, 0.0);
+                ASSERT_FALSE(std::signbit(value));
+              }
+              ASSERT_EQ(row.q_LB, row.ref_q_LB);
+              ASSERT_EQ(row.w_LB_B, row.ref_w_LB_B);
+            }
+          }
+}
+
+// Large angles: the Earth at 1 rad/s turns a free gyroscope past pi again and again; the closed form holds throughout.
+TEST(LargeDrift, PastPiOnAFastEarth) {
+  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
+    Scenario s = testing::toy_top();
+    s.body.center_of_mass_m = {0, 0, 0};
+    testing::set_principal(s.body, 4e-4, 4e-4, 5e-4);
+    s.release.rates_relative_to = RatesRelativeTo::inertial;
+    s.release.spin_rad_s = 50;
+    s.rotation_rate_rad_s = 1;
+    s.duration_s = 20;
+    s.output_step_s = 0.05;
+    s.numerics.observer = observer;
+    const RunResult r = run(s);
+    const Vec3<double> n = celestial_axis_L<double>(s.site);
+    const Vec3<double> axis(r.rows.front().axis_L[0], r.rows.front().axis_L[1], r.rows.front().axis_L[2]);
+    const double sine = norm(Vec3<double>(n.cross(axis)));
+    for (const DriftRow& row : r.rows) {
+      EXPECT_NEAR(row.drift_axis_rad, 2 * std::asin(sine * std::abs(std::sin(row.t_s / 2))), 1e-10);
+      EXPECT_NEAR(row.drift_attitude_rad, std::abs(std::remainder(row.t_s, 2 * real::pi<double>())), 1e-10);
+    }
+    // The axis turns clockwise about the celestial axis; its azimuth has gone round three times and is counted on.
+    EXPECT_LT(std::abs(r.rows.back().drift_azimuth_rad.value()), 2 * real::pi<double>() * 4);
+    for (std::size_t i = 1; i < r.rows.size(); ++i)
+      EXPECT_LT(std::abs(r.rows[i].drift_azimuth_rad.value() - r.rows[i - 1].drift_azimuth_rad.value()), 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace earthtop
