@@ -87,20 +87,22 @@ class Driver {
           bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
           return run_controlled(stepper, x, times);
         }
-        break;
+        return refuse_method();
       case Method::dopri5:
         if constexpr (std::is_same_v<T, double>) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
-        break;
+        return refuse_method();
       case Method::abm8:
         if constexpr (std::is_same_v<T, double>) return run_fixed(x, times);
-        break;
+        return refuse_method();
     }
-    throw std::logic_error("method not built for this precision");
+    return refuse_method();
   }
 
   const StepCounters& counters() const { return counters_; }
 
  private:
+  [[noreturn]] static RunStatus refuse_method() { throw std::logic_error("method not built for this precision"); }
+
   auto counted_system() {
     return [this](const State& x, State& dxdt, T t) {
       ++counters_.evaluations;

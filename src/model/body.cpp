@@ -122,7 +122,7 @@ std::vector<Diagnostic> body_violations(const BodySpec& spec) {
   // The triangle inequality I_i <= I_j + I_k is the second moment about the centre of mass not being negative.
   const Matrix I_cm = body.I_BBcm_B();
   const Eigen::SelfAdjointEigenSolver<Matrix> at_cm(I_cm, Eigen::EigenvaluesOnly);
-  const auto I = at_cm.eigenvalues();
+  const auto& I = at_cm.eigenvalues();
   if (I[0] < -slack)
     violations.push_back({0, 0, place,
                           fmt::format("about the centre of mass a principal moment is negative ({:.6g} kg m^2): the inertia "

@@ -1,0 +1,189 @@
+/// The loop around odeint's steppers: order of convergence, landing on output times, named outcomes instead of NaN or an
+/// endless loop, exact time.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "integrate/odeint_driver.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr std::array kMethods{Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
+
+/// x' = y, y' = -x, and z' = 1, which counts the time itself.
+struct Oscillator {
+  static constexpr std::size_t kSize = 3;
+  static constexpr std::array<ComponentGroup, 2> groups() { return {{{0, 2, 1.0}, {2, 1, 1.0}}}; }
+  void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) const { dxdt = {x[1], -x[0], 1.0}; }
+};
+
+template <class System>
+struct Recorder {
+  std::vector<std::array<double, System::kSize>> rows;
+  std::vector<double> step_times;
+  StepCounters counters;
+
+  RunStatus run(System system, std::array<double, System::kSize> x, const std::vector<double>& times,
+                DriveOptions<double> options) {
+    if (options.step_limit == 0) options.step_limit = 1'000'000;
+    auto on_step = [&](double t, const auto&) { step_times.push_back(t); };
+    auto on_row = [&](std::size_t row, const auto& state) {
+      EXPECT_EQ(row, rows.size());
+      rows.push_back(state);
+    };
+    Driver<double, System, decltype(on_step), decltype(on_row)> driver(system, options, on_step, on_row);
+    const RunStatus status = driver.run(x, times);
+    counters = driver.counters();
+    return status;
+  }
+};
+
+std::vector<double> equidistant(double step, int count) {
+  std::vector<double> times;
+  for (int k = 0; k <= count; ++k) times.push_back(k * step);
+  return times;
+}
+
+TEST(Driver, EveryMethodLandsOnEveryOutputTime) {
+  // Steps that do not divide one another, the last interval a short one.
+  std::vector<double> times = equidistant(0.7, 30);
+  times.push_back(21.1);
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(to_string(method));
+    Recorder<Oscillator> recorder;
+    DriveOptions<double> options;
+    options.method = method;
+    options.relative_tolerance = 1e-12;
+    options.fixed_step = 0.03;
+    ASSERT_EQ(recorder.run({}, {1, 0, 0}, times, options), RunStatus::completed);
+    ASSERT_EQ(recorder.rows.size(), times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      // Local errors of at most 1e-12 each; about 2000 steps at most.
+      EXPECT_NEAR(recorder.rows[i][0], std::cos(times[i]), 2e-9);
+      // z' = 1 is exact for every method: only the rounding of z in every stage of every step is left.
+      EXPECT_NEAR(recorder.rows[i][2], times[i], static_cast<double>(recorder.counters.evaluations) * 1.2e-16 * 22);
+    }
+    EXPECT_EQ(recorder.step_times.size(), static_cast<std::size_t>(recorder.counters.accepted) + 1);
+  }
+}
+
+TEST(Driver, TimeIsKeptWithoutSumming) {
+  // One interval, many steps: the clock lands on the end to one rounding of it.
+  IntervalClock<double> clock(0, 60);
+  const double h = 60.0 / 77777;
+  for (int i = 0; i < 77776; ++i) clock.advance(h);
+  EXPECT_NEAR(clock.remaining(), h, 2e-16 * 60);
+  EXPECT_NEAR(clock.now(), 60 - h, 2 * 2e-16 * 60);
+}
+
+TEST(Driver, AdamsBashforthMoultonHasOrderEight) {
+  // err < f h^(p+1) with f from the coarsest step, at every halving down to round-off: one wrong coefficient fails.
+  double coarsest = 0;
+  for (int halving = 0; halving < 4; ++halving) {
+    const double h = 0.2 / (1 << halving);
+    Recorder<Oscillator> recorder;
+    DriveOptions<double> options;
+    options.method = Method::abm8;
+    options.fixed_step = h;
+    ASSERT_EQ(recorder.run({}, {1, 0, 0}, equidistant(1.0, 10), options), RunStatus::completed);
+    EXPECT_EQ(recorder.counters.accepted, std::lround(10 / h));
+    const double error = std::hypot(recorder.rows.back()[0] - std::cos(10.0), recorder.rows.back()[1] + std::sin(10.0));
+    if (halving == 0)
+      coarsest = error;
+    else
+      EXPECT_LT(error, 1.3 * coarsest / std::pow(2.0, 8 * halving) + 1e-14) << "h " << h;
+  }
+  EXPECT_GT(coarsest, 1e-9);  // there is an error to measure
+}
+
+TEST(Driver, EmbeddedMethodsFollowTheirTolerance) {
+  // The error falls with the tolerance, and the number of steps grows as its power 1/order.
+  for (const auto& [method, order] : {std::pair(Method::dopri5, 5.0), std::pair(Method::rkf78, 8.0)}) {
+    std::int64_t steps[2];
+    double errors[2];
+    for (int i = 0; i < 2; ++i) {
+      Recorder<Oscillator> recorder;
+      DriveOptions<double> options;
+      options.method = method;
+      options.relative_tolerance = i == 0 ? 1e-7 : 1e-11;
+      ASSERT_EQ(recorder.run({}, {1, 0, 0}, {0, 100}, options), RunStatus::completed);
+      steps[i] = recorder.counters.accepted;
+      errors[i] = std::abs(recorder.rows.back()[0] - std::cos(100.0));
+    }
+    EXPECT_LT(errors[1], 1e-3 * errors[0]);
+    EXPECT_NEAR(std::log10(static_cast<double>(steps[1]) / static_cast<double>(steps[0])), 4 / order, 0.12 * 4);
+  }
+}
+
+/// Turns into NaN past x = 1: t is the state itself.
+struct BreaksDown {
+  static constexpr std::size_t kSize = 1;
+  static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 1, 1.0}}}; }
+  void operator()(const std::array<double, 1>& x, std::array<double, 1>& dxdt, double) const {
+    dxdt[0] = x[0] < 1 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+TEST(Driver, NaNIsANamedOutcomeAndKeepsTheRowsBeforeIt) {
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(to_string(method));
+    Recorder<BreaksDown> recorder;
+    DriveOptions<double> options;
+    options.method = method;
+    options.fixed_step = 0.01;
+    options.first_step = 0.1;
+    const RunStatus status = recorder.run({}, {0}, equidistant(0.3, 10), options);
+    EXPECT_TRUE(status == RunStatus::not_finite || status == RunStatus::step_underflow);
+    ASSERT_EQ(recorder.rows.size(), 4u);
+    for (const auto& row : recorder.rows) EXPECT_TRUE(std::isfinite(row[0]));
+  }
+}
+
+/// x' = x^2 reaches infinity at t = 1.
+struct Explodes {
+  static constexpr std::size_t kSize = 1;
+  static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 1, 1.0}}}; }
+  void operator()(const std::array<double, 1>& x, std::array<double, 1>& dxdt, double) const { dxdt[0] = x[0] * x[0]; }
+};
+
+TEST(Driver, BlowUpEnds) {
+  for (const Method method : kMethods) {
+    Recorder<Explodes> recorder;
+    DriveOptions<double> options;
+    options.method = method;
+    options.fixed_step = 0.01;
+    EXPECT_NE(recorder.run({}, {1}, {0, 0.5, 2}, options), RunStatus::completed);
+    EXPECT_EQ(recorder.rows.size(), 2u);
+  }
+}
+
+TEST(Driver, StepLimitAndInterruptEndARun) {
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(to_string(method));
+    DriveOptions<double> options;
+    options.method = method;
+    options.fixed_step = 0.01;
+    options.step_limit = 50;
+    Recorder<Oscillator> limited;
+    EXPECT_EQ(limited.run({}, {1, 0, 0}, equidistant(1, 1000), options), RunStatus::step_limit);
+    EXPECT_LE(limited.counters.accepted + limited.counters.rejected, 50);
+    const std::atomic<bool> stop = true;
+    options.stop = &stop;
+    options.step_limit = 1000;
+    Recorder<Oscillator> interrupted;
+    EXPECT_EQ(interrupted.run({}, {1, 0, 0}, equidistant(1, 1000), options), RunStatus::interrupted);
+    EXPECT_EQ(interrupted.rows.size(), 1u);
+  }
+}
+
+TEST(Driver, AStateThatIsNotFiniteIsRefusedAtOnce) {
+  Recorder<Oscillator> recorder;
+  EXPECT_EQ(recorder.run({}, {std::nan(""), 0, 0}, {0, 1}, {}), RunStatus::not_finite);
+  EXPECT_TRUE(recorder.rows.empty());
+}
+
+}  // namespace
+}  // namespace earthtop
