@@ -77,7 +77,7 @@ template <class T>
 T hypot(T x, T y, T z = T(0)) {
   const T ax = abs(x), ay = abs(y), az = abs(z);
   const T m = ax > ay ? (ax > az ? ax : az) : (ay > az ? ay : az);
-  if (!(m > T(0))) return m;
+  if (!(m > T(0))) return ax + ay + az;  // 0, or NaN where one of them is
   const T sx = ax / m, sy = ay / m, sz = az / m;
   return m * sqrt(sx * sx + sy * sy + sz * sz);
 }

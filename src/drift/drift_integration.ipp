@@ -10,25 +10,29 @@
 namespace earthtop {
 namespace {
 
-/// Keeps an angle continuous from step to step.
+/// Counts how often an angle, given as its sine and cosine times a positive number, goes round.
 template <class T>
-class ContinuousAngle {
+class TurnCounter {
  public:
-  void follow(T angle) {
-    const T turn = T(2) * real::pi<T>();
-    T change = angle - last_;
-    if (change > turn / T(2)) --turns_;
-    if (change < -turn / T(2)) ++turns_;
-    last_ = angle;
+  /// Each step less than half a turn: the straight line between the two points crosses the cut, the negative cosine axis, or
+  /// does not.
+  void follow(T sine, T cosine) {
+    const bool was_below = sine_ < T(0), is_below = sine < T(0);
+    if (was_below != is_below) {
+      const T crossing = cosine_ * sine - cosine * sine_;  // where the line meets the cosine axis, times (sine - sine_)
+      if (is_below ? crossing > T(0) : crossing < T(0)) turns_ += is_below ? 1 : -1;
+    }
+    sine_ = sine, cosine_ = cosine;
   }
-  T value() const { return last_ + static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
+  /// What to add to the angle between -pi and pi (rad).
+  T offset() const { return static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
 
  private:
-  T last_ = T(0);
+  T sine_ = T(0), cosine_ = T(1);
   long turns_ = 0;
 };
 
-/// Sees every step: continuous angles, and when the axis drift first passes the threshold.
+/// Sees every step: keeps the angles continuous, and notes when the axis drift first passes the threshold.
 template <class T, class System>
 class StepWatcher {
  public:
@@ -36,23 +40,20 @@ class StepWatcher {
       : system_(system), units_(units), threshold_(threshold) {}
 
   void operator()(T t, const typename System::State& x) {
-    state_ = system_.shared_state(x, t);
-    measures_ = measure_drift(state_);
-    half_spin_.follow(measures_.half_spin);
-    if (measures_.azimuth_defined) azimuth_.follow(measures_.azimuth);
-    ref_azimuth_.follow(measures_.ref_azimuth);
-    const T t_s = real::scale(t, units_.time_exponent);
-    if (threshold_ && !threshold_time_s_ && measures_.axis >= T(*threshold_)) {
-      const T climb = measures_.axis - axis_before_;
-      const T part = climb > T(0) ? (T(*threshold_) - axis_before_) / climb : T(1);
-      threshold_time_s_ = static_cast<double>(t_before_s_ + part * (t_s - t_before_s_));
-    }
-    axis_before_ = measures_.axis;
-    t_before_s_ = t_s;
+    const DriftState<T> state = system_.deviation_state(x, t);
+    const DriftPhases<T> phases = drift_phases(state);
+    half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
+    if (phases.azimuth_defined) azimuth_.follow(phases.azimuth_sine, phases.azimuth_cosine);
+    if (threshold_ && !threshold_time_s_) watch_threshold(real::scale(t, units_.time_exponent), measure_drift(state).axis);
   }
 
-  DriftSample<T> sample(double t_s) const {
-    DriftSample<T> sample{state_, measures_, T(2) * half_spin_.value(), azimuth_.value(), ref_azimuth_.value()};
+  /// @param t  of the state, in natural units   @param t_s  the same as the scenario has it
+  DriftSample<T> sample(const typename System::State& x, T t, double t_s) const {
+    DriftSample<T> sample;
+    sample.state = system_.shared_state(x, t);
+    sample.measures = measure_drift(sample.state);
+    sample.spin = T(2) * (sample.measures.half_spin + half_spin_.offset());
+    sample.azimuth = sample.measures.azimuth + azimuth_.offset();
     sample.state.t_s = T(t_s);
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
@@ -61,12 +62,20 @@ class StepWatcher {
   std::optional<double> threshold_time_s() const { return threshold_time_s_; }
 
  private:
+  void watch_threshold(T t_s, T axis) {
+    if (axis >= T(*threshold_)) {
+      const T climb = axis - axis_before_;
+      const T part = climb > T(0) ? (T(*threshold_) - axis_before_) / climb : T(1);
+      threshold_time_s_ = static_cast<double>(t_before_s_ + part * (t_s - t_before_s_));
+    }
+    axis_before_ = axis;
+    t_before_s_ = t_s;
+  }
+
   const System& system_;
   const NaturalUnits& units_;
   std::optional<double> threshold_;
-  DriftState<T> state_;
-  DriftMeasures<T> measures_;
-  ContinuousAngle<T> half_spin_, azimuth_, ref_azimuth_;
+  TurnCounter<T> half_spin_, azimuth_;
   T axis_before_ = T(0), t_before_s_ = T(0);
   std::optional<double> threshold_time_s_;
 };
@@ -103,8 +112,8 @@ DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const Integratio
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
   StepWatcher<T, System> watcher(system, problem.units, problem.threshold_rad);
-  const auto on_row = [&](std::size_t row, const typename System::State&) {
-    trajectory.samples.push_back(watcher.sample(problem.times_s[row]));
+  const auto on_row = [&](std::size_t row, const typename System::State& state) {
+    trajectory.samples.push_back(watcher.sample(state, times[row], problem.times_s[row]));
     if (row == 0) set_release_rates(problem, trajectory.samples.front().state);
   };
   Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);

@@ -119,36 +119,46 @@ class DriftSystem {
   DriftState<T> shared_state(const State& x, T t) const {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
-    const Deviation<T> deviation = load_deviation(x);
-    const Motion<T> rotating = rotating_motion(x, reference, deviation);
+    const Motion<T> rotating = rotating_motion(x, reference, load_deviation(x));
+    const auto body_rate = [&](const Motion<T>& m) {
+      return times(model_.I_BP_B_inverse, transposed_times(rotation_matrix(m.q), m.m));
+    };
+    const auto earth_rate = [&](const Quaternion<T>& q_LB) { return transposed_times(rotation_matrix(q_LB), model_.W_IL_L); };
+    DriftState<T> s = deviation_state(x, t);
+    s.q_LB = rotating.q;
+    if constexpr (O == Observer::laboratory) {
+      s.w_LB_B = body_rate(rotating);
+      s.ref_w_LB_B = body_rate(reference);
+    } else if constexpr (O == Observer::body) {
+      s.w_LB_B = rotating.m - earth_rate(s.q_LB);
+      s.ref_w_LB_B = reference.m;
+    } else {
+      s.q_LB = laboratory_turn(model_, t).quaternion(model_.epsilon).conjugate() * rotating.q;
+      s.w_LB_B = body_rate(rotating) - earth_rate(s.q_LB);
+      s.ref_w_LB_B = body_rate(reference);
+    }
+    return s;
+  }
+
+  /// The part of it that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`; cheap.
+  DriftState<T> deviation_state(const State& x, T t) const {
+    const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
+    const Deviation<T> deviation = drift_state::load_deviation(x);
     DriftState<T> s;
     s.epsilon = model_.epsilon;
-    s.ref_q_LB = reference.q;
+    s.ref_q_LB = ref_q;
     s.e_w = deviation.w;
-    const Mat3<T> R_ref = rotation_matrix(reference.q);
-    const auto rate_from_momentum = [&](const Motion<T>& m) -> Vec3<T> {
-      return model_.I_BP_B_inverse * (rotation_matrix(m.q).transpose() * m.m);
-    };
-    if constexpr (O == Observer::laboratory) {
-      s.q_LB = rotating.q;
-      s.w_LB_B = rate_from_momentum(rotating);
-      s.ref_w_LB_B = rate_from_momentum(reference);
-      s.e_v_scaled = R_ref.transpose() * deviation.y;
-    } else if constexpr (O == Observer::body) {
-      s.q_LB = rotating.q;
-      s.w_LB_B = rotating.m - rotation_matrix(rotating.q).transpose() * model_.W_IL_L;
-      s.ref_w_LB_B = reference.m;
+    if constexpr (O == Observer::body) {
       s.e_v_scaled = deviation.y;
+    } else if constexpr (O == Observer::laboratory) {
+      s.e_v_scaled = transposed_times(rotation_matrix(ref_q), deviation.y);
     } else {
-      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
-      s.q_LB = turn.quaternion(model_.epsilon).conjugate() * rotating.q;
-      s.w_LB_B = rate_from_momentum(rotating) - rotation_matrix(s.q_LB).transpose() * model_.W_IL_L;
-      s.ref_w_LB_B = rate_from_momentum(reference);
       // q_NL^* d, the deviation seen from the laboratory, in L axes; then in the reference's body axes.
+      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const T epsilon = model_.epsilon;
       s.e_w = turn.w * deviation.w + epsilon * epsilon * turn.v_scaled.dot(deviation.y);
       const Vec3<T> seen_L = turn.w * deviation.y - deviation.w * turn.v_scaled - epsilon * turn.v_scaled.cross(deviation.y);
-      s.e_v_scaled = R_ref.transpose() * seen_L;
+      s.e_v_scaled = transposed_times(rotation_matrix(ref_q), seen_L);
     }
     return s;
   }

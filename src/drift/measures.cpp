@@ -9,7 +9,39 @@ T angle_of(T y, T x) {
   return real::atan2(y, x) + T(0);
 }
 
+/// Body axis 3 of the reference (n) and what the rotating one differs from it by (d), in East, North, Up.
+template <class T>
+struct AxisPair {
+  Vec3<T> n, d_scaled, d;
+  T horizontal_ref, horizontal_rot;
+  bool ref_defined, azimuth_defined;
+
+  explicit AxisPair(const DriftState<T>& s) {
+    const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
+    n = R_ref.col(2);
+    d_scaled = times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, Vec3<T>(Vec3<T>::UnitZ())));
+    d = s.epsilon * d_scaled;
+    horizontal_ref = real::hypot(n[0], n[1]);
+    horizontal_rot = real::hypot(T(n[0] + d[0]), T(n[1] + d[1]));
+    const T round_off = T(8) * real::epsilon<T>();
+    ref_defined = horizontal_ref > round_off;
+    azimuth_defined = ref_defined && horizontal_rot > round_off;
+  }
+  /// Compass azimuth of n + d less that of n: its sine is n x d, without subtracting two directions. + 0 turns -0 into 0.
+  T azimuth_sine() const { return n[1] * d[0] - n[0] * d[1] + T(0); }
+  T azimuth_cosine() const { return horizontal_ref * horizontal_ref + n[0] * d[0] + n[1] * d[1]; }
+};
+
 }  // namespace
+
+template <class T>
+DriftPhases<T> drift_phases(const DriftState<T>& s) {
+  const AxisPair<T> axes(s);
+  return {s.epsilon * s.e_v_scaled[2] + T(0), s.e_w, axes.azimuth_defined, axes.azimuth_sine(), axes.azimuth_cosine()};
+}
+template DriftPhases<double> drift_phases(const DriftState<double>&);
+template DriftPhases<long double> drift_phases(const DriftState<long double>&);
+template DriftPhases<float128> drift_phases(const DriftState<float128>&);
 
 template <class T>
 DriftMeasures<T> measure_drift(const DriftState<T>& s) {
@@ -20,30 +52,20 @@ DriftMeasures<T> measure_drift(const DriftState<T>& s) {
   DriftMeasures<T> m;
   m.axis = T(2) * angle_of(T(epsilon * real::hypot(y[0], y[1])), real::hypot(w, T(epsilon * y[2])));
   m.attitude = T(2) * angle_of(T(epsilon * norm(y)), real::abs(w));
-  m.half_spin = angle_of(T(epsilon * y[2]), w);
+  m.half_spin = angle_of(T(epsilon * y[2] + T(0)), w);
 
-  const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
-  const Vec3<T> axis_B = Vec3<T>::UnitZ();
-  m.axis_difference_L_scaled = R_ref * turn_minus_one_scaled(w, y, epsilon, axis_B);
-  m.attitude_vector_L_scaled = R_ref * y;
-
-  // East, North, Up of the reference axis n and of the difference d; n + d is the rotating axis.
-  const Vec3<T> n = R_ref.col(2);
-  const Vec3<T> d = epsilon * m.axis_difference_L_scaled;
-  const T horizontal_ref = real::hypot(n[0], n[1]);
-  const T horizontal_rot = real::hypot(T(n[0] + d[0]), T(n[1] + d[1]));
-  const T round_off = T(8) * real::epsilon<T>();
-  const bool ref_defined = horizontal_ref > round_off;
-  m.azimuth_defined = ref_defined && horizontal_rot > round_off;
-  m.ref_azimuth = ref_defined ? angle_of(n[0], n[1]) : T(0);
-  m.azimuth = T(0);
-  if (m.azimuth_defined)
-    m.azimuth = angle_of(T(n[1] * d[0] - n[0] * d[1]), T(horizontal_ref * horizontal_ref + n[0] * d[0] + n[1] * d[1]));
+  const AxisPair<T> axes(s);
+  const Vec3<T>&n = axes.n, &d = axes.d;
+  m.axis_difference_L_scaled = axes.d_scaled;
+  m.attitude_vector_L_scaled = times(rotation_matrix(s.ref_q_LB), y);
+  m.azimuth_defined = axes.azimuth_defined;
+  m.azimuth = axes.azimuth_defined ? angle_of(axes.azimuth_sine(), axes.azimuth_cosine()) : T(0);
   // The horizontal lengths differ by (2 n.d + d.d) / (their sum), without subtracting them.
-  const T longer = horizontal_ref > T(0)
-                       ? T((T(2) * (n[0] * d[0] + n[1] * d[1]) + d[0] * d[0] + d[1] * d[1]) / (horizontal_ref + horizontal_rot))
-                       : horizontal_rot;
-  m.tilt = angle_of(T(longer * n[2] - d[2] * horizontal_ref), T(horizontal_rot * horizontal_ref + (n[2] + d[2]) * n[2]));
+  const T sum = axes.horizontal_ref + axes.horizontal_rot;
+  const T longer = axes.horizontal_ref > T(0) ? T((T(2) * (n[0] * d[0] + n[1] * d[1]) + d[0] * d[0] + d[1] * d[1]) / sum)
+                                              : axes.horizontal_rot;
+  m.tilt = angle_of(T(longer * n[2] - d[2] * axes.horizontal_ref),
+                    T(axes.horizontal_rot * axes.horizontal_ref + (n[2] + d[2]) * n[2]));
   return m;
 }
 template DriftMeasures<double> measure_drift(const DriftState<double>&);

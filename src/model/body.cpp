@@ -107,6 +107,8 @@ template Body<float128> make_body(const BodySpec&);
 std::vector<Diagnostic> body_violations(const BodySpec& spec) {
   using Matrix = Mat3<long double>;
   const auto body = make_body<long double>(spec);
+  if (!(body.mass > 0) || !std::isfinite(body.mass) || !std::isfinite(norm(body.p_PBcm_B)))
+    return {{0, 0, "/body", "the mass must be positive and the centre of mass finite"}};
   const char* place = spec.solids.empty() ? "/body/inertia" : "/body/solids";
   const Eigen::SelfAdjointEigenSolver<Matrix> at_pivot(body.I_BP_B, Eigen::EigenvaluesOnly);
   const long double largest = at_pivot.eigenvalues()[2], smallest = at_pivot.eigenvalues()[0];

@@ -34,7 +34,6 @@ struct DriftMeasures {
   bool azimuth_defined;
   T azimuth;                         ///< compass azimuth less that of the reference, -pi to pi; 0 where not defined
   T half_spin;                       ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
-  T ref_azimuth;                     ///< compass azimuth of the reference, -pi to pi; 0 where not defined
   Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
   Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon
 };
@@ -44,14 +43,28 @@ extern template DriftMeasures<double> measure_drift(const DriftState<double>&);
 extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&);
 extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&);
 
+/// The two angles that can go round, each as the sine and cosine (times a positive number) whose atan2 it is: cheap enough
+/// to be followed from step to step.
+template <class T>
+struct DriftPhases {
+  T half_spin_sine, half_spin_cosine;
+  bool azimuth_defined;
+  T azimuth_sine, azimuth_cosine;
+};
+/// Reads only `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`.
+template <class T>
+DriftPhases<T> drift_phases(const DriftState<T>& state);
+extern template DriftPhases<double> drift_phases(const DriftState<double>&);
+extern template DriftPhases<long double> drift_phases(const DriftState<long double>&);
+extern template DriftPhases<float128> drift_phases(const DriftState<float128>&);
+
 /// A state at an output time with its measures, the angles continuous since the release.
 template <class T>
 struct DriftSample {
   DriftState<T> state;
   DriftMeasures<T> measures;
-  T spin = T(0);         ///< spin phase drift, continuous (rad)
-  T azimuth = T(0);      ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
-  T ref_azimuth = T(0);  ///< compass azimuth of the reference, continuous (rad)
+  T spin = T(0);     ///< spin phase drift, continuous (rad)
+  T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
 };
 
 /// Where the rotating motion of a sample comes from: integrated in its own state, or composed from the reference and the
