@@ -146,7 +146,10 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
       if (problem.rotating == RotatingMotion::composed)
         return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
       return integrate_as<T, Observer::body>(problem, options, stop);
-    case Observer::inertial: return integrate_as<T, Observer::inertial>(problem, options, stop);
+    case Observer::inertial:
+      if (problem.rotating == RotatingMotion::composed)
+        return integrate_as<T, Observer::inertial, RotatingMotion::composed>(problem, options, stop);
+      return integrate_as<T, Observer::inertial>(problem, options, stop);
   }
   throw std::logic_error("unknown observer");
 }

@@ -38,12 +38,11 @@ void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
 }  // namespace drift_state
 
 /// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
-/// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation (body axes only)
+/// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
 class DriftSystem {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
-  static_assert(kIntegrated || O == Observer::body);
   static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
   using State = std::array<T, kSize>;
   explicit DriftSystem(const Model<T>& model) : model_(model) {}
@@ -65,25 +64,27 @@ class DriftSystem {
     const Deviation<T> deviation = load_deviation(x);
     const PivotField<T> field = pivot_field<K>(model_, t);
     if constexpr (O == Observer::laboratory) {
-      const Motion<T> rotating = load_motion(x, kRotating);
-      const Vec3<T> torque_scaled = non_inertial_torque_scaled<K>(model_, rotating);
-      const Vec3<T> torque = model_.epsilon * torque_scaled, none = Vec3<T>::Zero();
-      store_motion(laboratory_equation(model_, rotating, field.rotating_L, torque), dxdt, kRotating);
-      store_motion(laboratory_equation(model_, reference, field.reference_L, none), dxdt, kReference);
-      store_deviation(laboratory_deviation_equation(model_, reference, deviation, field, torque_scaled), dxdt);
+      if constexpr (kIntegrated) {
+        const Motion<T> rotating = load_motion(x, kRotating);
+        const Vec3<T> torque_L = non_inertial_torque<K>(model_, rotating);
+        store_motion(laboratory_equation(model_, rotating, field.rotating_L, torque_L), dxdt, kRotating);
+      }
+      const Vec3<T> no_torque = Vec3<T>::Zero();
+      store_motion(laboratory_equation(model_, reference, field.reference_L, no_torque), dxdt, kReference);
+      store_deviation(laboratory_deviation_equation<K>(model_, reference, deviation, field), dxdt);
     } else if constexpr (O == Observer::body) {
       if constexpr (kIntegrated)
         store_motion(body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L), dxdt, kRotating);
       store_motion(body_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
       store_deviation(body_deviation_equation<K>(model_, reference, deviation, field), dxdt);
     } else {
-      const Motion<T> rotating = load_motion(x, kRotating);
       const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
       const Mat3<T> unturned = Mat3<T>::Identity();
-      store_motion(inertial_equation<true, K>(model_, rotating, field.rotating_L, R_NL), dxdt, kRotating);
+      if constexpr (kIntegrated)
+        store_motion(inertial_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L, R_NL), dxdt, kRotating);
       store_motion(inertial_equation<false, K>(model_, reference, field.reference_L, unturned), dxdt, kReference);
-      store_deviation(inertial_deviation_equation<K>(model_, rotating, reference, deviation, field, turn), dxdt);
+      store_deviation(inertial_deviation_equation<K>(model_, reference, deviation, field, turn), dxdt);
     }
   }
 
@@ -165,11 +166,14 @@ class DriftSystem {
 
  private:
   Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation) const {
+    const T epsilon = model_.epsilon;
+    const Quaternion<T> e{deviation.w, epsilon * deviation.y};
     if constexpr (kIntegrated) {
       return drift_state::load_motion(x, drift_state::kRotating);
+    } else if constexpr (O == Observer::body) {
+      return {reference.q * e, reference.m + epsilon * times(model_.I_BP_B_inverse, deviation.p)};
     } else {
-      const Quaternion<T> e{deviation.w, model_.epsilon * deviation.y};
-      return {reference.q * e, reference.m + model_.epsilon * times(model_.I_BP_B_inverse, deviation.p)};
+      return {e * reference.q, times(rotation_matrix(e), Vec3<T>(reference.m + epsilon * deviation.p))};
     }
   }
 

@@ -32,7 +32,7 @@ IntegrationOptions second_options(const IntegrationOptions& first) {
   IntegrationOptions second = first;
   second.step_s.reset();
   second.method = Method::rkf78;
-  second.observer = first.observer == Observer::body ? Observer::laboratory : Observer::body;
+  second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
   if (first.method == Method::rkf78)
     second.relative_tolerance = std::min(10 * first.relative_tolerance, 0.1);
   else if (first.method == Method::abm8)
@@ -122,7 +122,8 @@ RunResult run(const Scenario& scenario) {
   for (std::size_t i = 0; i < count; ++i) {
     const DriftSample<double>& sample = first.samples[i];
     const DriftSample<double>& other = second.samples[i];
-    bound.include(sample.measures, other.measures, sample.state.epsilon);
+    const double phase = problem.fastest_rate * problem.units.time_from_s(sample.state.t_s);
+    bound.include(sample.measures, other.measures, sample.state.epsilon, phase);
     result.rows.push_back(make_row(sample, bound));
     const double distance = std::max(attitude_distance(sample.state.q_LB, other.state.q_LB),
                                      attitude_distance(sample.state.ref_q_LB, other.state.ref_q_LB));

@@ -51,7 +51,7 @@ TEST(Equations, ObserversAgree) {
   const Vec3<Q> g = model.apparent_gravity_L;
   const Q duration = Q(0.5);
   const auto in_laboratory = [&](Q, const Motion<Q>& x) {
-    return laboratory_equation<Q>(model, x, g, model.epsilon * non_inertial_torque_scaled<SceneKind::plain>(model, x));
+    return laboratory_equation<Q>(model, x, g, non_inertial_torque<SceneKind::plain>(model, x));
   };
   const auto in_body = [&](Q, const Motion<Q>& x) { return body_equation<true, SceneKind::plain, Q>(model, x, g); };
   const auto in_space = [&](Q t, const Motion<Q>& x) {
@@ -133,7 +133,7 @@ TEST(Equations, WithoutTheEarthAllAreTheReference) {
                     without = body_equation<false, SceneKind::plain, T>(model, x, g);
     EXPECT_TRUE(identical(with.m, without.m));
     EXPECT_TRUE(identical(with.q.v, without.q.v));
-    EXPECT_TRUE(identical(non_inertial_torque_scaled<SceneKind::plain>(model, x), Vec3<T>::Zero()));
+    EXPECT_TRUE(identical(non_inertial_torque<SceneKind::plain>(model, x), Vec3<T>::Zero()));
     const LaboratoryTurn<T> turn = laboratory_turn(model, T(1e6));
     EXPECT_TRUE(identical(rotation_matrix(turn.quaternion(model.epsilon)), Mat3<T>::Identity()));
   });

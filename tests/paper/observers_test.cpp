@@ -255,9 +255,9 @@ struct State {
   // The implied derivative, in body axes, of w_IB.
   Vec3<T> rate_of_laboratory(const Model<T>& model, bool full) const {
     const Motion<T> x{q_LB, R_LB * (body.I_BP_B * w_LB_B)};
-    const Vec3<T> scaled =
-        full ? non_inertial_torque_scaled<SceneKind::full>(model, x) : non_inertial_torque_scaled<SceneKind::plain>(model, x);
-    const Motion<T> xdot = laboratory_equation<T>(model, x, field_L, model.epsilon * scaled);
+    const Vec3<T> torque_L =
+        full ? non_inertial_torque<SceneKind::full>(model, x) : non_inertial_torque<SceneKind::plain>(model, x);
+    const Motion<T> xdot = laboratory_equation<T>(model, x, field_L, torque_L);
     // (dL'/dt)_L = (dL'/dt)_B + w_LB x L', and w_IB = w_LB + W with W at rest in L.
     const Vec3<T> wdot_LB_B = body.I_BP_B_inverse * (R_LB.transpose() * xdot.m - w_LB_B.cross(body.I_BP_B * w_LB_B));
     return wdot_LB_B + W_B(model).cross(w_LB_B);

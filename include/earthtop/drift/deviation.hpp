@@ -74,11 +74,11 @@ Deviation<T> body_deviation_equation(const Model<T>& model, const Motion<T>& ref
 ///   dP/dt = (L_ref + P) x d + m r_ref x (D^T f_rot - f_ref) + D^T tau ,  D = R_rot R_ref^T = R(e_w + k)
 /// and no term is larger than what it leaves: the spin that both motions have in common appears nowhere.
 /// @param reference  the non-rotating motion (q, L in A)   @param field_difference_A_scaled  (f_rot - f_ref) / epsilon
-/// @param torque_A_scaled  further torque on the rotating body / epsilon
+/// @param carried_torque_A_scaled  further torque on the rotating body / epsilon, carried back: D^T tau
 template <class T>
 Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                   const Vec3<T>& field_ref_A, const Vec3<T>& field_difference_A_scaled,
-                                  const Vec3<T>& torque_A_scaled) {
+                                  const Vec3<T>& carried_torque_A_scaled) {
   const T epsilon = model.epsilon;
   const Mat3<T> R_ref = rotation_matrix(reference.q);
   const Vec3<T> d_A = rate_from_momentum(model, R_ref, x.p);
@@ -87,33 +87,47 @@ Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& refere
                            epsilon * D_transposed_minus_one(field_difference_A_scaled);
   const Vec3<T> momentum_A = reference.m + epsilon * x.p;
   return {-epsilon * epsilon * x.y.dot(d_A) / T(2), (x.w * d_A + epsilon * x.y.cross(d_A)) / T(2),
-          momentum_A.cross(d_A) + field_torque(times(R_ref, model.mass_moment_B), Dfield_A) + torque_A_scaled +
-              epsilon * D_transposed_minus_one(torque_A_scaled)};
+          momentum_A.cross(d_A) + field_torque(times(R_ref, model.mass_moment_B), Dfield_A) + carried_torque_A_scaled};
+}
+
+/// [F]'s laboratory torques on the rotating body over epsilon, weighed, carried back by D^T: the tensor forms in body axes,
+/// where the second moment is constant, turned by the reference's attitude. The rotating body's attitude and rate are those
+/// that the deviation gives, R_rot = D R_ref: a torque along the spin, the small rest of a large one, leaves no room for
+/// another's.
+/// @param inertial_momentum  whether the reference's L and the deviation are of inertial rates
+template <SceneKind K, class T>
+Vec3<T> carried_laboratory_torque(const Model<T>& model, const TorqueWeights<T>& weights, const Motion<T>& reference,
+                                  const Deviation<T>& x, bool inertial_momentum) {
+  const T epsilon = model.epsilon;
+  const Mat3<T> R_ref = rotation_matrix(reference.q);
+  const Vec3<T>& W_A = model.W_IL_L_scaled;  // the laboratory turns about W, which is the same vector in L and in N
+  const Vec3<T> W_B_scaled =
+      transposed_times(R_ref, Vec3<T>(W_A + epsilon * turn_back_minus_one_scaled(x.w, x.y, epsilon, W_A)));
+  const Vec3<T> W_B = epsilon * W_B_scaled;
+  Vec3<T> w_LB_B = times(model.I_BP_B_inverse, transposed_times(R_ref, Vec3<T>(reference.m + epsilon * x.p)));
+  if (inertial_momentum) w_LB_B -= W_B;
+  return times(R_ref, laboratory_torque<K>(weights, W_B, W_B_scaled, w_LB_B, model.S_BP_B));
 }
 
 /// Laboratory form: relative rates; [F]'s Coriolis and centrifugal torques on the rotating body drive the deviation.
-/// @param reference  the non-rotating motion (q_LB, L'_L)   @param torque_L_scaled  non_inertial_torque_scaled
-template <class T>
+/// @param reference  the non-rotating motion (q_LB, L'_L)
+template <SceneKind K, class T>
 Deviation<T> laboratory_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
-                                           const PivotField<T>& field, const Vec3<T>& torque_L_scaled) {
-  return outer_axes_deviation(model, reference, x, field.reference_L, field.difference_L_scaled, torque_L_scaled);
+                                           const PivotField<T>& field) {
+  return outer_axes_deviation(model, reference, x, field.reference_L, field.difference_L_scaled,
+                              carried_laboratory_torque<K>(model, model.weights, reference, x, false));
 }
 
 /// Inertial form: what drives the deviation is that the laboratory's field turns with the Earth.
-/// @param rotating, reference  the two motions (q_NB, L_N); the reference's laboratory does not turn
+/// @param reference  the non-rotating motion (q_NB, L_N); its laboratory does not turn
 template <SceneKind K, class T>
-Deviation<T> inertial_deviation_equation(const Model<T>& model, const Motion<T>& rotating, const Motion<T>& reference,
-                                         const Deviation<T>& x, const PivotField<T>& field, const LaboratoryTurn<T>& turn) {
+Deviation<T> inertial_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
+                                         const PivotField<T>& field, const LaboratoryTurn<T>& turn) {
   const T epsilon = model.epsilon;
   const Vec3<T> turned = turn_minus_one_scaled(turn.w, turn.v_scaled, epsilon, field.rotating_L);
   Vec3<T> applied_N = Vec3<T>::Zero();
-  if constexpr (K == SceneKind::full) {
-    const Mat3<T> R_NB = rotation_matrix(rotating.q);
-    const Vec3<T>& W_N = model.W_IL_L;  // the laboratory turns about W, which is the same vector in L and in N
-    const Vec3<T> w_LB_N = rate_from_momentum(model, R_NB, rotating.m) - W_N;
-    const Mat3<T> S_BP_N = turned_tensor(R_NB, model.S_BP_B);
-    applied_N = -laboratory_torque<K>(model.weights.complement(), W_N, model.W_IL_L_scaled, w_LB_N, S_BP_N);
-  }
+  if constexpr (K == SceneKind::full)
+    applied_N = -carried_laboratory_torque<K>(model, model.weights.complement(), reference, x, true);
   return outer_axes_deviation(model, reference, x, field.reference_L, Vec3<T>(turned + field.difference_L_scaled), applied_N);
 }
 

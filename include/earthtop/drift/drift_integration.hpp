@@ -68,7 +68,7 @@ struct DriftSample {
 };
 
 /// Where the rotating motion of a sample comes from: integrated in its own state, or composed from the reference and the
-/// deviation, which saves a third of the work (body axes only; the other observers integrate it in any case).
+/// deviation, which saves a third of the work (body and inertial axes; in the laboratory it is integrated in any case).
 enum class RotatingMotion { integrated, composed };
 
 template <class T>

@@ -40,13 +40,13 @@ Vec3<T> rate_from_momentum(const Model<T>& model, const Mat3<T>& R_AB, const Vec
   return times(R_AB, times(model.I_BP_B_inverse, transposed_times(R_AB, L_A)));
 }
 
-/// [F]'s torques on the body in laboratory axes over epsilon, from the velocity moment J and the second moment in L axes.
+/// [F]'s torques on the body in laboratory axes, weighed, from the velocity moment J and the second moment in L axes.
 template <SceneKind K, class T>
-Vec3<T> non_inertial_torque_scaled(const Model<T>& model, const Motion<T>& rotating) {
+Vec3<T> non_inertial_torque(const Model<T>& model, const Motion<T>& rotating) {
   const Mat3<T> R_LB = rotation_matrix(rotating.q);
   const Vec3<T> w_LB_L = rate_from_momentum(model, R_LB, rotating.m);
   const Mat3<T> S_BP_L = turned_tensor(R_LB, model.S_BP_B);
-  return laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L_scaled, w_LB_L, S_BP_L);
+  return laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L, w_LB_L, S_BP_L);
 }
 
 /// Rotating laboratory axes, [F]: dL'/dt = tau_Cor + tau_cent + tau_phys.
