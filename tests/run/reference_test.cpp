@@ -1,37 +1,15 @@
 /// The drift at default settings against 113-bit arithmetic in another observer's equations, and what its bound is worth.
 
-#include "support/reference.hpp"
-
 #include <gtest/gtest.h>
 
 #include "support/scenes.hpp"
+#include "support/soundness.hpp"
 
 namespace earthtop {
 namespace {
 
-using testing::compare;
-using testing::Comparison;
-using testing::reference_run;
-
-/// The accuracy asked of the defaults: 1e-8 of the largest drift so far; a bound that holds at every row and is never more
-/// than 100 times max(true error, 1e-13 rad, 1e-10 of the largest drift so far).
-void expect_sound(const Scenario& scenario, Observer reference_observer) {
-  SCOPED_TRACE(scenario.name);
-  const RunResult result = run(scenario);
-  ASSERT_EQ(result.status, RunStatus::completed);
-  const auto reference = reference_run(scenario, reference_observer, 1e-16);
-  ASSERT_EQ(reference.status, RunStatus::completed);
-  ASSERT_GT(result.drift.axis_max_rad, 0);
-  const Comparison c = compare(result, reference);
-  EXPECT_LT(c.worst_axis_error, 1e-8);
-  EXPECT_LT(c.worst_attitude_error, 1e-8);
-  EXPECT_GE(c.least_margin, 1);
-  EXPECT_LE(c.worst_excess, 100);
-}
-
-Scenario shipped(const std::string& name) {
-  return parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
-}
+using testing::expect_sound;
+using testing::shipped;
 
 class RandomScene : public ::testing::TestWithParam<std::uint64_t> {};
 

@@ -1,0 +1,32 @@
+/// What a run's drift and bound must be worth, against 113-bit arithmetic in another observer's equations.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/reference.hpp"
+
+namespace earthtop::testing {
+
+/// The accuracy asked of the defaults: 1e-8 of the largest drift so far; a bound that holds at every row and is never more
+/// than 100 times max(true error, 1e-13 rad, 1e-10 of the largest drift so far).
+inline void expect_sound(const Scenario& scenario, Observer reference_observer) {
+  SCOPED_TRACE(scenario.name);
+  const RunResult result = run(scenario);
+  ASSERT_EQ(result.status, RunStatus::completed);
+  const auto reference = reference_run(scenario, reference_observer, 1e-16);
+  ASSERT_EQ(reference.status, RunStatus::completed);
+  ASSERT_GT(result.drift.axis_max_rad, 0);
+  const Comparison c = compare(result, reference);
+  EXPECT_LT(c.worst_axis_error, 1e-8);
+  EXPECT_LT(c.worst_attitude_error, 1e-8);
+  EXPECT_GE(c.least_margin, 1);
+  EXPECT_LE(c.worst_excess, 100);
+}
+
+inline Scenario shipped(const std::string& name) {
+  return parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
+}
+
+}  // namespace earthtop::testing
