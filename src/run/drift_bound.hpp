@@ -8,15 +8,19 @@
 
 namespace earthtop {
 
-/// Moves a problem by a few units in the last place of its attitude, rates and moments, in no special direction: at least what
+/// Moves a problem by some units in the last place of its attitude, rates and moments, in no special direction: well over what
 /// rounding the scene to double precision did to it, so that two runs of which one is nudged do not share that error.
 inline void nudge(DriftProblem<double>& problem) {
-  constexpr double kUnit = 4 * 2.2e-16;
+  constexpr double kUnit = 16 * 2.2e-16;
   const Vec3<double> turn = kUnit * Vec3<double>(0.6, -0.5, 0.7);
   problem.release.q_LB = (problem.release.q_LB * Quaternion<double>{1, turn / 2}).normalized();
   problem.release.w_XB_B = problem.release.w_XB_B.cwiseProduct(Vec3<double>(1 + kUnit, 1 - kUnit, 1 - kUnit));
   problem.model.mass_moment_B *= 1 + kUnit;
-  problem.model.I_BP_B_inverse *= 1 + kUnit;
+  // Each moment its own way, the tensor and its inverse alike.
+  const Vec3<double> stretch(1 + kUnit, 1 - kUnit, 1 + kUnit / 2);
+  Model<double>& model = problem.model;
+  model.I_BP_B_inverse = stretch.asDiagonal() * model.I_BP_B_inverse * stretch.asDiagonal();
+  model.I_BP_B = stretch.cwiseInverse().asDiagonal() * model.I_BP_B * stretch.cwiseInverse().asDiagonal();
 }
 
 /// Follows two integrations row by row. The bound is kSafety times the largest distance so far, plus the round-off of the
@@ -30,7 +34,7 @@ inline void nudge(DriftProblem<double>& problem) {
 class DriftBound {
  public:
   static constexpr double kSafety = 3;
-  static constexpr double kRoundOff = 64 * 2.2e-16;
+  static constexpr double kRoundOff = 1024 * 2.2e-16;
 
   void include(const DriftMeasures<double>& rows, const DriftMeasures<double>& second, double epsilon) {
     const double axis_vector = epsilon * norm(Vec3<double>(rows.axis_difference_L_scaled - second.axis_difference_L_scaled));
