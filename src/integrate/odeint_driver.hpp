@@ -77,32 +77,26 @@ class Driver {
     if (!all_finite(x)) return RunStatus::not_finite;
     on_step_(times[0], x);
     on_row_(std::size_t{0}, x);
-    switch (options_.method) {
-      case Method::automatic:
-      case Method::rkf78: return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
-      case Method::bulirsch_stoer:
-        if constexpr (!std::is_same_v<T, float128>) {
-          // odeint's own checker, component by component: relative to each, with a floor a little above round-off.
-          const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
-          bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
-          return run_controlled(stepper, x, times);
-        }
-        return refuse_method();
-      case Method::dopri5:
-        if constexpr (std::is_same_v<T, double>) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
-        return refuse_method();
-      case Method::abm8:
-        if constexpr (std::is_same_v<T, double>) return run_fixed(x, times);
-        return refuse_method();
+    const Method method = options_.method;
+    if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+    if constexpr (!std::is_same_v<T, float128>) {
+      if (method == Method::bulirsch_stoer) {
+        // odeint's own checker, component by component: relative to each, with a floor a little above round-off.
+        const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
+        bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
+        return run_controlled(stepper, x, times);
+      }
     }
-    return refuse_method();
+    if constexpr (std::is_same_v<T, double>) {
+      if (method == Method::dopri5) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
+      if (method == Method::abm8) return run_fixed(x, times);
+    }
+    throw std::logic_error("method not built for this precision");
   }
 
   const StepCounters& counters() const { return counters_; }
 
  private:
-  [[noreturn]] static RunStatus refuse_method() { throw std::logic_error("method not built for this precision"); }
-
   auto counted_system() {
     return [this](const State& x, State& dxdt, T t) {
       ++counters_.evaluations;
