@@ -7,6 +7,13 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "integrate/group_norms.hpp"
 
+// The right-hand sides are inlined whole, which makes them twice as fast; under a sanitizer that takes minutes to compile.
+#ifdef __SANITIZE_ADDRESS__
+#define EARTHTOP_INLINE_ALL
+#else
+#define EARTHTOP_INLINE_ALL [[gnu::flatten, gnu::noinline]]
+#endif
+
 namespace earthtop {
 
 namespace drift_state {
@@ -58,7 +65,7 @@ class DriftSystem {
       return std::array<ComponentGroup, 4>{all[0], all[1], all[2], all[3]};
   }
 
-  [[gnu::flatten, gnu::noinline]] void operator()(const State& x, State& dxdt, T t) const {
+  EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
