@@ -11,7 +11,7 @@ namespace earthtop {
 /// Moves a problem by some units in the last place of its attitude, rates and moments, in no special direction: well over what
 /// rounding the scene to double precision did to it, so that two runs of which one is nudged do not share that error.
 inline void nudge(DriftProblem<double>& problem) {
-  constexpr double kUnit = 16 * 2.2e-16;
+  constexpr double kUnit = 8 * 2.2e-16;
   const Vec3<double> turn = kUnit * Vec3<double>(0.6, -0.5, 0.7);
   problem.release.q_LB = (problem.release.q_LB * Quaternion<double>{1, turn / 2}).normalized();
   problem.release.w_XB_B = problem.release.w_XB_B.cwiseProduct(Vec3<double>(1 + kUnit, 1 - kUnit, 1 - kUnit));
