@@ -122,7 +122,7 @@ class Driver {
     for (std::size_t row = 1; row < times.size(); ++row) {
       IntervalClock<T> clock(times[row - 1], times[row]);
       for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
-        if (const RunStatus status = may_go_on(); status != RunStatus::completed) return status;
+        if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
         // Land on the output time; two like steps rather than a long one and a sliver.
         const bool lands = proposed >= remaining;
         const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
@@ -177,7 +177,7 @@ class Driver {
         stepper = Stepper();
       step_before = h;
       for (std::int64_t k = 0; k < steps; ++k) {
-        if (const RunStatus status = may_go_on(); status != RunStatus::completed) return status;
+        if (const RunStatus status = may_go_on(times[row - 1], times); status != RunStatus::completed) return status;
         stepper.do_step(system, x, times[row - 1] + static_cast<T>(k) * h, h);
         ++counters_.accepted;
         if (!all_finite(x)) return RunStatus::not_finite;
@@ -188,8 +188,16 @@ class Driver {
     return RunStatus::completed;
   }
 
-  RunStatus may_go_on() const {
-    if (counters_.accepted + counters_.rejected >= options_.step_limit) return RunStatus::step_limit;
+  /// Ends at the step limit, and as soon as a million steps have come so little forward that the limit is out of reach of the
+  /// end.
+  RunStatus may_go_on(T now, std::span<const T> times) const {
+    constexpr std::int64_t kReview = 1'000'000;
+    const std::int64_t steps = counters_.accepted + counters_.rejected;
+    if (steps >= options_.step_limit) return RunStatus::step_limit;
+    if (steps % kReview == 0 && steps > 0) {
+      const auto part = static_cast<double>((now - times.front()) / (times.back() - times.front()));
+      if (static_cast<double>(steps) > part * static_cast<double>(options_.step_limit)) return RunStatus::step_limit;
+    }
     if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
     return RunStatus::completed;
   }

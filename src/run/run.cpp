@@ -114,6 +114,7 @@ RunResult run(const Scenario& scenario) {
   result.scenario = scenario;
   const DriftTrajectory<double> first = integrate_timed(problem, options, result.solution);
   problem.rotating = RotatingMotion::composed;
+  problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));  // no further than the rows got
   nudge(problem);
   const DriftTrajectory<double> second = integrate_timed(problem, second_options(options), result.certificate);
   result.status = first.status != RunStatus::completed ? first.status : second.status;

@@ -179,6 +179,25 @@ TEST(Driver, StepLimitAndInterruptEndARun) {
   }
 }
 
+/// A rate of 1e9 beside a duration of 1e3: a trillion steps.
+struct FarTooFast {
+  static constexpr std::size_t kSize = 2;
+  static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 2, 1.0}}}; }
+  void operator()(const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) const {
+    dxdt = {1e9 * x[1], -1e9 * x[0]};
+  }
+};
+
+TEST(Driver, AnEndOutOfReachIsSeenEarly) {
+  Recorder<FarTooFast> recorder;
+  DriveOptions<double> options;
+  options.relative_tolerance = 1e-6;
+  options.first_step = 1e-9;
+  options.step_limit = 2'000'000'000;
+  EXPECT_EQ(recorder.run({}, {1, 0}, {0, 1e3}, options), RunStatus::step_limit);
+  EXPECT_EQ(recorder.counters.accepted + recorder.counters.rejected, 1'000'000);
+}
+
 TEST(Driver, AStateThatIsNotFiniteIsRefusedAtOnce) {
   Recorder<Oscillator> recorder;
   EXPECT_EQ(recorder.run({}, {std::nan(""), 0, 0}, {0, 1}, {}), RunStatus::not_finite);
