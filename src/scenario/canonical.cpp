@@ -109,6 +109,7 @@ std::string canonical_json(const Scenario& scenario) {
                  {"centrifugal", scenario.effects.centrifugal},
                  {"transverse", scenario.effects.transverse}}},
                {"numerics", numerics_json(scenario.numerics)}};
+  if (scenario.ledger) json["numerics"]["ledger"] = std::string(to_string(*scenario.ledger));
   if (scenario.platform) json["platform"] = platform_json(*scenario.platform);
   if (scenario.threshold_rad) json["report"] = {{"threshold_rad", *scenario.threshold_rad}};
   return json.dump();

@@ -27,6 +27,22 @@ void decode_name(const Section& root, const std::string& file, Scenario& scenari
                              excerpt(stem)));
 }
 
+void decode_headline(const Section& root, Scenario& scenario) {
+  scenario.purpose = root.word("purpose").value_or("");
+  if (!root.has("headline")) return;
+  const Section given = root.section("headline");
+  for (const std::string_view key : {"quantity", "value", "tolerance", "origin"}) given.require(key);
+  const auto quantity = given.word("quantity"), origin = given.word("origin");
+  const auto value = given.number("value"), tolerance = given.number("tolerance"), at = given.number("at_s");
+  if (!quantity || !origin || !value || !tolerance) return;
+  scenario.headline = HeadlineSpec{*quantity, at, *value, *tolerance, *origin};
+  if (!at || !(scenario.duration_s > 0)) return;
+  if (quantity->find('.') != std::string::npos)
+    given.refuse_key("at_s", "belongs to a column of trajectory.csv; a figure of summary.json has no time");
+  else if (!is_output_time(*at, scenario.duration_s, scenario.output_step_s))
+    given.refuse("at_s", "is not the time of a row; must be a multiple of output_step_s within the duration");
+}
+
 /// @returns whether gravity is known
 bool decode_site(const Section& root, Scenario& scenario) {
   const Section site = root.section("site");
@@ -70,6 +86,7 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   scenario.effects = {effects.flag("coriolis").value_or(true), effects.flag("centrifugal").value_or(true),
                       effects.flag("transverse").value_or(true)};
   decode_numerics(root.section("numerics"), scenario);
+  decode_headline(root, scenario);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
 }
 

@@ -28,4 +28,7 @@ void decode_numerics(const Section& numerics, Scenario& scenario);
 inline constexpr double kMostRows = 2'000'000;
 double output_row_count(double duration_s, double output_step_s);
 
+/// Whether a row stands at this time, within 1e-9 of the step.
+bool is_output_time(double t_s, double duration_s, double output_step_s);
+
 }  // namespace earthtop::scenario

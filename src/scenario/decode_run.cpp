@@ -16,6 +16,12 @@ double output_row_count(double duration_s, double output_step_s) {
   return std::max(1.0, std::ceil(duration_s / output_step_s - 1e-9)) + 1;
 }
 
+bool is_output_time(double t_s, double duration_s, double output_step_s) {
+  const double slack = 1e-9 * output_step_s;
+  if (std::abs(t_s - duration_s) <= slack) return true;
+  return t_s <= duration_s && std::abs(t_s - std::round(t_s / output_step_s) * output_step_s) <= slack;
+}
+
 void decode_motion(const Section& motion, Scenario& scenario) {
   motion.require("duration_s");
   const auto duration = motion.number("duration_s");
@@ -88,6 +94,8 @@ namespace {
 
 constexpr Method kMethods[] = {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
 constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
+constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,
+                                       LedgerObserver::body};
 
 void decode_fixed_step(const Section& numerics, Scenario& scenario) {
   if (numerics.has("relative_tolerance"))
@@ -112,6 +120,9 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
   IntegrationOptions& options = scenario.numerics;
   const auto method = numerics.word("method"), observer = numerics.word("observer");
   if (const auto tolerance = numerics.number("relative_tolerance")) options.relative_tolerance = *tolerance;
+  if (const auto ledger = numerics.word("ledger"))
+    scenario.ledger =
+        *std::find_if(std::begin(kLedgers), std::end(kLedgers), [&](LedgerObserver o) { return to_string(o) == *ledger; });
   if (observer)
     options.observer =
         *std::find_if(std::begin(kObservers), std::end(kObservers), [&](Observer o) { return to_string(o) == *observer; });

@@ -19,11 +19,29 @@ constexpr Range above(double least, double most) { return {least, most, true}; }
 // Ranges without a physical reason keep squares and products inside a double and mistakes of unit outside.
 constexpr Range kLengths = from(-1e6, 1e6), kRates = from(-1e9, 1e9), kAngles = from(-360, 360);
 
+constexpr bool kRequired = true;
+
+constexpr std::string_view kQuantities =
+    "q_LB_w|q_LB_x|q_LB_y|q_LB_z|w_LB_B_x_rad_s|w_LB_B_y_rad_s|w_LB_B_z_rad_s|"
+    "ref_q_LB_w|ref_q_LB_x|ref_q_LB_y|ref_q_LB_z|ref_w_LB_B_x_rad_s|ref_w_LB_B_y_rad_s|ref_w_LB_B_z_rad_s|"
+    "axis_L_x|axis_L_y|axis_L_z|ref_axis_L_x|ref_axis_L_y|ref_axis_L_z|"
+    "drift_axis_rad|drift_azimuth_rad|drift_tilt_rad|drift_attitude_rad|drift_spin_rad|"
+    "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s";
+
 constexpr Field kFields[] = {
     // pointer, kind, unit, range, words, words not available, default, doc
     {"/$schema", word, "", any(), "earthtop-scenario-1.json", "", "\"earthtop-scenario-1.json\"", "version of this format"},
     {"/name", name, "", any(), "", "", "", "names the results; default: the file's stem, \"unnamed\" from standard input"},
     {"/title", text, "", any(), "", "", "\"\"", "any text"},
+    {"/purpose", text, "", any(), "", "", "\"\"", "what the scene is for, and what it shows"},
+    {"/headline", object, "", any(), "", "", "", "one figure known from elsewhere, which the computed one is held against"},
+    {"/headline/quantity", word, "", any(), kQuantities, "", "", "a column of trajectory.csv, or a figure of summary.json",
+     kRequired},
+    {"/headline/at_s", number, "s", from(0, 1e9), "", "", "", "of a column: the time of its row; default: the duration"},
+    {"/headline/value", number, "", any(), "", "", "", "the figure, in the unit that the quantity's name says", kRequired},
+    {"/headline/tolerance", number, "", above(0, kInfinity), "", "", "", "largest difference from it, same unit", kRequired},
+    {"/headline/origin", text, "", any(), "", "", "", "where the figure comes from: closed form, theory, a publication ...",
+     kRequired},
 
     {"/site", object, "", any(), "", "", "{}", "where the laboratory stands"},
     {"/site/latitude_deg", number, "deg", from(-90, 90), "", "", "",
@@ -36,7 +54,7 @@ constexpr Field kFields[] = {
     {"/earth", object, "", any(), "", "", "{}", "the rotating planet"},
     {"/earth/rotation_rate_rad_s", number, "rad/s", any(), "", "", "7.292115e-5", "rotation rate; WGS 84"},
 
-    {"/body", object, "", any(), "", "", "", "the top: mass, centre of mass and inertia, or solids"},
+    {"/body", object, "", any(), "", "", "", "the top: mass, centre of mass and inertia, or solids", kRequired},
     {"/body/mass_kg", number, "kg", above(0, 1e6), "", "", "", "mass"},
     {"/body/center_of_mass_m", vector3, "m", kLengths, "", "", "", "pivot to centre of mass, body axes"},
     {"/body/inertia", object, "", any(), "", "", "", "inertia tensor, body axes"},
@@ -45,7 +63,8 @@ constexpr Field kFields[] = {
     {"/body/inertia/matrix_kg_m2", matrix3, "kg m^2", from(-1e18, 1e18), "", "", "", "symmetric 3x3 tensor"},
     {"/body/solids", list, "", any(), "", "", "", "uniform solids of revolution about body axis 3"},
     {"/body/solids/*", object, "", any(), "", "", "", "one solid"},
-    {"/body/solids/*/shape", word, "", any(), "disc|cylinder|ring|cone|sphere|rod", "", "", "shape; a cone's tip points to -z"},
+    {"/body/solids/*/shape", word, "", any(), "disc|cylinder|ring|cone|sphere|rod", "", "", "shape; a cone's tip points to -z",
+     kRequired},
     {"/body/solids/*/radius_m", number, "m", above(0, 1e6), "", "", "", "outer radius; a rod without radius is thin"},
     {"/body/solids/*/inner_radius_m", number, "m", from(0, 1e6), "", "", "0", "of a ring, or of a spherical shell"},
     {"/body/solids/*/length_m", number, "m", from(0, 1e6), "", "", "0", "along axis 3; disc and ring may have none"},
@@ -53,30 +72,30 @@ constexpr Field kFields[] = {
     {"/body/solids/*/density_kg_m3", number, "kg/m^3", above(0, 1e6), "", "", "", "density, or give the mass"},
     {"/body/solids/*/at_m", number, "m", kLengths, "", "", "0", "axial coordinate of its centre of mass, signed"},
 
-    {"/release", object, "", any(), "", "", "", "attitude and rates at t = 0"},
+    {"/release", object, "", any(), "", "", "", "attitude and rates at t = 0", kRequired},
     {"/release/tilt_deg", number, "deg", from(0, 180), "", "", "", "angle of body axis 3 from Up"},
     {"/release/azimuth_deg", number, "deg", kAngles, "", "", "0", "compass azimuth that the axis leans toward"},
     {"/release/spin_angle_deg", number, "deg", kAngles, "", "", "0", "turn about body axis 3"},
     {"/release/quaternion_LB", object, "", any(), "", "", "", "attitude instead of the angles; unit to 1e-6, normalised"},
-    {"/release/quaternion_LB/w", number, "", from(-2, 2), "", "", "", "scalar part"},
-    {"/release/quaternion_LB/x", number, "", from(-2, 2), "", "", "", "vector part"},
-    {"/release/quaternion_LB/y", number, "", from(-2, 2), "", "", "", "vector part"},
-    {"/release/quaternion_LB/z", number, "", from(-2, 2), "", "", "", "vector part"},
+    {"/release/quaternion_LB/w", number, "", from(-2, 2), "", "", "", "scalar part", kRequired},
+    {"/release/quaternion_LB/x", number, "", from(-2, 2), "", "", "", "vector part", kRequired},
+    {"/release/quaternion_LB/y", number, "", from(-2, 2), "", "", "", "vector part", kRequired},
+    {"/release/quaternion_LB/z", number, "", from(-2, 2), "", "", "", "vector part", kRequired},
     {"/release/rates_relative_to", word, "", any(), "laboratory|inertial", "", "\"laboratory\"",
      "frame of the rates, and what both predictions have in common at the start"},
     {"/release/angular_velocity_body_rad_s", vector3, "rad/s", kRates, "", "", "", "rates in body axes"},
     {"/release/spin_rad_s", number, "rad/s", kRates, "", "", "", "whole rate about body axis 3, precession's share included"},
     {"/release/precession", object_or_word, "", any(), "none|steady_slow|steady_fast", "", "\"none\"",
      "precession at the start, or {\"rate_rad_s\": ...}"},
-    {"/release/precession/rate_rad_s", number, "rad/s", kRates, "", "", "", "counterclockwise about Up"},
+    {"/release/precession/rate_rad_s", number, "rad/s", kRates, "", "", "", "counterclockwise about Up", kRequired},
 
-    {"/motion", object, "", any(), "", "", "", "how long, and how often a row"},
-    {"/motion/duration_s", number, "s", from(1e-12, 1e9), "", "", "", "duration"},
+    {"/motion", object, "", any(), "", "", "", "how long, and how often a row", kRequired},
+    {"/motion/duration_s", number, "s", from(1e-12, 1e9), "", "", "", "duration", kRequired},
     {"/motion/output_step_s", number, "s", above(0, kInfinity), "", "", "",
      "time between rows; default: duration/1000; longer than the duration: rows at 0 and the end only"},
 
     {"/platform", object, "", any(), "", "", "", "a platform that carries the pivot; none if left out"},
-    {"/platform/motion", word, "", any(), "constant|ramp|harmonic", "table", "", "kind of motion"},
+    {"/platform/motion", word, "", any(), "constant|ramp|harmonic", "table", "", "kind of motion", kRequired},
     {"/platform/axis", vector3, "", kLengths, "", "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
     {"/platform/rate_rad_s", number, "rad/s", kRates, "", "", "0", "constant, ramp: rate at t = 0"},
     {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "", "0", "ramp: angular acceleration"},
@@ -103,7 +122,8 @@ constexpr Field kFields[] = {
     {"/numerics/relative_tolerance", number, "", from(1e-14, 1e-1), "", "", "1e-12",
      "local error of a step, controlled methods"},
     {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "", "step of abm8"},
-    {"/numerics/ledger", not_yet, "", any(), "", "", "", "observer of the torque ledger"},
+    {"/numerics/ledger", word, "", any(), "inertial|laboratory|platform|body", "", "",
+     "observer of the torque ledger torques.csv; none is written if left out"},
 
     {"/accuracy", object, "", any(), "", "", "{}", "accuracy asked for"},
     {"/accuracy/drift_rad", not_yet, "", any(), "", "", "", "drift error asked for"},

@@ -122,7 +122,6 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/effects/viscous_torque_N_m_s", "1e-6"},
       {"/effects/gravity_gradient", "true"},
       {"/effects/magnetic", "true"},
-      {"/numerics/ledger", "inertial"},
       {"/numerics/precision", "float128"},
       {"/numerics/precision", "long_double"},
       {"/numerics/method", "taylor"},

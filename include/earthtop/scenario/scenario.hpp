@@ -12,6 +12,7 @@
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/model/ledger.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
 
@@ -25,9 +26,20 @@ struct EffectsSpec {
   bool all_on() const { return coriolis && centrifugal && transverse; }
 };
 
+/// A figure known from elsewhere (closed form, theory, publication, extended precision) that a run is held against.
+struct HeadlineSpec {
+  std::string quantity;        ///< a column of trajectory.csv, or a dotted path of summary.json; its name says the unit
+  std::optional<double> at_s;  ///< of a column: the time of its row (s); the duration if not given
+  double value = 0;
+  double tolerance = 0;  ///< largest difference, unit of the quantity
+  std::string origin;
+};
+
 struct Scenario {
   std::string name = "unnamed";
   std::string title;
+  std::string purpose;
+  std::optional<HeadlineSpec> headline;
   Site site;
   double rotation_rate_rad_s = kEarthRateWgs84;
   BodySpec body;
@@ -37,6 +49,7 @@ struct Scenario {
   std::optional<PlatformSpec> platform;
   EffectsSpec effects;
   IntegrationOptions numerics;
+  std::optional<LedgerObserver> ledger;  ///< whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
 };
 
