@@ -31,7 +31,7 @@ std::string escape_control_characters(std::string_view text) {
 ScenarioError::ScenarioError(std::vector<Diagnostic> diagnostics, std::string file)
     : std::runtime_error(summarize(file, diagnostics)), diagnostics_(std::move(diagnostics)), file_(std::move(file)) {}
 
-std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic) {
+std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity) {
   std::string text;
   if (!file.empty()) {
     text += file;
@@ -39,7 +39,7 @@ std::string format_diagnostic(std::string_view file, const Diagnostic& diagnosti
     if (diagnostic.line > 0) text += fmt::format("{}:{}:", diagnostic.line, diagnostic.column);
     text += ' ';
   }
-  text += "error: ";
+  text += fmt::format("{}: ", severity);
   if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
   return escape_control_characters(text + diagnostic.message);
 }

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-tools/install-dependencies.sh
+tools/install-dependencies.sh python3 python3-jsonschema
 jobs=$(nproc)
 cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON
 cmake --build --preset release --parallel "$jobs"

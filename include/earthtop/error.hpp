@@ -32,8 +32,8 @@ class ScenarioError : public std::runtime_error {
   std::string file_;
 };
 
-/// `file:line:col: error: /json/pointer: what`, one line; control characters escaped.
-std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic);
+/// `file:line:col: error: /json/pointer: what`, one line; control characters escaped. @param severity  "error" or "warning"
+std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity = "error");
 
 /// How an integration ended.
 enum class RunStatus {

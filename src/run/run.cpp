@@ -42,18 +42,6 @@ IntegrationOptions second_options(const IntegrationOptions& first) {
   return second;
 }
 
-/// An integration that would take days is refused before it starts.
-void refuse_cost_bomb(const DriftProblem<double>& problem, const IntegrationOptions& options) {
-  const double duration = problem.units.time_from_s(problem.times_s.back());
-  const double step = options.step_s ? problem.units.time_from_s(*options.step_s) : 0.2 / problem.fastest_rate;
-  const double steps = duration / step;
-  if (steps > static_cast<double>(options.step_limit))
-    throw ScenarioError("/motion/duration_s",
-                        fmt::format("this scene needs about {:.1e} steps; at most {:.1e} are allowed; take "
-                                    "a shorter duration, a slower spin or a longer step",
-                                    steps, static_cast<double>(options.step_limit)));
-}
-
 DriftTrajectory<double> integrate_timed(const DriftProblem<double>& problem, const IntegrationOptions& options,
                                         IntegrationReport& report) {
   const auto start = std::chrono::steady_clock::now();
@@ -106,9 +94,9 @@ double attitude_distance(const Quaternion<double>& p, const Quaternion<double>& 
 void request_interrupt() noexcept { interrupt_requested = true; }
 
 RunResult run(const Scenario& scenario) {
+  require_affordable(scenario);
   auto problem = make_problem<double>(scenario);
   const IntegrationOptions options = first_options(scenario.numerics);
-  refuse_cost_bomb(problem, options);
 
   RunResult result;
   result.scenario = scenario;

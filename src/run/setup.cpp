@@ -1,28 +1,6 @@
 #include "run/setup.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-
 namespace earthtop {
-namespace {
-
-/// A rough bound on the angular frequencies of the motion (rad/s): free nutation, pendulum, spin, Earth, platform.
-double fastest_rate(const Body<double>& body, const Release<double>& release, const Scenario& scenario) {
-  const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(body.I_BP_B, Eigen::EigenvaluesOnly);
-  const double least_moment = moments.eigenvalues()[0];
-  const double mgl = body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B);
-  double rate = norm(Vec3<double>(body.I_BP_B * release.w_XB_B)) / least_moment + 2 * std::sqrt(mgl / least_moment) +
-                std::abs(scenario.rotation_rate_rad_s);
-  if (scenario.platform) {
-    const PlatformSpec& p = *scenario.platform;
-    rate += std::abs(p.rate_rad_s) + std::abs(p.acceleration_rad_s2) * scenario.duration_s + 6.3 * std::abs(p.frequency_hz);
-  }
-  return std::max(rate, 1 / scenario.duration_s);
-}
-
-}  // namespace
-
 template <class T>
 DriftProblem<T> make_problem(const Scenario& scenario) {
   const Site& site = scenario.site;
@@ -41,7 +19,7 @@ DriftProblem<T> make_problem(const Scenario& scenario) {
                                 on_platform ? &platform_double : nullptr);
   problem.model =
       make_model<T>(body, site, scenario.rotation_rate_rad_s, weights, on_platform ? &platform : nullptr, problem.units);
-  problem.fastest_rate = problem.units.rate_from_rad_s(T(fastest_rate(body_double, release_double, scenario)));
+  problem.fastest_rate = problem.units.rate_from_rad_s(T(fastest_rate_rad_s(scenario)));
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;
   return problem;

@@ -4,6 +4,7 @@
 
 #include "scenario/check.hpp"
 #include "scenario/overrides.hpp"
+#include "scenario/plausibility.hpp"
 #include "scenario/reader.hpp"
 
 namespace earthtop {
@@ -63,12 +64,23 @@ bool decode_site(const Section& root, Scenario& scenario) {
 }
 
 /// A steady precession may not exist; whether it does needs the body and gravity.
-void check_start(const Section& release, const Scenario& scenario) {
+/// @returns whether there is a start
+bool check_start(const Section& release, const Scenario& scenario) {
   try {
     const auto start = make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
-    if (!start.w_XB_B.allFinite()) release.refuse("precession", "no steady precession: its rate is too large for a double");
+    if (start.w_XB_B.allFinite()) return true;
+    release.refuse("precession", "no steady precession: its rate is too large for a double");
   } catch (const ScenarioError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) release.refuse("precession", diagnostic.message);
+  }
+  return false;
+}
+
+void check_cost(const Section& motion, const Scenario& scenario) {
+  try {
+    require_affordable(scenario);
+  } catch (const ScenarioError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics()) motion.refuse("duration_s", diagnostic.message);
   }
 }
 
@@ -79,7 +91,7 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   const auto release = root.require("release") ? decode_release(root.section("release")) : std::nullopt;
   if (body) scenario.body = *body;
   if (release) scenario.release = *release;
-  if (body && release && gravity) check_start(root.section("release"), scenario);
+  const bool starts = body && release && gravity && check_start(root.section("release"), scenario);
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"));
   const Section effects = root.section("effects");
@@ -88,12 +100,15 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   decode_numerics(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
+  if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root.section("motion"), scenario);
+  warn_of_implausible(root, scenario);
 }
 
 }  // namespace
 }  // namespace scenario
 
-Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
+ScenarioReport examine_scenario(const ScenarioSource& source,
+                                const std::vector<std::pair<std::string, std::string>>& overrides) {
   using namespace scenario;
   std::string_view text = source.text;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark: columns are counted behind it
@@ -101,13 +116,20 @@ Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pai
   Node root;
   const ReadOutcome outcome = read_json(text, "", false, root, findings);
   // After a syntax error the rest would be guesswork.
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) findings.raise(source.file, text);
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) return {std::nullopt, findings.errors(text), {}};
   Scenario scenario;
   if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
   check_structure(root, findings);
   decode(Section(root, findings), source.file, scenario);
-  findings.raise(source.file, text);
-  return scenario;
+  ScenarioReport report{std::nullopt, findings.errors(text), findings.warnings(text)};
+  if (findings.empty()) report.scenario = std::move(scenario);
+  return report;
+}
+
+Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  ScenarioReport report = examine_scenario(source, overrides);
+  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+  return *std::move(report.scenario);
 }
 
 }  // namespace earthtop

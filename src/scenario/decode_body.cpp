@@ -7,34 +7,12 @@
 #include "earthtop/real.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
-
-constexpr std::array<std::pair<std::string_view, SolidShape>, 6> kShapes = {{{"disc", SolidShape::disc},
-                                                                             {"cylinder", SolidShape::cylinder},
-                                                                             {"ring", SolidShape::ring},
-                                                                             {"cone", SolidShape::cone},
-                                                                             {"sphere", SolidShape::sphere},
-                                                                             {"rod", SolidShape::rod}}};
-
-enum class Need { required, optional, none };
-
-struct ShapeRule {
-  SolidShape shape;
-  Need radius, inner_radius, length;
-};
-
-constexpr ShapeRule kRules[] = {
-    {SolidShape::disc, Need::required, Need::none, Need::optional},
-    {SolidShape::cylinder, Need::required, Need::none, Need::required},
-    {SolidShape::ring, Need::required, Need::required, Need::optional},
-    {SolidShape::cone, Need::required, Need::none, Need::required},
-    {SolidShape::sphere, Need::required, Need::optional, Need::none},
-    {SolidShape::rod, Need::optional, Need::none, Need::required},
-};
 
 void check_member(const Section& solid, std::string_view key, Need need, std::string_view shape) {
   if (need == Need::required && !solid.has(key)) {
@@ -72,9 +50,9 @@ std::optional<Solid> decode_solid(const Section& section) {
     section.require("shape");
     return std::nullopt;
   }
-  solid.shape = std::find_if(kShapes.begin(), kShapes.end(), [&](const auto& s) { return s.first == *shape; })->second;
   const ShapeRule& rule =
-      *std::find_if(std::begin(kRules), std::end(kRules), [&](const auto& r) { return r.shape == solid.shape; });
+      *std::find_if(kShapeRules.begin(), kShapeRules.end(), [&](const auto& r) { return r.word == *shape; });
+  solid.shape = rule.shape;
   check_member(section, "radius_m", rule.radius, *shape);
   check_member(section, "inner_radius_m", rule.inner_radius, *shape);
   check_member(section, "length_m", rule.length, *shape);

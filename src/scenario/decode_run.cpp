@@ -9,6 +9,7 @@
 
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
 
@@ -41,19 +42,6 @@ void decode_motion(const Section& motion, Scenario& scenario) {
 
 namespace {
 
-struct MotionRule {
-  std::string_view word;
-  PlatformMotion motion;
-  std::string_view required;  ///< without these nothing moves as the word says
-  std::string_view allowed;
-};
-
-constexpr MotionRule kMotions[] = {
-    {"constant", PlatformMotion::constant, "rate_rad_s", "rate_rad_s"},
-    {"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
-    {"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
-};
-
 bool lists(std::string_view words, std::string_view word) {
   const auto list = split_words(words);
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -67,9 +55,9 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
   const auto word = platform.word("motion");
   if (word) {
     const MotionRule& rule =
-        *std::find_if(std::begin(kMotions), std::end(kMotions), [&](const auto& m) { return m.word == *word; });
+        *std::find_if(kMotionRules.begin(), kMotionRules.end(), [&](const auto& m) { return m.word == *word; });
     spec.motion = rule.motion;
-    for (const std::string_view key : {"rate_rad_s", "acceleration_rad_s2", "amplitude_rad", "frequency_hz", "phase_deg"}) {
+    for (const std::string_view key : split_words(kMotionKeys)) {
       if (lists(rule.required, key)) platform.require(key);
       if (!lists(rule.allowed, key) && platform.has(key))
         platform.refuse_key(key, fmt::format("does not belong to \"{}\" motion; allowed with it: {}", rule.word,

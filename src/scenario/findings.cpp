@@ -33,9 +33,12 @@ void Findings::add(Place place, std::string pointer, std::string message) {
 
 void Findings::add_duplicate(Place again, Place first, std::string pointer) { keep({again, std::move(pointer), "", first}); }
 
-void Findings::raise(const std::string& file, std::string_view text) const {
-  if (empty()) return;
-  std::vector<Finding> sorted = findings_;
+void Findings::warn(Place place, std::string pointer, std::string message) {
+  warnings_.push_back({place, std::move(pointer), std::move(message), std::nullopt});
+}
+
+std::vector<Diagnostic> Findings::report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,
+                                         std::string_view text) {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
     if (a.place.from_set != b.place.from_set) return a.place.from_set;
     return !a.place.from_set && a.place.offset < b.place.offset;
@@ -45,7 +48,7 @@ void Findings::raise(const std::string& file, std::string_view text) const {
     const bool from_set = finding.place.from_set;
     const Position at = from_set ? Position{0, 0} : position(finding.place.offset, text);
     if (diagnostics.size() == kMostDiagnostics) {
-      diagnostics.push_back({at.line, at.column, "", fmt::format("{} more errors are not shown", count_ - kMostDiagnostics)});
+      diagnostics.push_back({at.line, at.column, "", fmt::format("{} more {} are not shown", count - kMostDiagnostics, kind)});
       break;
     }
     if (finding.first) {
@@ -56,7 +59,7 @@ void Findings::raise(const std::string& file, std::string_view text) const {
     if (from_set) finding.message += " (from --set)";
     diagnostics.push_back({at.line, at.column, std::move(finding.pointer), std::move(finding.message)});
   }
-  throw ScenarioError(std::move(diagnostics), file);
+  return diagnostics;
 }
 
 }  // namespace earthtop::scenario

@@ -30,9 +30,15 @@ class Findings {
   void expect(std::string pointer) { expected_.insert(std::move(pointer)); }
   bool expected(const std::string& pointer) const { return expected_.contains(pointer); }
 
-  /// @throws ScenarioError, sorted by position, with lines and columns (1-based, in bytes) counted in `text`; what comes
-  /// from --set stands first, at line 0. Does nothing where nothing was found.
-  void raise(const std::string& file, std::string_view text) const;
+  /// What is not wrong, but looks like a mistake.
+  void warn(Place place, std::string pointer, std::string message);
+
+  /// Sorted by position, with lines and columns (1-based, in bytes) counted in `text`; what comes from --set stands first,
+  /// at line 0. At most 20, then one more that says how many were left out.
+  std::vector<Diagnostic> errors(std::string_view text) const { return report(findings_, count_, "errors", text); }
+  std::vector<Diagnostic> warnings(std::string_view text) const {
+    return report(warnings_, warnings_.size(), "warnings", text);
+  }
 
  private:
   struct Finding {
@@ -42,7 +48,10 @@ class Findings {
     std::optional<Place> first;  // of a duplicate key
   };
   void keep(Finding finding);
+  static std::vector<Diagnostic> report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,
+                                        std::string_view text);
   std::vector<Finding> findings_;
+  std::vector<Finding> warnings_;
   std::size_t count_ = 0;
   std::set<std::string> expected_;
 };

@@ -88,6 +88,11 @@ void Section::refuse_key(std::string_view key, std::string message) const {
   findings_->add(child ? child->key_place : place_, fmt::format("{}/{}", pointer_, key), std::move(message));
 }
 
+void Section::warn(std::string_view key, std::string message) const {
+  const Node* child = node_ ? node_->find(key) : nullptr;
+  findings_->warn(child ? child->place : place_, fmt::format("{}/{}", pointer_, key), std::move(message));
+}
+
 void Section::missing(std::string_view key, std::string message) const {
   std::string pointer = fmt::format("{}/{}", pointer_, key);
   if (!refused_ && !findings_->expected(pointer) && !findings_->expected(pointer_))

@@ -34,6 +34,8 @@ class Section {
   /// Complains about a key that stands there, at its value or at the key itself.
   void refuse(std::string_view key, std::string message) const;
   void refuse_key(std::string_view key, std::string message) const;
+  /// Notes a value that is allowed, but looks like a mistake.
+  void warn(std::string_view key, std::string message) const;
   /// Complains about a key that does not stand there, at the object; not where a misspelled key probably meant it.
   void missing(std::string_view key, std::string message) const;
   /// As `missing` if the key is not there. @returns whether it is there

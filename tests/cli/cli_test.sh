@@ -45,7 +45,7 @@ for arguments in "" frobnicate run "run top.json --frobnicate" "run top.json --o
   nothing_on_stdout
   on_stderr "error: "
 done
-for verb in check explain bench verify study compare report schema example completion; do
+for verb in explain bench verify study compare report; do
   expect 2 "$verb" something
   on_stderr "not available"
   nothing_on_stdout
@@ -78,6 +78,74 @@ nothing_on_stderr
 for key in errors file line column pointer message; do on_stdout "\"$key\""; done
 on_stdout '"pointer": "/release/tilt_degrees"'
 [ ! -e out ] || fault "a refused scenario left a directory"
+
+# check: all files, all errors, nothing run.
+expect 0 check top.json
+on_stdout 'top.json: ok, "cli-top", 1001 rows'
+nothing_on_stderr
+expect 1 check top.json faulty.json
+on_stdout 'top.json: ok'
+on_stdout 'faulty.json: 2 errors'
+on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /release/tilt_degrees: .*did you mean "tilt_deg"'
+on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /body/mass_kg'
+expect 2 check missing.json faulty.json
+on_stderr 'missing.json: error: '
+on_stderr 'faulty.json:[0-9]*:[0-9]*: error: '
+expect 1 check faulty.json top.json --json
+nothing_on_stderr
+on_stdout '"valid": false'
+on_stdout '"pointer": "/release/tilt_degrees"'
+expect 0 check top.json --set /site/gravity_m_s2=9.9
+on_stdout 'ok, .*, 1 warning'
+on_stderr 'top.json: warning: /site/gravity_m_s2: '
+expect 0 check top.json --set /site/gravity_m_s2=9.9 --quiet
+nothing_on_stdout
+nothing_on_stderr
+expect 1 check top.json --set /motion/duration_s=1e8
+on_stderr 'days of computing'
+"$tool" check - <faulty.json >out.txt 2>err.txt
+[ $? -eq 1 ] || fault "check of standard input: not exit status 1"
+on_stderr '<stdin>:[0-9]*:[0-9]*: error: '
+[ ! -e out ] || fault "check left a directory"
+expect 2 check
+
+# What is generated from the program's own tables.
+expect 0 schema
+on_stdout 'json-schema.org'
+expect 0 schema --markdown
+on_stdout '`site/latitude_deg`'
+expect 0 example --list
+on_stdout '^toy-top '
+cut -d' ' -f1 out.txt >names.txt
+while read -r name; do
+  for option in "" --annotated; do
+    # shellcheck disable=SC2086
+    "$tool" example "$name" $option >example.json || fault "example $name $option"
+    expect 0 check example.json
+    nothing_on_stderr
+    on_stdout "\"$name\""
+  done
+done <names.txt
+expect 0 example
+cp out.txt example.json
+expect 0 check example.json
+expect 2 example no-such-top
+on_stderr 'there is no example "no-such-top"; there are: .*toy-top'
+expect 2 completion csh
+for shell in bash zsh fish; do
+  expect 0 completion $shell
+  on_stdout '/site/latitude_deg='
+  cp out.txt "completion.$shell"
+  if command -v $shell >/dev/null; then $shell -n "completion.$shell" || fault "completion for $shell is no script"; fi
+done
+completed() { # WORDS...: what bash offers for the last of them
+  bash -c '. ./completion.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _earthtop; printf "%s\n" "${COMPREPLY[@]}"' - "$@"
+}
+completed earthtop ru | grep -qx run || fault "bash does not complete a verb"
+completed earthtop run --fo | grep -qx -- --force || fault "bash does not complete an option"
+completed earthtop run to | grep -qx top.json || fault "bash does not complete a scenario"
+completed earthtop run --set /site/lat | grep -qx /site/latitude_deg= || fault "bash does not complete a pointer"
+completed earthtop example toy | grep -qx toy-top || fault "bash does not complete an example"
 
 # A run.
 expect 0 run top.json

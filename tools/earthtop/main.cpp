@@ -17,8 +17,7 @@ namespace earthtop::tool {
 namespace {
 
 /// Verbs that have a name already, and nothing behind it.
-constexpr std::array<std::string_view, 10> kNotAvailable = {"check",   "explain", "bench",  "verify",  "study",
-                                                            "compare", "report",  "schema", "example", "completion"};
+constexpr std::array<std::string_view, 6> kNotAvailable = {"explain", "bench", "verify", "study", "compare", "report"};
 
 bool wants_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) { return std::string_view(argument) == "--json"; });
@@ -41,20 +40,8 @@ int parse_and_do(int argc, char** argv) {
   app.add_flag("--version", version, "what was built, from what and how");
   app.add_flag("--json", version_json, "with --version: as one JSON document");
 
-  RunArguments run_arguments;
-  CLI::App* run = app.add_subcommand("run", "predict a top's motion with and without the Earth's rotation, and its drift");
-  run->add_option("SCENARIO", run_arguments.scenario, "scenario file (JSON); - is standard input")->required();
-  run->add_option("--out", run_arguments.out, "directory of the results; default: out/<name>")->type_name("DIR");
-  run->add_flag("--force", run_arguments.force, "overwrite the results of another scenario");
-  run->add_flag("--json", run_arguments.json, "print the summary as one JSON document, errors too");
-  run->add_flag("--quiet", run_arguments.quiet, "print nothing but errors (and what --json asks for)");
-  run->add_option("--set", run_arguments.sets, "change one value of the scenario, e.g. /site/latitude_deg=60; may be repeated")
-      ->type_name("/POINTER=VALUE")
-      ->allow_extra_args(false);
-
-  bool verb_json = false;
-  CLI::App* version_command = app.add_subcommand("version", "what was built, from what and how");
-  version_command->add_flag("--json", verb_json, "as one JSON document");
+  Action action;
+  for (const auto& add_verb : {add_run, add_check, add_schema, add_example, add_completion, add_version}) add_verb(app, action);
 
   try {
     app.parse(argc, argv);
@@ -64,9 +51,11 @@ int parse_and_do(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return usage_error(error.what(), wants_json(argc, argv));
   }
-  if (run->parsed()) return run_verb(run_arguments);
-  if (version || version_command->parsed()) return version_verb(version_json || verb_json);
-  return usage_error("a verb is needed: run, version", wants_json(argc, argv));
+  if (action) return action();
+  if (version) return version_verb(version_json);
+  std::string verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+  return usage_error("a verb is needed: " + verbs, wants_json(argc, argv));
 }
 
 int guarded_main(int argc, char** argv) {

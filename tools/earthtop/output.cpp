@@ -46,22 +46,32 @@ bool wants_color() {
   return ::isatty(STDOUT_FILENO) == 1;
 }
 
-int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status) {
-  if (!json) {
-    for (const Diagnostic& error : errors) message(format_diagnostic(file.empty() ? "earthtop" : file, error));
-    return status;
-  }
+void report_warnings(const std::string& file, const std::vector<Diagnostic>& warnings) {
+  for (const Diagnostic& warning : warnings) message(format_diagnostic(file, warning, "warning"));
+}
+
+nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic& diagnostic) {
   using Json = nlohmann::ordered_json;
-  Json list = Json::array();
-  for (const Diagnostic& error : errors) {
-    const bool placed = error.line > 0;
-    list.push_back({{"file", file},
-                    {"line", placed ? Json(error.line) : Json(nullptr)},
-                    {"column", placed ? Json(error.column) : Json(nullptr)},
-                    {"pointer", error.pointer},
-                    {"message", error.message}});
+  const bool placed = diagnostic.line > 0;
+  return {{"file", file},
+          {"line", placed ? Json(diagnostic.line) : Json(nullptr)},
+          {"column", placed ? Json(diagnostic.column) : Json(nullptr)},
+          {"pointer", diagnostic.pointer},
+          {"message", diagnostic.message}};
+}
+
+void print_json(const nlohmann::ordered_json& document) {
+  print(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+}
+
+int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status) {
+  if (json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Diagnostic& error : errors) list.push_back(diagnostic_json(file, error));
+    print_json({{"errors", std::move(list)}});
+  } else {
+    for (const Diagnostic& error : errors) message(format_diagnostic(file.empty() ? "earthtop" : file, error));
   }
-  print(Json{{"errors", std::move(list)}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   return status;
 }
 

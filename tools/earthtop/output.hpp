@@ -1,6 +1,7 @@
 /// What the program says: results on standard output, everything else on standard error.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,17 @@ void message(std::string_view line);
 /// Whether standard output is a terminal that wants colours (NO_COLOR is honoured).
 bool wants_color();
 
-/// Reports what went wrong: a line each on standard error or, with `json`, {"errors":[{file, line, column, pointer,
-/// message}]} on standard output; line and column are null where there are none. @returns `status`
+/// A line each on standard error.
+void report_warnings(const std::string& file, const std::vector<Diagnostic>& warnings);
+
+/// {file, line, column, pointer, message}; line and column are null where there are none.
+nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic& diagnostic);
+
+/// One JSON document on standard output. @throws WriteError
+void print_json(const nlohmann::ordered_json& document);
+
+/// Reports what went wrong: a line each on standard error or, with `json`, {"errors": [...]} on standard output.
+/// @returns `status`
 int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status);
 
 }  // namespace earthtop::tool

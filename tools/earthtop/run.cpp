@@ -4,6 +4,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "earthtop/results/results.hpp"
 #include "output.hpp"
@@ -33,25 +35,25 @@ void install_stop_handlers() {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> split_overrides(const std::vector<std::string>& sets) {
-  std::vector<std::pair<std::string, std::string>> overrides;
-  std::vector<Diagnostic> errors;
-  for (const std::string& set : sets) {
-    const std::size_t equals = set.find('=');
-    if (equals == std::string::npos || !set.starts_with('/'))
-      errors.push_back({0, 0, "", fmt::format("--set {}: is not /json/pointer=VALUE", set)});
-    else
-      overrides.emplace_back(set.substr(0, equals), set.substr(equals + 1));
-  }
-  if (!errors.empty()) throw ScenarioError(std::move(errors));
-  return overrides;
+struct RunArguments {
+  std::string scenario;  // a file, or "-"
+  std::optional<std::string> out;
+  bool force = false;
+  bool json = false;
+  bool quiet = false;
+  std::vector<std::string> sets;
+};
+
+Scenario read_scenario(const RunArguments& arguments) {
+  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
+  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+  if (!arguments.quiet) report_warnings(source.file, report.warnings);
+  return *std::move(report.scenario);
 }
 
-}  // namespace
-
 int run_verb(const RunArguments& arguments) {
-  const auto overrides = split_overrides(arguments.sets);
-  const Scenario scenario = parse_scenario(read_scenario_source(arguments.scenario), overrides);
+  const Scenario scenario = read_scenario(arguments);
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scenario, arguments.force);
 
@@ -74,6 +76,20 @@ int run_verb(const RunArguments& arguments) {
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
                       to_string(result.status), result.reached_s, scenario.duration_s, dir.string()));
   return kNumericalFailure;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* run = app.add_subcommand("run", "predict a top's motion with and without the Earth's rotation, and its drift");
+  run->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
+  run->add_option("--out", arguments->out, "directory of the results; default: out/<name>")->type_name("DIR");
+  run->add_flag("--force", arguments->force, "overwrite the results of another scenario");
+  run->add_flag("--json", arguments->json, "print the summary as one JSON document, errors too");
+  run->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  add_set_option(*run, arguments->sets);
+  run->callback([&action, arguments] { action = [arguments] { return run_verb(*arguments); }; });
 }
 
 }  // namespace earthtop::tool

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/provenance.hpp"
@@ -25,6 +26,13 @@ int version_verb(bool json) {
   print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\n", build.version, build.commit,
                     build.compiler, build.flags, libraries));
   return kDone;
+}
+
+void add_version(CLI::App& app, Action& action) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* version = app.add_subcommand("version", "what was built, from what and how");
+  version->add_flag("--json", *json, "as one JSON document");
+  version->callback([&action, json] { action = [json] { return version_verb(*json); }; });
 }
 
 }  // namespace earthtop::tool

@@ -69,10 +69,30 @@ struct ScenarioSource {
 /// file, a directory or a FIFO.
 ScenarioSource read_scenario_source(const std::string& path);
 
+/// What was found in a scenario's text, sorted by position; at most 20 errors, then one that says how many more. Those of
+/// an override stand first, at line 0.
+struct ScenarioReport {
+  std::optional<Scenario> scenario;  ///< nothing where there are errors
+  std::vector<Diagnostic> errors;
+  std::vector<Diagnostic> warnings;  ///< allowed, but looks like a mistake: degrees for radians, grams for kilograms ...
+};
+
 /// Decodes and validates a scenario. @param overrides  `--set` pairs: JSON pointer and JSON value (a value that is not JSON
-/// is taken as a string). @throws ScenarioError with all violations of the text, sorted by position (at most 20, then one
-/// that says how many more); those of an override stand first, at line 0.
+/// is taken as a string).
+ScenarioReport examine_scenario(const ScenarioSource& source,
+                                const std::vector<std::pair<std::string, std::string>>& overrides = {});
+
+/// The same for those who want a scenario or nothing. @throws ScenarioError with all errors
 Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
+
+/// Angular frequencies of the motion (rad/s): a rough upper bound on free nutation, pendulum, spin, Earth and platform.
+double fastest_rate_rad_s(const Scenario& scenario);
+
+/// Steps that an integration will take, within a factor of a few.
+double estimated_steps(const Scenario& scenario);
+
+/// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`
+void require_affordable(const Scenario& scenario);
 
 /// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
 /// a run. Output location and comments are not part of it.

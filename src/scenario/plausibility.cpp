@@ -1,0 +1,102 @@
+#include "scenario/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A round number of degrees written in radians: 0.7853982 for 45.
+bool is_round_in_radians(double value) {
+  const double degrees = value / kDegree;
+  return std::abs(degrees) > 0.5 && std::abs(degrees - std::round(degrees)) < 1e-5 * std::abs(degrees);
+}
+
+void warn_of_radians(const Section& section, std::string_view key, double most) {
+  const auto value = section.has(key) ? section.number(key) : std::nullopt;
+  if (!value || std::abs(*value) > most) return;
+  if (is_round_in_radians(*value))
+    section.warn(key, fmt::format("{} is {:.6g} degrees in radians; the unit here is degrees", *value, *value / kDegree));
+  else if (key == "latitude_deg" && *value != 0 && std::abs(*value) < std::numbers::pi / 2)
+    section.warn(
+        key, fmt::format("{} degrees is close to the equator; if these are radians, write {:.6g}", *value, *value / kDegree));
+}
+
+bool is_earth(double rotation_rate_rad_s) { return std::abs(std::abs(rotation_rate_rad_s) / kEarthRateWgs84 - 1) < 0.1; }
+
+void warn_of_site(const Section& root, const Scenario& scenario, bool has_weight) {
+  const Section site = root.section("site"), earth = root.section("earth");
+  warn_of_radians(site, "latitude_deg", std::numbers::pi / 2);
+  if (earth.has("rotation_rate_rad_s") && std::abs(std::abs(scenario.rotation_rate_rad_s) - 15.041) < 0.05)
+    earth.warn("rotation_rate_rad_s", "is the Earth's rate in degrees an hour; in rad/s it is 7.292115e-5");
+  const auto gravity = site.has("gravity_m_s2") ? site.number("gravity_m_s2") : std::nullopt;
+  const auto height = site.number("height_m");
+  if (!gravity || !height || !has_weight || !is_earth(scenario.rotation_rate_rad_s)) return;
+  // The least and largest gravity at sea level, anomalies included, taken to the height by normal gravity's decrease.
+  const double decrease = normal_gravity(45, 0) - normal_gravity(45, *height);
+  const double least = 9.76 - decrease, most = 9.84 - decrease;
+  if (*gravity < least || *gravity > most)
+    site.warn("gravity_m_s2",
+              fmt::format("{} m/s^2 is not found on the Earth at this height, where it is between {:.4g} and {:.4g}; leave it "
+                          "out for normal gravity",
+                          *gravity, least, most));
+}
+
+/// Grams and millimetres show in what the body would be made of, and how far it would be from its pivot.
+void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_s) {
+  const Body<double> body = make_body<double>(spec);
+  const double arm = norm(body.p_PBcm_B);
+  const double radius = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));  // of gyration
+  const std::string_view place = section.has("solids") ? "solids" : "inertia";
+  constexpr double kPointBob = 1e-3;  // below this share of the arm the body is meant as a point: its density says nothing
+  if (radius > kPointBob * arm) {
+    // A ball of this radius of gyration; discs and rods are within a factor of ten or so.
+    const double density = body.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(1.3 * radius, 3));
+    if (density > 1e6)
+      section.warn(place, fmt::format("{:.3g} kg with a radius of gyration of {:.3g} m is denser than any matter (about {:.1g} "
+                                      "kg/m^3); are these grams, or another unit than kg m^2?",
+                                      body.mass, radius, density));
+    else if (density < 0.01)
+      section.warn(place, fmt::format("{:.3g} kg with a radius of gyration of {:.3g} m is thinner than air (about {:.1g} "
+                                      "kg/m^3); are these millimetres, or another unit than kg m^2?",
+                                      body.mass, radius, density));
+  }
+  if (arm > 10 && radius < 0.05)  // Foucault hung a ball of 28 kg on 67 m
+    section.warn(section.has("solids") ? "solids" : "center_of_mass_m",
+                 fmt::format("the centre of mass is {:.3g} m from the pivot, {:.3g} times the radius of gyration; are these "
+                             "millimetres?",
+                             arm, arm / radius));
+  for (std::size_t i = 0; i < spec.solids.size(); ++i) {
+    const auto density = spec.solids[i].density_kg_m3;
+    if (density && *density < 25)
+      section.element("solids", i)
+          .warn("density_kg_m3",
+                fmt::format("{} kg/m^3 is no solid's; are these g/cm^3 (write {})?", *density, *density * 1000));
+  }
+  constexpr double kFastestRim = 2000;  // m/s: carbon fibre bursts below this
+  if (std::abs(spin_rad_s) * radius > kFastestRim)
+    section.warn(place, fmt::format("at {:.4g} rad/s its rim would move at about {:.2g} m/s and burst; is the spin in "
+                                    "revolutions a minute (then it is {:.4g} rad/s)?",
+                                    spin_rad_s, std::abs(spin_rad_s) * radius, spin_rad_s * std::numbers::pi / 30));
+}
+
+}  // namespace
+
+void warn_of_implausible(const Section& root, const Scenario& scenario) {
+  const BodySpec& body = scenario.body;
+  const bool has_body = body.mass_kg > 0 || !body.solids.empty();
+  const bool has_weight = has_body && norm(make_body<double>(body).p_PBcm_B) > 0;
+  warn_of_site(root, scenario, has_weight);
+  const Section release = root.section("release");
+  for (const std::string_view key : {"tilt_deg", "azimuth_deg", "spin_angle_deg"})
+    warn_of_radians(release, key, 2 * std::numbers::pi);
+  const auto& rates = scenario.release.angular_velocity_body_rad_s;
+  const double spin = rates ? std::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : scenario.release.spin_rad_s;
+  if (has_body) warn_of_body(root.section("body"), body, spin);
+}
+
+}  // namespace earthtop::scenario

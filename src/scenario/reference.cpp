@@ -1,0 +1,132 @@
+#include "earthtop/scenario/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
+
+namespace earthtop {
+namespace scenario {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A table cell: a bar would end it.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string value_text(const Field& field) {
+  const auto words = split_words(field.words);
+  return words.size() > 12 ? fmt::format("one of {} names", words.size()) : cell(allowed_values(field));
+}
+
+std::string default_text(const Field& field) {
+  if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
+  return field.required ? "required" : "";
+}
+
+/// Whether a key may stand beside those of `given`, so that its default may be written there.
+bool belongs(std::string_view key, const Json& given) {
+  if (key == "precession") return !given.contains("angular_velocity_body_rad_s");
+  if (key == "azimuth_deg" || key == "spin_angle_deg") return !given.contains("quaternion_LB");
+  if (key == "relative_tolerance") return !given.contains("step_s");
+  if (!given.contains("motion")) return true;
+  const auto keys = split_words(kMotionKeys);
+  if (std::find(keys.begin(), keys.end(), key) == keys.end()) return true;
+  return std::any_of(kMotionRules.begin(), kMotionRules.end(), [&](const MotionRule& rule) {
+    const auto allowed = split_words(rule.allowed);
+    return given.at("motion") == rule.word && std::find(allowed.begin(), allowed.end(), key) != allowed.end();
+  });
+}
+
+/// The values of `given` in the table's order, with the defaults of what it leaves out, each behind a comment.
+Json annotated(const Json& given, std::string_view pattern) {
+  Json filled = Json::object();
+  for (const std::string_view key : keys_below(pattern)) {
+    const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
+    const bool stands = given.contains(key), about_original = field.pointer == "/headline" || field.pointer == "/purpose";
+    if (about_original || field.kind == FieldKind::not_yet || (!stands && field.fallback.empty())) continue;
+    if (!stands && !belongs(key, given)) continue;
+    const Json value = stands ? given.at(key) : Json::parse(field.fallback);
+    if (!stands && value == Json::object() && keys_below(field.pointer).empty()) continue;
+    std::string comment(field.doc);
+    if (key != "$schema" && field.kind != FieldKind::object) comment += "; " + allowed_values(field);
+    if (key != "$schema") filled[fmt::format("_{}", key)] = comment;
+    if (value.is_object()) {
+      Json below = annotated(value, field.pointer);
+      if (below.empty())
+        filled.erase(fmt::format("_{}", key));
+      else
+        filled[key] = std::move(below);
+    } else {
+      filled[key] = value;
+    }
+  }
+  return filled;
+}
+
+/// As dump(2), but for lists of numbers, which stay on one line.
+void lay_out(std::string& text, const Json& json, std::size_t depth) {
+  const bool is_flat = std::none_of(json.begin(), json.end(), [](const Json& j) { return j.is_structured(); });
+  if (!json.is_structured() || json.empty()) {
+    text += json.dump();
+    return;
+  }
+  const bool on_lines = json.is_object() || !is_flat;
+  text += json.is_object() ? '{' : '[';
+  const char* separator = "";
+  for (const auto& [key, value] : json.items()) {
+    text += separator;
+    separator = on_lines ? "," : ", ";
+    if (on_lines) text.append(1, '\n').append(2 * depth + 2, ' ');
+    if (json.is_object()) text.append(Json(key).dump()).append(": ");
+    lay_out(text, value, depth + 1);
+  }
+  if (on_lines) text.append(1, '\n').append(2 * depth, ' ');
+  text += json.is_object() ? '}' : ']';
+}
+
+bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != FieldKind::list && kind != FieldKind::not_yet; }
+
+}  // namespace
+}  // namespace scenario
+
+std::string scenario_reference_markdown() {
+  using namespace scenario;
+  std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
+  for (const Field& field : all_fields()) {
+    if (field.kind == FieldKind::not_yet || field.key() == "*" || field.pointer == "/$schema") continue;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(1), value_text(field), default_text(field),
+                        cell(field.doc));
+  }
+  return text;
+}
+
+std::string annotated_scenario(const ScenarioSource& source) {
+  parse_scenario(source);
+  std::string text;
+  scenario::lay_out(text, scenario::annotated(scenario::Json::parse(source.text), ""), 0);
+  return text + '\n';
+}
+
+std::vector<std::string> scenario_pointers() {
+  std::vector<std::string> pointers;
+  for (const scenario::Field& field : scenario::all_fields()) {
+    if (!scenario::is_one_value(field.kind)) continue;
+    std::string pointer(field.pointer);
+    if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';
+    pointers.push_back(std::move(pointer));
+  }
+  return pointers;
+}
+
+}  // namespace earthtop

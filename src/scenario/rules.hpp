@@ -1,0 +1,44 @@
+/// Which keys go with a word: with a solid's shape, with a platform's motion. Decoder and schema read the same rows.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/platform.hpp"
+
+namespace earthtop::scenario {
+
+enum class Need { required, optional, none };
+
+struct ShapeRule {
+  std::string_view word;
+  SolidShape shape;
+  Need radius, inner_radius, length;  ///< a length that is required is above 0
+};
+
+inline constexpr std::array kShapeRules = {
+    ShapeRule{"disc", SolidShape::disc, Need::required, Need::none, Need::optional},
+    ShapeRule{"cylinder", SolidShape::cylinder, Need::required, Need::none, Need::required},
+    ShapeRule{"ring", SolidShape::ring, Need::required, Need::required, Need::optional},
+    ShapeRule{"cone", SolidShape::cone, Need::required, Need::none, Need::required},
+    ShapeRule{"sphere", SolidShape::sphere, Need::required, Need::optional, Need::none},
+    ShapeRule{"rod", SolidShape::rod, Need::optional, Need::none, Need::required},
+};
+
+struct MotionRule {
+  std::string_view word;
+  PlatformMotion motion;
+  std::string_view required;  ///< keys without which nothing moves as the word says, separated by '|'
+  std::string_view allowed;   ///< of kMotionKeys
+};
+
+inline constexpr std::string_view kMotionKeys = "rate_rad_s|acceleration_rad_s2|amplitude_rad|frequency_hz|phase_deg";
+inline constexpr std::array kMotionRules = {
+    MotionRule{"constant", PlatformMotion::constant, "rate_rad_s", "rate_rad_s"},
+    MotionRule{"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
+    MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
+};
+
+}  // namespace earthtop::scenario

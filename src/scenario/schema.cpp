@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/scenario/reference.hpp"
+#include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
+
+namespace earthtop {
+namespace scenario {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json required(std::string_view keys) { return {{"required", split_words(keys)}}; }
+Json none_of(std::string_view keys) {
+  Json any = Json::array();
+  for (const std::string_view key : split_words(keys)) any.push_back(required(key));
+  return {{"not", {{"anyOf", any}}}};
+}
+Json exactly_one(std::string_view a, std::string_view b) { return {{"oneOf", Json::array({required(a), required(b)})}}; }
+/// Whether a key stands there with a value that obeys the schema.
+Json has(std::string_view key, Json schema) {
+  Json rule = required(key);
+  rule["properties"][std::string(key)] = std::move(schema);
+  return rule;
+}
+/// Where `key` is `word`, `then` holds.
+Json when(std::string_view key, std::string_view word, Json then, Json otherwise = true) {
+  return {{"if", has(key, {{"const", word}})}, {"then", std::move(then)}, {"else", std::move(otherwise)}};
+}
+
+Json solid_rules() {
+  Json rules = Json::array({exactly_one("mass_kg", "density_kg_m3")});
+  for (const ShapeRule& rule : kShapeRules) {
+    Json properties = Json::object(), needed = Json::array();
+    const auto member = [&](std::string_view key, Need need) {
+      if (need == Need::none) properties[key] = false;
+      if (need == Need::required) needed.push_back(key);
+    };
+    member("radius_m", rule.radius);
+    member("inner_radius_m", rule.inner_radius);
+    member("length_m", rule.length);
+    if (rule.length == Need::required) properties["length_m"] = {{"exclusiveMinimum", 0}};
+    rules.push_back(when("shape", rule.word, {{"properties", properties}, {"required", needed}}));
+  }
+  return rules;
+}
+
+Json platform_rules() {
+  Json rules = Json::array();
+  for (const MotionRule& rule : kMotionRules) {
+    Json properties = Json::object();
+    const auto allowed = split_words(rule.allowed);
+    for (const std::string_view key : split_words(kMotionKeys))
+      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) properties[key] = false;
+    rules.push_back(when("motion", rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
+  }
+  return rules;
+}
+
+/// Latitude is needed where the Earth turns, or where gravity is computed from it.
+Json site_rule() {
+  Json nothing_to_know = has("site", required("gravity_m_s2"));
+  nothing_to_know.update(has("earth", has("rotation_rate_rad_s", {{"const", 0}})), true);
+  nothing_to_know["required"] = {"site", "earth"};
+  return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know})}};
+}
+
+Json body_rule() {
+  Json given = required("mass_kg|center_of_mass_m|inertia"), solids = required("solids");
+  given.update(none_of("solids"));
+  solids.update(none_of("mass_kg|center_of_mass_m|inertia"));
+  return {{"oneOf", Json::array({given, solids})}};
+}
+
+Json release_rule() {
+  return {{"dependencies",
+           {{"quaternion_LB", none_of("azimuth_deg|spin_angle_deg")}, {"angular_velocity_body_rad_s", none_of("precession")}}}};
+}
+
+Json numerics_rule() {
+  Json fixed_step = required("step_s");
+  fixed_step.update(none_of("relative_tolerance"));
+  return when("method", "abm8", fixed_step, none_of("step_s"));
+}
+
+/// Rules of an object that involve more than one of its keys; an empty array where there are none.
+Json rules_of(std::string_view pattern) {
+  if (pattern.empty()) return Json::array({site_rule()});
+  if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
+  if (pattern == "/body") return Json::array({body_rule()});
+  if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2", "matrix_kg_m2")});
+  if (pattern == "/body/solids/*") return solid_rules();
+  if (pattern == "/release")
+    return Json::array(
+        {exactly_one("tilt_deg", "quaternion_LB"), exactly_one("spin_rad_s", "angular_velocity_body_rad_s"), release_rule()});
+  if (pattern == "/platform") return platform_rules();
+  if (pattern == "/numerics") return Json::array({numerics_rule()});
+  return Json::array();
+}
+
+void add_range(Json& schema, const Range& range) {
+  if (!std::isinf(range.least)) schema[range.least_excluded ? "exclusiveMinimum" : "minimum"] = range.least;
+  if (!std::isinf(range.most)) schema["maximum"] = range.most;
+}
+
+Json of_object(std::string_view pattern);
+
+Json of_three(Json items) { return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 3}, {"maxItems", 3}}; }
+
+Json of_field(const Field& field) {
+  Json number = {{"type", "number"}};
+  add_range(number, field.range);
+  Json words = {{"enum", split_words(field.words)}};
+  switch (field.kind) {
+    case FieldKind::object: return of_object(field.pointer);
+    case FieldKind::object_or_word:
+      if (field.words.empty()) return of_object(field.pointer);
+      return {{"oneOf", Json::array({words, of_object(field.pointer)})}};
+    case FieldKind::list: return {{"type", "array"}, {"minItems", 1}, {"items", of_object(std::string(field.pointer) + "/*")}};
+    case FieldKind::text: return {{"type", "string"}};
+    case FieldKind::name: return {{"type", "string"}, {"pattern", "^[a-z0-9][a-z0-9-]{0,63}$"}};
+    case FieldKind::word: return words;
+    case FieldKind::flag: return {{"type", "boolean"}};
+    case FieldKind::number: return number;
+    case FieldKind::vector3: return of_three(number);
+    case FieldKind::matrix3: return of_three(of_three(number));
+    case FieldKind::not_yet: break;
+  }
+  return false;
+}
+
+Json of_object(std::string_view pattern) {
+  Json properties = Json::object(), needed = Json::array();
+  for (const std::string_view key : keys_below(pattern)) {
+    const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
+    if (field.kind == FieldKind::not_yet) continue;
+    Json schema = of_field(field);
+    schema["description"] = field.unit.empty() ? std::string(field.doc) : fmt::format("{} ({})", field.doc, field.unit);
+    if (!field.fallback.empty()) schema["default"] = Json::parse(field.fallback);
+    properties[key] = std::move(schema);
+    if (field.required) needed.push_back(key);
+  }
+  Json schema = {{"type", "object"},
+                 {"properties", std::move(properties)},
+                 {"patternProperties", {{"^(_|//)", true}}},
+                 {"additionalProperties", false}};
+  if (!needed.empty()) schema["required"] = std::move(needed);
+  if (Json rules = rules_of(pattern); !rules.empty()) schema["allOf"] = std::move(rules);
+  return schema;
+}
+
+}  // namespace
+}  // namespace scenario
+
+std::string scenario_schema() {
+  using scenario::Json;
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"$id", "earthtop-scenario-1.json"},
+                 {"title", "earthtop scenario"},
+                 {"description",
+                  "A top or gyroscope in a laboratory that turns with the Earth. Keys that begin with _ or // are "
+                  "comments. Laboratory axes: East, North, Up; body axis 3 is the spin axis."}};
+  schema.update(scenario::of_object(""));
+  return schema.dump(2) + '\n';
+}
+
+}  // namespace earthtop

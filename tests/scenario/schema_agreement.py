@@ -1,0 +1,247 @@
+#!/usr/bin/env python3
+"""Schema and decoder give the same verdict: on the shipped scenarios, on others that between them use every key, and on
+hundreds of mutants of keys, types, words and ranges. What a schema cannot say is listed below; there only the decoder refuses.
+
+usage: schema_agreement.py PATH_OF_EARTHTOP SCENARIO_DIRECTORY
+"""
+
+import copy
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+SEED = 20120904
+MUTANTS = 600
+
+BODY = {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03],
+        "inertia": {"about": "pivot", "principal_kg_m2": [1.2e-4, 1.2e-4, 4e-5]}}
+SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release": {"tilt_deg": 20, "spin_rad_s": 200},
+         "motion": {"duration_s": 1}}
+
+
+def scene(**sections):
+    return {**copy.deepcopy(SCENE), **copy.deepcopy(sections)}
+
+
+# Between them these hold every key of the schema.
+WHOLE = [
+    scene(),
+    scene(**{"$schema": "earthtop-scenario-1.json", "title": "t", "purpose": "p", "_note": 1, "//": [None]},
+          site={"latitude_deg": -90, "longitude_deg": 10, "height_m": 100, "gravity_m_s2": 9.8},
+          earth={"rotation_rate_rad_s": -1}, report={"threshold_rad": 0.1}, accuracy={},
+          headline={"quantity": "drift_axis_rad", "at_s": 0.5, "value": 1, "tolerance": 1e-9, "origin": "somewhere"},
+          motion={"duration_s": 1, "output_step_s": 0.1}),
+    scene(site={"gravity_m_s2": 9.8}, earth={"rotation_rate_rad_s": 0},
+          headline={"quantity": "drift.axis_max_rad", "value": 0, "tolerance": 1, "origin": ""}),
+    scene(body={"solids": [{"shape": "disc", "radius_m": 0.05, "mass_kg": 0.1, "at_m": 0.03},
+                           {"shape": "cylinder", "radius_m": 0.01, "length_m": 0.02, "density_kg_m3": 7800, "at_m": 0.01},
+                           {"shape": "ring", "radius_m": 0.05, "inner_radius_m": 0.04, "length_m": 0.01, "mass_kg": 0.1},
+                           {"shape": "cone", "radius_m": 0.01, "length_m": 0.02, "mass_kg": 0.1, "at_m": 0.01},
+                           {"shape": "sphere", "radius_m": 0.02, "inner_radius_m": 0.01, "mass_kg": 0.1, "at_m": 0.02},
+                           {"shape": "rod", "length_m": 0.1, "mass_kg": 0.01, "at_m": 0.05}]}),
+    scene(release={"quaternion_LB": {"w": 1, "x": 0, "y": 0, "z": 0}, "angular_velocity_body_rad_s": [1, 2, 30],
+                   "rates_relative_to": "inertial"},
+          body={"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {
+              "about": "center_of_mass", "matrix_kg_m2": [[1e-4, 0, 0], [0, 1.1e-4, 1e-6], [0, 1e-6, 1.2e-4]]}}),
+    scene(release={"tilt_deg": 20, "azimuth_deg": -90, "spin_angle_deg": 10, "spin_rad_s": 200,
+                   "precession": {"rate_rad_s": 1}, "rates_relative_to": "laboratory"},
+          effects={"coriolis": False, "centrifugal": True, "transverse": False},
+          numerics={"method": "rkf78", "observer": "body", "precision": "double", "relative_tolerance": 1e-10,
+                    "ledger": "platform"}),
+    scene(release={"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"},
+          numerics={"method": "abm8", "step_s": 1e-3},
+          platform={"motion": "constant", "axis": [0, 1, 1], "rate_rad_s": 1, "pivot_offset_m": [1, 0, 0]}),
+    scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
+    scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
+]
+
+# Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
+BEYOND_THE_SCHEMA = [
+    ({"body": {**BODY, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 3e-4]}}}, "triangle"),
+    ({"body": {**BODY, "center_of_mass_m": [0, 0, 1]}}, "a principal moment is negative"),
+    ({"body": {**BODY, "inertia": {"principal_kg_m2": [0, 1e-4, 1e-4]}}}, "positive definite"),
+    ({"body": {**BODY, "inertia": {"matrix_kg_m2": [[1e-4, 1e-6, 0], [0, 1e-4, 0], [0, 0, 1e-4]]}}}, "is not symmetric"),
+    ({"body": {"solids": [{"shape": "disc", "radius_m": 0.1, "density_kg_m3": 1000}]}}, "has no volume"),
+    ({"body": {"solids": [{"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.1, "mass_kg": 1}]}}, "not smaller than radius_m"),
+    ({"body": {"solids": [{"shape": "rod", "length_m": 1e-160, "mass_kg": 1e-3, "radius_m": 1e-160}]}}, "for a double"),
+    ({"body": {"solids": [{"shape": "sphere", "radius_m": 1e5, "density_kg_m3": 1e5}]}}, "the mass is"),
+    ({"release": {"quaternion_LB": {"w": 1, "x": 0.1, "y": 0, "z": 0}, "spin_rad_s": 1}}, "has the norm"),
+    ({"release": {"tilt_deg": 20, "spin_rad_s": 1, "precession": "steady_slow"}}, "no steady precession"),
+    ({"release": {"tilt_deg": 90, "spin_rad_s": 200, "precession": "steady_fast"}}, "steady precession"),
+    ({"motion": {"duration_s": 1, "output_step_s": 1e-9}}, "output rows"),
+    ({"motion": {"duration_s": 1e9}}, "steps"),
+    ({"numerics": {"method": "abm8", "step_s": 1e-12}}, "steps"),
+    ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
+    ({"headline": {"quantity": "axis_L_x", "at_s": 0.50001, "value": 1, "tolerance": 1, "origin": ""}}, "not the time of a row"),
+]
+# The same where the fault is in the text: a parser takes these silently, or a schema never sees them.
+TEXTS_BEYOND_THE_SCHEMA = [
+    ('"latitude_deg": 45', '"latitude_deg": 45, "latitude_deg": 46', "duplicate key"),
+    ('"latitude_deg": 45', '"latitude_deg": 45, "height_m": 1e-400', "too small"),
+    ('"latitude_deg": 45', '"latitude_deg": 45, "_": 1e999', "too large"),
+    ('"spin_rad_s": 200', '"spin_rad_s": NaN', "NaN"),
+]
+
+
+def places(value, path=()):
+    """Every path into a document, objects and arrays before what they hold."""
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, child in items:
+        yield from places(child, path + (key,))
+
+
+def at(document, path):
+    for key in path:
+        document = document[key]
+    return document
+
+
+def schema_at(schema, path):
+    """The schema of a place, None where there is no single one."""
+    for key in path:
+        if "oneOf" in schema:
+            schema = schema["oneOf"][1]
+        schema = schema.get("items") if isinstance(key, int) else schema.get("properties", {}).get(key)
+        if not isinstance(schema, dict):
+            return None
+    return schema
+
+
+def other_value(rng, value, schema):
+    """A value near the border of what is allowed, or of another type."""
+    choices = [None, "word", "", True, False, [], {}, [1, 2, 3], [1, 2], {"rate_rad_s": 1}, 0, -1, 1, 2, 1e5, -1e5, 1e300, -1e300]
+    schema = schema or {}
+    for word in schema.get("enum", []):
+        choices += [word, word.upper(), word + " "]
+    for bound in ("minimum", "maximum", "exclusiveMinimum"):
+        if bound in schema:
+            choices += 4 * [schema[bound], schema[bound] * (1 + 1e-9) + 1e-9, schema[bound] * (1 - 1e-9) - 1e-9]
+    if isinstance(value, list):
+        choices += 3 * [value[:-1], value + value[-1:], [str(v) for v in value], value[0]]
+    return rng.choice(choices)
+
+
+def mutate(rng, document, schema):
+    document = copy.deepcopy(document)
+    path = rng.choice([p for p in places(document) if p])
+    parent, key = at(document, path[:-1]), path[-1]
+    kind = rng.randrange(5)
+    if kind == 0:
+        parent[key] = other_value(rng, parent[key], schema_at(schema, path))
+    elif kind == 1:
+        del parent[key]
+    elif isinstance(parent, dict) and kind == 2:
+        parent[rng.choice([key + "s", key.upper(), "_" + key, "//" + key, key[:-1], " " + key])] = parent.pop(key)
+    elif isinstance(parent, dict) and kind == 3:
+        parent[rng.choice(["colour", "_colour", "//", "mass", "tilt", "Name", ""])] = rng.choice([1, "x", None, [1], {}])
+    elif isinstance(parent, dict):  # a key that exists, where it may not belong
+        siblings = (schema_at(schema, path[:-1]) if path[:-1] else schema) or {}
+        names = sorted(siblings.get("properties", {}))
+        if names:
+            name = rng.choice(names)
+            donors = [at(d, path[:-1])[name] for d in WHOLE if holds(d, path[:-1] + (name,))]
+            parent[name] = rng.choice(donors or [1])
+    return document
+
+
+def holds(document, path):
+    try:
+        at(document, path)
+    except (KeyError, IndexError, TypeError):
+        return False
+    return True
+
+
+def check(earthtop, texts):
+    """The decoder's errors for every text, a list of messages each."""
+    with tempfile.TemporaryDirectory() as directory:
+        files = []
+        for index, text in enumerate(texts):
+            path = pathlib.Path(directory, f"s{index}.json")
+            path.write_text(text, encoding="utf-8")
+            files.append(str(path))
+        done = subprocess.run([earthtop, "check", "--json", *files], capture_output=True, text=True, check=False)
+        report = json.loads(done.stdout)
+    messages = {file: [] for file in files}
+    for error in report["errors"]:
+        messages[error["file"]].append(error["message"])
+    for entry in report["files"]:
+        assert entry["valid"] == (not messages[entry["file"]]), entry
+    return [messages[file] for file in files]
+
+
+def main():
+    earthtop, directory = sys.argv[1:]
+    schema = json.loads(subprocess.run([earthtop, "schema"], capture_output=True, text=True, check=True).stdout)
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    faults = 0
+
+    def fault(what, document):
+        nonlocal faults
+        faults += 1
+        print(f"FAULT: {what}\n  {document if isinstance(document, str) else json.dumps(document)}")
+
+    # The scenes use every key, or the mutants would not reach it.
+    used = {tuple("*" if isinstance(k, int) else k for k in p) for d in WHOLE for p in places(d)}
+
+    def keys(part, path=()):
+        for option in (part, *part.get("oneOf", [])):
+            for key, child in option.get("properties", {}).items():
+                yield path + (key,)
+                yield from keys(child, path + (key,))
+        if isinstance(part.get("items"), dict) and "properties" in part["items"]:
+            yield from keys(part["items"], path + ("*",))
+
+    for path in keys(schema):
+        if path not in used:
+            fault("no scene here uses this key", "/".join(path))
+
+    shipped = [json.loads(p.read_text(encoding="utf-8")) for p in sorted(pathlib.Path(directory).glob("*.json"))]
+    sound = shipped + WHOLE
+    for document, errors in zip(sound, check(earthtop, [json.dumps(d) for d in sound])):
+        if errors or not validator.is_valid(document):
+            fault(f"a sound scenario is refused: {errors}", document)
+
+    rng = random.Random(SEED)
+    mutants = []
+    for index in range(MUTANTS):
+        mutant = mutate(rng, rng.choice(sound), schema)
+        mutants.append(mutate(rng, mutant, schema) if index % 4 == 3 and mutant else mutant)
+    refused = 0
+    for mutant, errors in zip(mutants, check(earthtop, [json.dumps(m) for m in mutants])):
+        allowed = validator.is_valid(mutant)
+        refused += bool(errors)
+        beyond = errors and all(any(part in e for _, part in BEYOND_THE_SCHEMA) for e in errors)
+        if allowed and errors and not beyond:
+            fault(f"the schema allows what the decoder refuses: {errors}", mutant)
+        if not allowed and not errors:
+            fault(f"the decoder allows what the schema refuses: {next(validator.iter_errors(mutant)).message}", mutant)
+    if not MUTANTS // 4 < refused < MUTANTS:
+        fault(f"only {refused} of {MUTANTS} mutants are refused: nothing is tested", "")
+
+    documents = [scene(**sections) for sections, _ in BEYOND_THE_SCHEMA]
+    for document, (_, part), errors in zip(documents, BEYOND_THE_SCHEMA, check(earthtop, [json.dumps(d) for d in documents])):
+        if not validator.is_valid(document):
+            fault(f"the schema can say this after all: {part}", document)
+        if not any(part in e for e in errors):
+            fault(f"the decoder does not refuse this with '{part}': {errors}", document)
+    whole = json.dumps(SCENE)
+    texts = [whole.replace(a, b) for a, b, _ in TEXTS_BEYOND_THE_SCHEMA]
+    for text, (_, _, part), errors in zip(texts, TEXTS_BEYOND_THE_SCHEMA, check(earthtop, texts)):
+        if not any(part in e for e in errors):
+            fault(f"the decoder does not refuse this with '{part}': {errors}", text)
+
+    print(f"{len(sound)} sound scenarios, {MUTANTS} mutants of which {refused} are refused, "
+          f"{len(documents) + len(texts)} faults beyond the schema; seed {SEED}: {faults} disagreements")
+    return faults != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

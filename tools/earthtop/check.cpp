@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::vector<std::string> sets;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct CheckedFile {
+  std::string file;
+  bool readable = true;
+  ScenarioReport report;
+};
+
+CheckedFile check_file(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  try {
+    const ScenarioSource source = read_scenario_source(path);
+    return {source.file, true, examine_scenario(source, overrides)};
+  } catch (const ScenarioError& error) {
+    return {error.file(), false, {std::nullopt, error.diagnostics(), {}}};
+  }
+}
+
+std::string counted(std::size_t count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+
+std::string verdict(const CheckedFile& checked) {
+  const ScenarioReport& report = checked.report;
+  std::string text = checked.file + ": ";
+  if (!checked.readable) {
+    text += "cannot be read";
+  } else if (!report.scenario) {
+    text += counted(report.errors.size(), "error");
+  } else {
+    const Scenario& scenario = *report.scenario;
+    text += fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
+                        output_times(scenario.duration_s, scenario.output_step_s).size(), estimated_steps(scenario));
+  }
+  if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
+  return text + '\n';
+}
+
+void report_text(const std::vector<CheckedFile>& files, bool quiet) {
+  for (const CheckedFile& checked : files) {
+    report_errors(checked.file, checked.report.errors, false, kDone);
+    if (quiet) continue;
+    report_warnings(checked.file, checked.report.warnings);
+    print(verdict(checked));
+  }
+}
+
+void report_json(const std::vector<CheckedFile>& files) {
+  using Json = nlohmann::ordered_json;
+  Json errors = Json::array(), warnings = Json::array(), list = Json::array();
+  for (const CheckedFile& checked : files) {
+    const auto& scenario = checked.report.scenario;
+    list.push_back({{"file", checked.file},
+                    {"valid", scenario.has_value()},
+                    {"name", scenario ? Json(scenario->name) : Json(nullptr)},
+                    {"errors", checked.report.errors.size()},
+                    {"warnings", checked.report.warnings.size()}});
+    for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
+    for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));
+  }
+  print_json({{"valid", errors.empty()},
+              {"files", std::move(list)},
+              {"errors", std::move(errors)},
+              {"warnings", std::move(warnings)}});
+}
+
+int check_verb(const CheckArguments& arguments) {
+  const auto overrides = split_sets(arguments.sets);
+  std::vector<CheckedFile> files;
+  for (const std::string& path : arguments.files) files.push_back(check_file(path, overrides));
+  arguments.json ? report_json(files) : report_text(files, arguments.quiet);
+  const auto any = [&](auto predicate) { return std::any_of(files.begin(), files.end(), predicate); };
+  if (any([](const CheckedFile& checked) { return !checked.readable; })) return kRefused;
+  return any([](const CheckedFile& checked) { return !checked.report.scenario; }) ? kNegative : kDone;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* check = app.add_subcommand("check", "find everything that is wrong in scenario files; run nothing");
+  check->add_option("SCENARIO", arguments->files, "scenario files (JSON); - is standard input")->required();
+  check->add_flag("--json", arguments->json, "print what was found as one JSON document");
+  check->add_flag("--quiet", arguments->quiet, "print nothing but errors");
+  add_set_option(*check, arguments->sets);
+  check->callback([&action, arguments] { action = [arguments] { return check_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool

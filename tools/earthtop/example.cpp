@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "earthtop/scenario/reference.hpp"
+#include "examples.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct ExampleArguments {
+  std::optional<std::string> name;
+  bool annotated = false;
+  bool list = false;
+};
+
+const Example& find_example(const std::string& name) {
+  const auto all = examples();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == name; });
+  if (found != all.end()) return *found;
+  std::string names;
+  for (const Example& example : all) names += fmt::format("{}{}", names.empty() ? "" : ", ", example.name);
+  throw ScenarioError(
+      std::vector<Diagnostic>{{0, 0, "", fmt::format("there is no example \"{}\"; there are: {}", name, names)}});
+}
+
+ScenarioSource source_of(const Example& example) { return {std::string(example.name) + ".json", std::string(example.text)}; }
+
+int example_verb(const ExampleArguments& arguments) {
+  if (arguments.list) {
+    for (const Example& example : examples())
+      print(fmt::format("{:<32}{}\n", example.name, parse_scenario(source_of(example)).title));
+    return kDone;
+  }
+  const Example& example = find_example(arguments.name.value_or("toy-top"));
+  print(arguments.annotated || !arguments.name ? annotated_scenario(source_of(example)) : std::string(example.text));
+  return kDone;
+}
+
+}  // namespace
+
+void add_example(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<ExampleArguments>();
+  CLI::App* example = app.add_subcommand("example", "print a scenario to begin with; without a name, one that explains itself");
+  example->add_option("NAME", arguments->name, "one of the shipped scenarios");
+  example->add_flag("--annotated", arguments->annotated, "every key that applies, each explained, with its default");
+  example->add_flag("--list", arguments->list, "names and titles of the shipped scenarios");
+  example->callback([&action, arguments] { action = [arguments] { return example_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool

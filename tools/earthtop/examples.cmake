@@ -1,0 +1,12 @@
+# Writes OUTPUT, a C++ source that holds the scenario files of DIRECTORY as literals.
+file(GLOB files ${DIRECTORY}/*.json)
+list(SORT files)
+set(entries "")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} text)
+  string(APPEND entries "    {\"${name}\", R\"json(${text})json\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"examples.hpp\"\n\nnamespace earthtop::tool {\nnamespace {\n\n"
+  "constexpr Example kExamples[] = {\n${entries}};\n\n}  // namespace\n\n"
+  "std::span<const Example> examples() { return kExamples; }\n\n}  // namespace earthtop::tool\n")
