@@ -124,7 +124,9 @@ class Checker {
       return;
     }
     if (!field.range.contains(node.number))
-      refuse(node, pointer, fmt::format("{} is out of range; must be {}", shown(node), number_text(field)));
+      refuse(node, pointer,
+             fmt::format("{} is out of range; must be {}{}{}", shown(node), number_text(field),
+                         field.reason.empty() ? "" : "; ", field.reason));
   }
   static std::string number_text(const Field& field) {
     Field one = field;

@@ -116,12 +116,13 @@ ScenarioReport examine_scenario(const ScenarioSource& source,
   Node root;
   const ReadOutcome outcome = read_json(text, "", false, root, findings);
   // After a syntax error the rest would be guesswork.
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) return {std::nullopt, findings.errors(text), {}};
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused)
+    return {std::nullopt, findings.count(), findings.errors(text), {}};
   Scenario scenario;
   if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
   check_structure(root, findings);
   decode(Section(root, findings), source.file, scenario);
-  ScenarioReport report{std::nullopt, findings.errors(text), findings.warnings(text)};
+  ScenarioReport report{std::nullopt, findings.count(), findings.errors(text), findings.warnings(text)};
   if (findings.empty()) report.scenario = std::move(scenario);
   return report;
 }

@@ -120,7 +120,8 @@ constexpr Field kFields[] = {
     {"/numerics/precision", word, "", any(), "double", "long_double|float128", "\"double\"", "scalar type"},
     // 1e-14 is 45 eps: rounding of one step's sums; a controlled step cannot meet less in double.
     {"/numerics/relative_tolerance", number, "", from(1e-14, 1e-1), "", "", "1e-12",
-     "local error of a step, controlled methods"},
+     "local error of a step, controlled methods", !kRequired,
+     "below 1e-14 the rounding of double precision, not the step, decides the error"},
     {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "", "step of abm8"},
     {"/numerics/ledger", word, "", any(), "inertial|laboratory|platform|body", "", "",
      "observer of the torque ledger torques.csv; none is written if left out"},

@@ -39,7 +39,8 @@ struct Field {
   std::string_view not_yet;   ///< words that are known, but not available in this version
   std::string_view fallback;  ///< default as JSON; empty where there is none, or it is computed
   std::string_view doc;
-  bool required = false;  ///< wherever its parent stands; rules with more than one key are the decoder's
+  bool required = false;         ///< wherever its parent stands; rules with more than one key are the decoder's
+  std::string_view reason = "";  ///< why the range ends where it ends, for those who passed it
 
   std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }

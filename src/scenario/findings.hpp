@@ -24,6 +24,7 @@ class Findings {
   /// A key given again; both places are named.
   void add_duplicate(Place again, Place first, std::string pointer);
   bool empty() const { return count_ == 0; }
+  std::size_t count() const { return count_; }                 ///< of errors
   bool full() const { return findings_.size() >= kMostKept; }  ///< further ones are only counted
 
   /// A key that an unknown key probably meant: it is not reported as missing as well.

@@ -56,6 +56,15 @@ std::optional<std::string_view> with_prefix(const std::string& prefix, const std
   return best;
 }
 
+/// The shortest candidate that has the word between underscores or at its end: "tolerance" in "relative_tolerance".
+std::optional<std::string_view> with_part(const std::string& word, const std::vector<std::string_view>& candidates) {
+  std::optional<std::string_view> best;
+  for (const std::string_view candidate : candidates)
+    if ((lower_case(candidate) + "_").find("_" + word + "_") != std::string::npos && (!best || candidate.size() < best->size()))
+      best = candidate;
+  return best;
+}
+
 }  // namespace
 
 std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates) {
@@ -73,7 +82,9 @@ std::optional<std::string_view> suggest(std::string_view given, const std::vecto
   if (nearest && least <= 2) return nearest;
   if (const auto unit = word.rfind('_'); unit != std::string::npos && unit > 1)
     if (const auto match = with_prefix(word.substr(0, unit + 1), candidates)) return match;
-  return nearest ? nearest : with_misspelled_prefix(word, candidates);
+  if (nearest) return nearest;
+  if (const auto match = with_misspelled_prefix(word, candidates)) return match;
+  return with_part(word, candidates);
 }
 
 }  // namespace earthtop::scenario

@@ -99,7 +99,13 @@ TEST(ScenarioFields, RangesHoldAtTheirEnds) {
   expect_one(replaced(kMinimal, "2e-4, 2e-4", "2e-4, -2e-4"), "2:99 /body/inertia/principal_kg_m2/1", "out of range");
 }
 
+TEST(ScenarioFields, TheAttainableToleranceIsNamed) {
+  expect_set({{"/numerics/relative_tolerance", "1e-16"}}, "/numerics/relative_tolerance",
+             "from 1e-14 to 0.1; below 1e-14 the rounding of double precision");
+}
+
 TEST(ScenarioFields, WordsAreCheckedAndSuggested) {
+  expect_set({{"/numerics/tolerance", "1e-9"}}, "/numerics/tolerance", "did you mean \"relative_tolerance\"");
   expect_set({{"/numerics/method", "dopri"}}, "/numerics/method", "did you mean \"dopri5\"");
   expect_set({{"/numerics/method", "bulirsch-stoer"}}, "/numerics/method", "did you mean \"bulirsch_stoer\"");
   expect_set({{"/numerics/observer", "lab"}}, "/numerics/observer", "must be \"laboratory\", \"body\", \"inertial\"");

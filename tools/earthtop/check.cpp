@@ -28,7 +28,7 @@ CheckedFile check_file(const std::string& path, const std::vector<std::pair<std:
     const ScenarioSource source = read_scenario_source(path);
     return {source.file, true, examine_scenario(source, overrides)};
   } catch (const ScenarioError& error) {
-    return {error.file(), false, {std::nullopt, error.diagnostics(), {}}};
+    return {error.file(), false, {std::nullopt, error.diagnostics().size(), error.diagnostics(), {}}};
   }
 }
 
@@ -40,7 +40,7 @@ std::string verdict(const CheckedFile& checked) {
   if (!checked.readable) {
     text += "cannot be read";
   } else if (!report.scenario) {
-    text += counted(report.errors.size(), "error");
+    text += counted(report.error_count, "error");
   } else {
     const Scenario& scenario = *report.scenario;
     text += fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
@@ -67,7 +67,7 @@ void report_json(const std::vector<CheckedFile>& files) {
     list.push_back({{"file", checked.file},
                     {"valid", scenario.has_value()},
                     {"name", scenario ? Json(scenario->name) : Json(nullptr)},
-                    {"errors", checked.report.errors.size()},
+                    {"errors", checked.report.error_count},
                     {"warnings", checked.report.warnings.size()}});
     for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
     for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));

@@ -73,6 +73,7 @@ ScenarioSource read_scenario_source(const std::string& path);
 /// an override stand first, at line 0.
 struct ScenarioReport {
   std::optional<Scenario> scenario;  ///< nothing where there are errors
+  std::size_t error_count = 0;       ///< all of them, also those beyond the twentieth
   std::vector<Diagnostic> errors;
   std::vector<Diagnostic> warnings;  ///< allowed, but looks like a mistake: degrees for radians, grams for kilograms ...
 };
