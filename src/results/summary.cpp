@@ -4,6 +4,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 
@@ -45,6 +46,18 @@ Json drift_json(const DriftSummary& drift, const std::optional<double>& threshol
           {"oscillation", std::move(oscillation)},
           {"threshold_rad", or_null(threshold_rad)},
           {"threshold_time_s", or_null(drift.threshold_time_s)}};
+}
+
+Json headline_json(const std::optional<HeadlineCheck>& check) {
+  if (!check) return nullptr;
+  return {{"quantity", check->stated.quantity},
+          {"at_s", or_null(check->at_s)},
+          {"stated", check->stated.value},
+          {"tolerance", check->stated.tolerance},
+          {"computed", or_null(check->computed)},
+          {"difference", or_null(check->difference)},
+          {"met", check->met},
+          {"origin", check->stated.origin}};
 }
 
 Json integration_json(const IntegrationReport& report) {
@@ -145,6 +158,7 @@ std::string summary_json(const RunResult& result) {
        {"matching_rule",
         {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
        {"drift", drift_json(result.drift, scenario.threshold_rad)},
+       {"headline", headline_json(check_headline(result))},
        {"solution", integration_json(result.solution)},
        {"certificate", integration_json(result.certificate)},
        {"attitude_bound_rad", result.attitude_bound_rad},

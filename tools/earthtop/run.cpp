@@ -71,7 +71,7 @@ int run_verb(const RunArguments& arguments) {
   if (arguments.json)
     print(summary_json(result));
   else if (!arguments.quiet)
-    print(summary_text(result, dir.string(), wants_color()));
+    print(summary_text(result, dir.string(), !arguments.sets.empty(), wants_color()));
   if (result.status == RunStatus::completed) return kDone;
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
                       to_string(result.status), result.reached_s, scenario.duration_s, dir.string()));

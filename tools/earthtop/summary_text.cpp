@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
 
 namespace earthtop::tool {
@@ -149,6 +150,19 @@ void write_trend(Page& page, const RunResult& result) {
   }
 }
 
+void write_headline(Page& page, const HeadlineCheck& check, bool changed) {
+  const std::string quantity =
+      check.at_s ? fmt::format("{} at {} s", check.stated.quantity, *check.at_s) : check.stated.quantity;
+  const std::string stated = fmt::format("{} = {:.12g} ± {:.1g}", quantity, check.stated.value, check.stated.tolerance);
+  const std::string off = check.difference ? fmt::format("off by {:.1e}", *check.difference) : "there is no such number here";
+  if (check.met)
+    page.entry("Headline", fmt::format("{}: met, {}", stated, off));
+  else if (changed)
+    page.entry("Headline", fmt::format("{}: differs, as the scenario was changed ({})", stated, off));
+  else
+    page.entry("Headline", page.warning(fmt::format("{}: NOT MET ({})", stated, off)));
+}
+
 std::string described(const IntegrationReport& report) {
   return fmt::format("{} in {}, {} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
                      axes_of(report.observer), grouped(report.counters.evaluations), report.seconds);
@@ -156,7 +170,7 @@ std::string described(const IntegrationReport& report) {
 
 }  // namespace
 
-std::string summary_text(const RunResult& result, const std::string& directory, bool color) {
+std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color) {
   const Scenario& scenario = result.scenario;
   Page page(color);
   page.heading(harmless(scenario.title.empty() ? scenario.name : scenario.title));
@@ -168,6 +182,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_drift(page, result.drift, result.reached_s);
   page.line("");
   write_trend(page, result);
+  if (const auto check = check_headline(result)) write_headline(page, *check, changed);
   page.entry("Computed", described(result.solution));
   page.entry("Checked", described(result.certificate));
   for (const std::string& note : result.notes) page.entry("Note", page.warning(harmless(note)));

@@ -1,0 +1,22 @@
+/// A scenario's headline figure, known from elsewhere, held against the computed one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+
+struct HeadlineCheck {
+  HeadlineSpec stated;
+  std::optional<double> at_s;        ///< of a column: the row's time (s); none for a figure of summary.json
+  std::optional<double> computed;    ///< unit of the quantity; none where the run has no such number
+  std::optional<double> difference;  ///< computed - stated
+  bool met = false;                  ///< the run came to its end, and the difference is within the tolerance
+};
+
+/// None where the scenario states no headline. A value that is missing or not finite is "not met".
+std::optional<HeadlineCheck> check_headline(const RunResult& result);
+
+}  // namespace earthtop

@@ -1,0 +1,21 @@
+/// The columns of trajectory.csv: their names and where their numbers stand in a row. What writes them and what looks one up
+/// by its name share this table.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "earthtop/drift/drift.hpp"
+
+namespace earthtop {
+
+struct Column {
+  std::string_view name;                            ///< with its unit
+  std::optional<double> (*value)(const DriftRow&);  ///< none where the row has none
+};
+
+/// All columns, in the file's order; the time is the first.
+std::span<const Column> trajectory_columns();
+
+}  // namespace earthtop

@@ -1,0 +1,54 @@
+#include "earthtop/results/headline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "results/columns.hpp"
+
+namespace earthtop {
+namespace {
+
+/// Figures of summary.json: their dotted path there, and where they stand in a result.
+struct Figure {
+  std::string_view path;
+  std::optional<double> (*value)(const DriftSummary&);
+};
+
+constexpr Figure kFigures[] = {
+    {"drift.axis_max_rad", [](const DriftSummary& drift) { return std::optional(drift.axis_max_rad); }},
+    {"drift.threshold_time_s", [](const DriftSummary& drift) { return drift.threshold_time_s; }},
+    {"drift.secular.azimuth_rate_rad_s",
+     [](const DriftSummary& drift) { return drift.secular ? std::optional(drift.secular->azimuth_rate_rad_s) : std::nullopt; }},
+};
+
+/// The row of time `t`; a k x step that rounding has moved is still that row.
+const DriftRow* row_at(const RunResult& result, double t) {
+  const double slack = 1e-9 * std::min(result.scenario.output_step_s, result.scenario.duration_s);
+  const auto row = std::find_if(result.rows.begin(), result.rows.end(),
+                                [&](const DriftRow& candidate) { return std::abs(candidate.t_s - t) <= slack; });
+  return row == result.rows.end() ? nullptr : &*row;
+}
+
+std::optional<double> finite(std::optional<double> value) { return value && std::isfinite(*value) ? value : std::nullopt; }
+
+}  // namespace
+
+std::optional<HeadlineCheck> check_headline(const RunResult& result) {
+  if (!result.scenario.headline) return std::nullopt;
+  HeadlineCheck check{*result.scenario.headline, {}, {}, {}, false};
+  const std::string_view quantity = check.stated.quantity;
+  for (const Figure& figure : kFigures)
+    if (figure.path == quantity) check.computed = finite(figure.value(result.drift));
+  for (const Column& column : trajectory_columns()) {
+    if (column.name != quantity) continue;
+    check.at_s = check.stated.at_s.value_or(result.scenario.duration_s);
+    if (const DriftRow* row = row_at(result, *check.at_s)) check.computed = finite(column.value(*row));
+  }
+  if (!check.computed) return check;
+  check.difference = *check.computed - check.stated.value;
+  check.met = result.status == RunStatus::completed && std::abs(*check.difference) <= check.stated.tolerance;
+  return check;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,61 @@
+#include "measures.hpp"
+
+namespace headlines {
+namespace {
+
+Vec axis_L(const Motion& motion) {
+  const Mat R = matrix(motion.q_LB());
+  return {R.a.z, R.b.z, R.c.z};
+}
+
+Quat deviation(const Motion& rotating, const Motion& reference) { return conjugate(reference.q_LB()) * rotating.q_LB(); }
+
+Real tilt(const Vec& n) { return atan2q(hypotq(n.x, n.y), n.z); }
+
+}  // namespace
+
+void DriftMeasures::Counted::include(std::optional<Real> angle) {
+  if (!angle || lost_) return;
+  if (!value_) {
+    value_ = angle;
+    return;
+  }
+  const Real change = remainderq(*angle - *value_, 2 * pi());
+  if (fabsq(change) > 1) lost_ = true;
+  *value_ += change;
+}
+
+void DriftMeasures::follow(const Motion& rotating, const Motion& reference) {
+  const Vec n = axis_L(rotating), m = axis_L(reference);
+  const bool vertical = hypotq(n.x, n.y) < 1e-25Q || hypotq(m.x, m.y) < 1e-25Q;
+  // Compass azimuth atan2(East, North): the angle from m to n, clockwise seen from above.
+  azimuth_.include(vertical ? std::nullopt : std::optional(atan2q(m.y * n.x - m.x * n.y, m.x * n.x + m.y * n.y)));
+  const Quat e = deviation(rotating, reference);
+  half_spin_.include(atan2q(e.v.z, e.w));
+}
+
+Columns DriftMeasures::columns(const Motion& rotating, const Motion& reference) const {
+  Columns columns;
+  const auto add = [&](const std::string& name, std::optional<Real> value) { columns.emplace_back(name, value); };
+  const auto add_vector = [&](const std::string& name, const Vec& v, const std::string& unit) {
+    add(name + "x" + unit, v.x), add(name + "y" + unit, v.y), add(name + "z" + unit, v.z);
+  };
+  for (const auto& [prefix, motion] : {std::pair("", &rotating), std::pair("ref_", &reference)}) {
+    const Quat q = motion->q_LB();
+    add(std::string(prefix) + "q_LB_w", q.w);
+    add_vector(std::string(prefix) + "q_LB_", q.v, "");
+    add_vector(std::string(prefix) + "w_LB_B_", motion->w_LB_B(), "_rad_s");
+    add_vector(std::string(prefix) + "axis_L_", axis_L(*motion), "");
+  }
+  const Vec n = axis_L(rotating), m = axis_L(reference);
+  const Quat e = deviation(rotating, reference);
+  const auto half_spin = half_spin_.value();
+  add("drift_axis_rad", atan2q(norm(cross(m, n)), dot(m, n)));
+  add("drift_azimuth_rad", azimuth_.value());
+  add("drift_tilt_rad", tilt(n) - tilt(m));
+  add("drift_attitude_rad", 2 * atan2q(norm(e.v), fabsq(e.w)));
+  add("drift_spin_rad", half_spin ? std::optional(2 * *half_spin) : std::nullopt);
+  return columns;
+}
+
+}  // namespace headlines

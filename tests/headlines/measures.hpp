@@ -1,0 +1,38 @@
+/// The columns of trajectory.csv, from two motions by plain subtraction: in 113 bits there are digits to spare.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motion.hpp"
+
+namespace headlines {
+
+using Columns = std::vector<std::pair<std::string, std::optional<Real>>>;
+
+/// Follows the angles that are counted on past pi from step to step; the others are functions of the two states.
+class DriftMeasures {
+ public:
+  /// Call it after every step: an angle that jumps by more than a radian in one is lost from then on.
+  void follow(const Motion& rotating, const Motion& reference);
+
+  /// All columns but the bounds; an angle that is lost or has no meaning has no value.
+  Columns columns(const Motion& rotating, const Motion& reference) const;
+
+ private:
+  /// An angle known up to whole turns, made continuous.
+  class Counted {
+   public:
+    void include(std::optional<Real> angle);
+    std::optional<Real> value() const { return lost_ ? std::nullopt : value_; }
+
+   private:
+    std::optional<Real> value_;
+    bool lost_ = false;
+  };
+  Counted azimuth_, half_spin_;
+};
+
+}  // namespace headlines

@@ -1,0 +1,114 @@
+#include "motion.hpp"
+
+namespace headlines {
+namespace {
+
+/// A number with its first and second derivative in time.
+struct Jet {
+  Real value = 0, first = 0, second = 0;
+};
+Jet operator+(const Jet& a, const Jet& b) { return {a.value + b.value, a.first + b.first, a.second + b.second}; }
+Jet operator-(const Jet& a, const Jet& b) { return {a.value - b.value, a.first - b.first, a.second - b.second}; }
+Jet operator*(const Jet& a, const Jet& b) {
+  return {a.value * b.value, a.first * b.value + a.value * b.first,
+          a.second * b.value + 2 * a.first * b.first + a.value * b.second};
+}
+Jet sine(const Jet& a) {
+  const Real s = sinq(a.value), c = cosq(a.value);
+  return {s, c * a.first, c * a.second - s * a.first * a.first};
+}
+Jet cosine(const Jet& a) {
+  const Real s = sinq(a.value), c = cosq(a.value);
+  return {c, -s * a.first, -s * a.second - c * a.first * a.first};
+}
+struct JetVec {
+  Jet x, y, z;
+};
+/// Rodrigues' formula for an angle that depends on time.
+JetVec turned(const Vec& k, const Jet& angle, const JetVec& v) {
+  const Jet s = sine(angle), c = cosine(angle), one{1, 0, 0};
+  const Jet kx{k.x, 0, 0}, ky{k.y, 0, 0}, kz{k.z, 0, 0};
+  const Jet along = (one - c) * (kx * v.x + ky * v.y + kz * v.z);
+  return {c * v.x + s * (ky * v.z - kz * v.y) + along * kx, c * v.y + s * (kz * v.x - kx * v.z) + along * ky,
+          c * v.z + s * (kx * v.y - ky * v.x) + along * kz};
+}
+
+Jet platform_angle(const Platform& platform, Real t) {
+  const Real w = 2 * pi() * platform.frequency, angle = w * t + platform.phase;
+  return {platform.rate * t + platform.acceleration * t * t / 2 + platform.amplitude * sinq(angle),
+          platform.rate + platform.acceleration * t + platform.amplitude * w * cosq(angle),
+          platform.acceleration - platform.amplitude * w * w * sinq(angle)};
+}
+
+/// a + s b
+State sum(const State& a, Real s, const State& b) {
+  return {{a.q_IB.w + s * b.q_IB.w, a.q_IB.v + s * b.q_IB.v}, a.L_I + s * b.L_I};
+}
+
+constexpr int kColumns = 16;  // of the extrapolation: its order is 32
+
+}  // namespace
+
+Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(rotation_rate) {
+  const Mat R_LB = matrix(scene.q_LB);
+  Vec w_IB_B = scene.w_XB_B;
+  if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
+  state_ = {scene.q_LB, R_LB * (scene.inertia * w_IB_B)};
+}
+
+Vec Motion::falling_I(Real t) const {
+  const Jet earth_angle{rate_ * t, rate_, 0};
+  const Vec& k = scene_->celestial_axis;
+  const Vec up_I = rate_ == 0 ? Vec{0, 0, 1} : headlines::turned(k, earth_angle.value, Vec{0, 0, 1});
+  Vec falling = -scene_->gravity * up_I;
+  if (scene_->platform) {
+    const Platform& platform = *scene_->platform;
+    const JetVec offset{{platform.offset.x, 0, 0}, {platform.offset.y, 0, 0}, {platform.offset.z, 0, 0}};
+    // The acceleration of the platform's centre is part of apparent gravity; the pivot moves about it.
+    const JetVec pivot = turned(k, earth_angle, turned(platform.axis, platform_angle(platform, t), offset));
+    falling = falling - Vec{pivot.x.second, pivot.y.second, pivot.z.second};
+  }
+  return falling;
+}
+
+Vec Motion::angular_velocity(const State& state) const {
+  return scene_->inverse_inertia * (transposed(matrix(state.q_IB)) * state.L_I);
+}
+
+State Motion::slope(Real t, const State& state) const {
+  const Mat R_IB = matrix(state.q_IB);
+  const Vec w_IB_B = scene_->inverse_inertia * (transposed(R_IB) * state.L_I);
+  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(R_IB * scene_->mass_moment, falling_I(t))};
+}
+
+Real Motion::try_step(Real step, Real scale, State& result) const {
+  const State first = slope(t_, state_);
+  std::array<State, kColumns> row;  // row[k]: extrapolated k times, of the latest number of substeps
+  for (int j = 0; j < kColumns; ++j) {
+    // Gragg's midpoint rule in n substeps: an expansion in even powers of step / n.
+    const int n = 2 * (j + 1);
+    const Real h = step / n;
+    State before = state_, now = sum(state_, h, first);
+    for (int m = 1; m < n; ++m) {
+      const State next = sum(before, 2 * h, slope(t_ + m * h, now));
+      before = now, now = next;
+    }
+    // Aitken and Neville: toward substeps of length 0.
+    for (int k = 0; k < j; ++k) {
+      const Real ratio = Real(n) / (2 * (j - k));
+      const State next = sum(now, 1 / (ratio * ratio - 1), sum(now, -1, row[k]));
+      row[k] = now, now = next;
+    }
+    row[j] = now;
+  }
+  // The last two columns of the last row: the orders 32 and 30.
+  result = row[kColumns - 1];
+  const State error = sum(result, -1, row[kColumns - 2]);
+  return fmaxq(sqrtq(squared_norm(error.q_IB)), norm(error.L_I) / scale);
+}
+
+Quat Motion::q_LB() const { return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB); }
+
+Vec Motion::w_LB_B() const { return w_IB_B() - rate_ * (transposed(matrix(state_.q_IB)) * scene_->celestial_axis); }
+
+}  // namespace headlines

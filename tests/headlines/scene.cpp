@@ -1,0 +1,116 @@
+#include "scene.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace headlines {
+namespace {
+
+using Json = nlohmann::json;
+
+Vec vector(const Json& list) { return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()}; }
+
+void read_site(const Json& json, Scene& scene) {
+  const Json& site = json.at("site");
+  const SinCos latitude = sin_cos_degrees(site.value("latitude_deg", 0.0));
+  scene.celestial_axis = {0, latitude.cos, latitude.sin};
+  scene.rotation_rate = json.value("earth", Json::object()).value("rotation_rate_rad_s", 7.292115e-5);
+  scene.gravity = site.at("gravity_m_s2").get<double>();
+}
+
+void read_body(const Json& body, Scene& scene) {
+  const Json& inertia = body.at("inertia");
+  if (inertia.contains("principal_kg_m2")) {
+    const Vec moments = vector(inertia.at("principal_kg_m2"));
+    scene.inertia = {{moments.x, 0, 0}, {0, moments.y, 0}, {0, 0, moments.z}};
+  } else {
+    const Json& rows = inertia.at("matrix_kg_m2");
+    scene.inertia = {vector(rows.at(0)), vector(rows.at(1)), vector(rows.at(2))};
+  }
+  const Real mass = body.at("mass_kg").get<double>();
+  const Vec centre = vector(body.at("center_of_mass_m"));
+  scene.mass_moment = mass * centre;
+  if (inertia.value("about", "pivot") == "center_of_mass") {  // Huygens and Steiner: + m (c.c 1 - c c^T)
+    const Real square = dot(centre, centre);
+    scene.inertia.a += mass * (Vec{square, 0, 0} - centre.x * centre);
+    scene.inertia.b += mass * (Vec{0, square, 0} - centre.y * centre);
+    scene.inertia.c += mass * (Vec{0, 0, square} - centre.z * centre);
+  }
+  scene.inverse_inertia = inverse(scene.inertia);
+}
+
+Quat release_attitude(const Json& release) {
+  if (release.contains("quaternion_LB")) {
+    const Json& q = release.at("quaternion_LB");
+    return normalized({q.at("w").get<double>(), {q.at("x").get<double>(), q.at("y").get<double>(), q.at("z").get<double>()}});
+  }
+  // The axis leans by the tilt toward the compass azimuth, then the body turns about it.
+  const SinCos azimuth = sin_cos_degrees((90 - Real(release.value("azimuth_deg", 0.0))) / 2);
+  const SinCos tilt = sin_cos_degrees(Real(release.at("tilt_deg").get<double>()) / 2);
+  const SinCos spin = sin_cos_degrees(Real(release.value("spin_angle_deg", 0.0)) / 2);
+  return Quat{azimuth.cos, {0, 0, azimuth.sin}} * Quat{tilt.cos, {0, tilt.sin, 0}} * Quat{spin.cos, {0, 0, spin.sin}};
+}
+
+/// Steady rate v of the non-rotating symmetric top: I1 cos(tilt) v^2 - I3 w3 v + m g l = 0.
+Real steady_rate(const Scene& scene, Real spin, Real cosine, bool fast) {
+  const Real momentum = scene.inertia.c.z * spin, mgl = scene.mass_moment.z * scene.gravity, a = scene.inertia.a.x * cosine;
+  const Real root = sqrtq(momentum * momentum - 4 * a * mgl);
+  const Real sum = momentum < 0 ? momentum - root : momentum + root;
+  return fast ? sum / (2 * a) : 2 * mgl / sum;
+}
+
+void read_release(const Json& release, Scene& scene) {
+  scene.q_LB = release_attitude(release);
+  if (scene.q_LB.w < 0) scene.q_LB = {-scene.q_LB.w, Real(-1) * scene.q_LB.v};
+  scene.inertial_rates = release.value("rates_relative_to", "laboratory") == "inertial";
+  if (release.contains("angular_velocity_body_rad_s")) {
+    scene.w_XB_B = vector(release.at("angular_velocity_body_rad_s"));
+    return;
+  }
+  const Real spin = release.at("spin_rad_s").get<double>();
+  const Vec up_B = matrix(scene.q_LB).c;
+  const Json precession = release.value("precession", Json("none"));
+  Real rate = 0;
+  if (precession.is_object())
+    rate = precession.at("rate_rad_s").get<double>();
+  else if (precession != "none")
+    rate = steady_rate(scene, spin, up_B.z, precession == "steady_fast");
+  scene.w_XB_B = {rate * up_B.x, rate * up_B.y, spin};  // spin_rad_s is the whole component along axis 3
+}
+
+void read_platform(const Json& json, Scene& scene) {
+  Platform platform;
+  const Vec axis = json.contains("axis") ? vector(json.at("axis")) : Vec{0, 0, 1};
+  platform.axis = (1 / norm(axis)) * axis;
+  if (json.contains("pivot_offset_m")) platform.offset = vector(json.at("pivot_offset_m"));
+  platform.rate = json.value("rate_rad_s", 0.0);
+  platform.acceleration = json.value("acceleration_rad_s2", 0.0);
+  platform.amplitude = json.value("amplitude_rad", 0.0);
+  platform.frequency = json.value("frequency_hz", 0.0);
+  platform.phase = json.value("phase_deg", 0.0) * pi() / 180;
+  scene.platform = platform;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& file) {
+  std::ifstream stream(file);
+  const Json json = Json::parse(stream);
+  Scene scene;
+  scene.name = json.value("name", std::filesystem::path(file).stem().string());
+  const Json effects = json.value("effects", Json::object());
+  for (const auto& [effect, on] : effects.items())
+    if (on != true) throw std::runtime_error(file + ": the effect " + effect + " is beyond this program");
+  if (json.at("body").contains("solids")) throw std::runtime_error(file + ": solids are beyond this program");
+  read_site(json, scene);
+  read_body(json.at("body"), scene);
+  read_release(json.at("release"), scene);
+  if (json.contains("platform")) read_platform(json.at("platform"), scene);
+  scene.duration = json.at("motion").at("duration_s").get<double>();
+  scene.headline_time = json.value("headline", Json::object()).value("at_s", scene.duration);
+  return scene;
+}
+
+}  // namespace headlines

@@ -1,0 +1,41 @@
+/// A scenario file as the reference program understands it: its own reading of the same keys, in 113 bits.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "extended.hpp"
+
+namespace headlines {
+
+/// A turntable, or a table that rocks: it carries the pivot round its centre.
+struct Platform {
+  Vec axis;                                      ///< unit, laboratory axes
+  Vec offset;                                    ///< pivot from the centre at angle 0, laboratory axes (m)
+  Real rate = 0, acceleration = 0;               ///< angle = rate t + acceleration t^2 / 2 ...
+  Real amplitude = 0, frequency = 0, phase = 0;  ///< ... + amplitude sin(2 pi frequency t + phase)
+};
+
+struct Scene {
+  std::string name;
+  // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
+  Vec celestial_axis;      ///< unit, laboratory axes
+  Real rotation_rate = 0;  ///< rad/s
+  Real gravity = 0;        ///< apparent, along -Up (m/s^2)
+  // Body.
+  Vec mass_moment;  ///< mass x centre of mass, body axes (kg m)
+  Mat inertia;      ///< about the pivot, body axes (kg m^2)
+  Mat inverse_inertia;
+  // Release.
+  Quat q_LB;
+  Vec w_XB_B;                   ///< rad/s
+  bool inertial_rates = false;  ///< X: inertial space, or else the laboratory
+  std::optional<Platform> platform;
+  double duration = 0;
+  double headline_time = 0;  ///< of the headline's row; the duration if none is named (s)
+};
+
+/// @throws std::runtime_error for a scene with more in it than this program knows.
+Scene read_scene(const std::string& file);
+
+}  // namespace headlines
