@@ -1,0 +1,47 @@
+/// What the reference program of tests/headlines printed: the columns of trajectory.csv at one time of each scene.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace earthtop::testing {
+
+/// A scene's values. Their last digits stand in long double; `error` is the generator's own estimate, the largest of all.
+struct GeneratedValues {
+  double at_s = 0;
+  long double error = 0;
+  std::map<std::string, std::optional<long double>> columns;
+
+  long double at(const std::string& column) const {
+    const auto& value = columns.at(column);
+    if (!value) throw std::runtime_error(fmt::format("{} has no generated value", column));
+    return *value;
+  }
+};
+
+inline const nlohmann::json& generated_document() {
+  static const nlohmann::json document = [] {
+    std::ifstream file(std::string(EARTHTOP_TESTS) + "/data/headlines.json");
+    return nlohmann::json::parse(file);
+  }();
+  return document;
+}
+
+inline GeneratedValues generated_values(const std::string& name) {
+  for (const auto& scene : generated_document().at("scenarios")) {
+    if (scene.at("name") != name) continue;
+    GeneratedValues values{scene.at("at_s").get<double>(), std::stold(scene.at("error").get<std::string>()), {}};
+    for (const auto& [column, text] : scene.at("columns").items())
+      values.columns[column] = text.is_null() ? std::nullopt : std::optional(std::stold(text.get<std::string>()));
+    return values;
+  }
+  throw std::runtime_error(fmt::format("tests/data/headlines.json has no values of {}", name));
+}
+
+}  // namespace earthtop::testing
