@@ -166,6 +166,18 @@ nothing_on_stdout
 "$tool" run - --out piped --quiet <top.json || fault "standard input"
 cmp -s piped/summary.json again/summary.json || fault "standard input gives another summary"
 
+# The headline figure: met; no news where the scenario was changed; a warning where it was not.
+"$tool" example dzhanibekov >headline.json || fault "example dzhanibekov"
+expect 0 run headline.json --out headline
+on_stdout '^Headline .*drift_axis_rad at 1.6 s = .*: met, off by'
+expect 0 run headline.json --out headline --force --set /earth/rotation_rate_rad_s=0
+on_stdout '^Headline .*: differs, as the scenario was changed'
+sed 's/"value": 1/"value": 2/' headline.json >wrong.json
+expect 0 run wrong.json --out wrong
+on_stdout '^Headline .*: NOT MET'
+expect 0 run top.json --out bare
+grep -q Headline out.txt && fault "a headline where the scenario has none"
+
 # Results of another scenario in the way.
 expect 2 run top.json --set /release/spin_rad_s=210
 on_stderr 'another scenario'
