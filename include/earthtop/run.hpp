@@ -38,6 +38,13 @@ struct TheoryReport {
   double computed = 0;
 };
 
+/// The torques on the rotating motion, as the scenario's observer counts them.
+struct LedgerReport {
+  LedgerObserver observer = LedgerObserver::laboratory;
+  std::vector<LedgerEntry<double>> entries;  ///< one for each row
+  LedgerLargest largest;
+};
+
 struct RunResult {
   Scenario scenario;
   RunStatus status = RunStatus::completed;
@@ -49,7 +56,8 @@ struct RunResult {
   double attitude_bound_rad = 0;  ///< of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;
-  std::vector<std::string> notes;  ///< e.g. that a scene is non-physical
+  std::optional<LedgerReport> ledger;  ///< where the scenario asks for one
+  std::vector<std::string> notes;      ///< e.g. that a scene is non-physical
 };
 
 /// Asks a running integration to stop; safe in a signal handler.

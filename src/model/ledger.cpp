@@ -1,5 +1,10 @@
 #include "earthtop/model/ledger.hpp"
 
+#include <algorithm>
+
+#include "earthtop/frames/frame_stack.hpp"
+#include "earthtop/model/equations.hpp"
+
 namespace earthtop {
 
 std::string_view to_string(LedgerObserver observer) {
@@ -10,6 +15,163 @@ std::string_view to_string(LedgerObserver observer) {
     case LedgerObserver::body: return "body";
   }
   return "unknown";
+}
+
+namespace {
+
+/// The observing frame A: its motion in I, and the body's in it.
+template <class T>
+struct ObservingFrame {
+  Mat3<T> R_LA = Mat3<T>::Identity();
+  Mat3<T> R_AB = Mat3<T>::Identity();
+  Vec3<T> w_IA_A = Vec3<T>::Zero();
+  Vec3<T> alpha_IA_A = Vec3<T>::Zero();
+  Vec3<T> w_AB_B = Vec3<T>::Zero();
+};
+
+template <class T>
+ObservingFrame<T> inertial_frame(const Model<T>& model, T t, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
+  const Mat3<T> R_NL = rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon));
+  ObservingFrame<T> N;
+  N.R_LA = R_NL.transpose();
+  N.R_AB = R_NL * R_LB;
+  N.w_AB_B = w_LB_B + transposed_times(R_LB, model.W_IL_L);
+  return N;
+}
+
+template <class T>
+ObservingFrame<T> laboratory_frame(const Model<T>& model, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
+  ObservingFrame<T> L;
+  L.R_AB = R_LB;
+  L.w_IA_A = model.W_IL_L;
+  L.w_AB_B = w_LB_B;
+  return L;
+}
+
+template <class T>
+ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
+  const PrescribedMotion<T>& turn = model.platform.turn;
+  const FrameKinematics<T> LP{Rotation<T>::about(turn.axis, turn.angle(t)), turn.angle_rate(t) * turn.axis,
+                              turn.angle_acceleration(t) * turn.axis};
+  const FrameKinematics<T> IL{Rotation<T>(), model.W_IL_L, Vec3<T>::Zero()};  // I in the attitude of L at t
+  const FrameKinematics<T> IP = compose(IL, LP);
+  ObservingFrame<T> P;
+  P.R_LA = LP.R_AB.matrix();
+  P.R_AB = P.R_LA.transpose() * R_LB;
+  P.w_IA_A = transposed_times(P.R_LA, IP.w_AB_A);
+  P.alpha_IA_A = transposed_times(P.R_LA, IP.alpha_AB_A);
+  P.w_AB_B = w_LB_B - transposed_times(R_LB, LP.w_AB_A);
+  return P;
+}
+
+template <class T>
+ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B,
+                             const Vec3<T>& field_L) {
+  ObservingFrame<T> B;
+  B.R_LA = R_LB;
+  B.w_IA_A = w_LB_B + transposed_times(R_LB, model.W_IL_L);
+  B.alpha_IA_A = body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, B.w_IA_A}, field_L).m;
+  return B;
+}
+
+/// What Euler's equation leaves of the Coriolis torque, for a frame that turns at u and a body that turns at w in it.
+template <class T>
+Vec3<T> coriolis_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B, const Vec3<T>& w_B) {
+  return times<T>(I_BP_B, w_B.cross(u_B)) - w_B.cross(times(I_BP_B, u_B)) - u_B.cross(times(I_BP_B, w_B));
+}
+/// The same of the centrifugal torque.
+template <class T>
+Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
+  return times(I_BP_B, u_B).cross(u_B);
+}
+
+/// [F]'s side of the ledger.
+template <class T>
+void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory,
+                   const Vec3<T>& w_LB_B, const Vec3<T>& field_L) {
+  const Mat3<T> S_BP_A = turned_tensor(A.R_AB, model.S_BP_B);
+  const Mat3<T> J_A = velocity_moment<T>(S_BP_A, times(A.R_AB, A.w_AB_B));
+  entry.tau_phys_A = field_torque<T>(times(A.R_AB, model.mass_moment_B), transposed_times(A.R_LA, field_L));
+  entry.tau_cor_A = coriolis_torque(A.w_IA_A, J_A);
+  entry.tau_trans_A = transverse_torque(A.alpha_IA_A, S_BP_A);
+  entry.tau_cent_A = centrifugal_torque(A.w_IA_A, S_BP_A);
+  if (model.kind == SceneKind::plain) return;
+  if (in_laboratory) {
+    entry.tau_cor_A *= model.weights.coriolis;
+    entry.tau_trans_A *= model.weights.transverse;
+    entry.tau_cent_A *= model.weights.centrifugal;
+  } else {
+    const Vec3<T> W_A = transposed_times(A.R_LA, model.W_IL_L);
+    entry.tau_phys_A -= laboratory_torque<SceneKind::full>(model.weights.complement(), W_A, W_A, times(A.R_AB, w_LB_B), S_BP_A);
+  }
+}
+
+/// Euler's side of the ledger.
+template <class T>
+Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory, const Mat3<T>& R_LB,
+                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L) {
+  const Mat3<T>& I_BP_B = model.I_BP_B;
+  const Vec3<T> u_B = transposed_times(A.R_AB, A.w_IA_A);
+  Vec3<T> cor_B = coriolis_by_euler(I_BP_B, u_B, A.w_AB_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
+  Vec3<T> applied_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L));
+  if (in_laboratory) {
+    cor_B *= model.weights.coriolis, cent_B *= model.weights.centrifugal;
+  } else {
+    const TorqueWeights<T> left_out = model.weights.complement();
+    const Vec3<T> W_B = transposed_times(R_LB, model.W_IL_L);
+    applied_B -= left_out.coriolis * coriolis_by_euler(I_BP_B, W_B, w_LB_B);
+    applied_B -= left_out.centrifugal * centrifugal_by_euler(I_BP_B, W_B);
+  }
+  const Vec3<T> carried_B = times(I_BP_B, transposed_times(A.R_AB, A.alpha_IA_A));
+  return times<T>(A.R_AB, applied_B + cor_B + cent_B - carried_B);
+}
+
+}  // namespace
+
+template <class T>
+LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,
+                            const Vec3<T>& w_LB_B) {
+  if (observer == LedgerObserver::platform && model.platform.turn.never_turns()) observer = LedgerObserver::laboratory;
+  const Mat3<T> R_LB = rotation_matrix(q_LB);
+  const Vec3<T> field_L = pivot_field<SceneKind::full>(model, t).rotating_L;
+  const bool in_laboratory = observer == LedgerObserver::laboratory;
+  ObservingFrame<T> A;
+  switch (observer) {
+    case LedgerObserver::inertial: A = inertial_frame(model, t, R_LB, w_LB_B); break;
+    case LedgerObserver::laboratory: A = laboratory_frame(model, R_LB, w_LB_B); break;
+    case LedgerObserver::platform: A = platform_frame(model, t, R_LB, w_LB_B); break;
+    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L); break;
+  }
+  LedgerEntry<T> entry;
+  count_torques(entry, model, A, in_laboratory, w_LB_B, field_L);
+  // The body is at rest in its own axes at all times: L' is zero and stays so.
+  if (observer != LedgerObserver::body) entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L);
+  // A zero has no sign here: a product with a rate of zero may have left one.
+  for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
+    *column += Vec3<T>::Zero();
+  entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
+  return entry;
+}
+template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
+                                          const Vec3<double>&);
+template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
+                                               const Quaternion<long double>&, const Vec3<long double>&);
+template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128, const Quaternion<float128>&,
+                                            const Vec3<float128>&);
+
+void LedgerLargest::include(const LedgerEntry<double>& entry) {
+  const auto follow = [](double& largest, const Vec3<double>& column) { largest = std::max(largest, norm(column)); };
+  follow(tau_phys, entry.tau_phys_A);
+  follow(tau_cor, entry.tau_cor_A);
+  follow(tau_trans, entry.tau_trans_A);
+  follow(tau_cent, entry.tau_cent_A);
+  follow(dL_dt, entry.dL_dt_A);
+  follow(residual, entry.residual_A);
+}
+
+double LedgerLargest::relative_residual() const {
+  const double torque = std::max({tau_phys, tau_cor, tau_trans, tau_cent});
+  return torque > 0 ? residual / torque : 0;
 }
 
 }  // namespace earthtop

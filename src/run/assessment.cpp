@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "earthtop/model/invariants.hpp"
+#include "run/setup.hpp"
 
 namespace earthtop {
 namespace {
@@ -94,6 +95,19 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
     theory.push_back({"precession_rate_change", "-Omega sin(latitude), counterclockwise about Up", "rad/s", -Omega * phi.sin,
                       drift.secular->mean_precession_rate_change_rad_s});
   return theory;
+}
+
+std::optional<LedgerReport> assess_ledger(const Scenario& scenario, const std::vector<DriftRow>& rows) {
+  if (!scenario.ledger) return std::nullopt;
+  const auto model = make_model<double>(scenario);
+  LedgerReport report;
+  report.observer = *scenario.ledger;
+  report.entries.reserve(rows.size());
+  for (const DriftRow& row : rows) {
+    report.entries.push_back(ledger_entry(report.observer, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B)));
+    report.largest.include(report.entries.back());
+  }
+  return report;
 }
 
 }  // namespace earthtop

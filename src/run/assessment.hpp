@@ -12,4 +12,7 @@ std::vector<InvariantReport> assess_invariants(const Scenario& scenario, const s
 /// Leading-order predictions that fit the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 
+/// The ledger of the rotating motion, for the observer whom the scenario names; none if it names none.
+std::optional<LedgerReport> assess_ledger(const Scenario& scenario, const std::vector<DriftRow>& rows);
+
 }  // namespace earthtop

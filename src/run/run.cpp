@@ -123,6 +123,7 @@ RunResult run(const Scenario& scenario) {
   result.drift.threshold_time_s = first.threshold_time_s;
   result.invariants = assess_invariants(scenario, result.rows);
   result.theory = assess_theory(scenario, result.rows, result.drift);
+  result.ledger = assess_ledger(scenario, result.rows);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
   return result;
 }

@@ -1,24 +1,34 @@
 #include "run/setup.hpp"
 
 namespace earthtop {
+
+template <class T>
+Model<T> make_model(const Scenario& scenario, const NaturalUnits& units) {
+  const EffectsSpec& effects = scenario.effects;
+  const TorqueWeights<T> weights{T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
+  const bool on_platform = scenario.platform.has_value();
+  const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
+  return make_model<T>(make_body<T>(scenario.body), scenario.site, scenario.rotation_rate_rad_s, weights,
+                       on_platform ? &platform : nullptr, units);
+}
+template Model<double> make_model(const Scenario&, const NaturalUnits&);
+template Model<long double> make_model(const Scenario&, const NaturalUnits&);
+template Model<float128> make_model(const Scenario&, const NaturalUnits&);
+
 template <class T>
 DriftProblem<T> make_problem(const Scenario& scenario) {
   const Site& site = scenario.site;
   const auto body = make_body<T>(scenario.body);
   const auto body_double = make_body<double>(scenario.body);
   const auto release_double = make_release<double>(scenario.release, body_double, site.gravity_m_s2);
-  const EffectsSpec& effects = scenario.effects;
-  const TorqueWeights<T> weights{T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
   const bool on_platform = scenario.platform.has_value();
-  const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
   const Platform<double> platform_double = on_platform ? make_platform<double>(*scenario.platform) : Platform<double>();
 
   DriftProblem<T> problem;
   problem.release = make_release<T>(scenario.release, body, T(site.gravity_m_s2));
   problem.units = natural_units(body_double, release_double, site.gravity_m_s2, scenario.rotation_rate_rad_s,
                                 on_platform ? &platform_double : nullptr);
-  problem.model =
-      make_model<T>(body, site, scenario.rotation_rate_rad_s, weights, on_platform ? &platform : nullptr, problem.units);
+  problem.model = make_model<T>(scenario, problem.units);
   problem.fastest_rate = problem.units.rate_from_rad_s(T(fastest_rate_rad_s(scenario)));
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;

@@ -20,6 +20,8 @@ struct PrescribedMotion {
   T angle(T t) const { return angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t)); }
   T angle_rate(T t) const { return rate + t * acceleration + amplitude * pulsation() * real::cos(argument(t)); }
   T angle_acceleration(T t) const { return acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t)); }
+  /// Whether the layer stays parallel to its parent.
+  bool never_turns() const { return angle0 == T(0) && rate == T(0) && acceleration == T(0) && amplitude == T(0); }
 
  private:
   T pulsation() const { return T(2) * real::pi<T>() * frequency; }

@@ -3,11 +3,59 @@
 
 #include <string_view>
 
+#include "earthtop/model/model.hpp"
+
 namespace earthtop {
 
-/// Whose torques a ledger lists: the frame that counts them, in its own axes.
+/// Whose torques a ledger lists: the frame that counts them, in its own axes. The inertial one is N, parallel to the laboratory
+/// at t = 0. Without a platform, or on one that never turns, the platform's observer is the laboratory's.
 enum class LedgerObserver { inertial, laboratory, platform, body };
 
 std::string_view to_string(LedgerObserver observer);
+
+/// One instant's torques about the pivot (N m), in the axes of the observing frame A.
+template <class T>
+struct LedgerEntry {
+  Vec3<T> tau_phys_A = Vec3<T>::Zero();   ///< apparent gravity, and what a driven pivot does
+  Vec3<T> tau_cor_A = Vec3<T>::Zero();    ///< Coriolis
+  Vec3<T> tau_trans_A = Vec3<T>::Zero();  ///< transverse
+  Vec3<T> tau_cent_A = Vec3<T>::Zero();   ///< centrifugal
+  Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of L' = Theta w_AB
+  Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques less dL_dt_A: round-off
+};
+
+/// The ledger of one state. The two sides of it have nothing but the state in common:
+///   torques   [F]'s tensor forms, from the second moment S and the velocity moment J in A axes
+///   dL'/dt    Euler's equation in body axes for w_IB, less the turn of A, with the inertia tensor Theta:
+///             with w = w_AB = w_IB - u and u = w_IA,  (dL'/dt)_A = Theta dw_IB/dt - Theta du/dt + w x Theta w,
+///             where dw_IB/dt is Euler's and du/dt = R_BA alpha_IA - w x u is taken in B. What grows with the square of the
+///             spin cancels between the terms, and is left out here:
+///             tau_phys + [Theta (w x u) - w x Theta u - u x Theta w] - u x Theta u - Theta alpha_IA
+/// A torque that the scene switches off is missing in the laboratory; the other observers see its negative as an applied
+/// torque, among the physical ones.
+/// @param model  in SI units   @param t  time since the release (s)   @param w_LB_B  rate relative to the laboratory (rad/s)
+template <class T>
+LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,
+                            const Vec3<T>& w_LB_B);
+extern template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
+                                                 const Vec3<double>&);
+extern template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
+                                                      const Quaternion<long double>&, const Vec3<long double>&);
+extern template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128,
+                                                   const Quaternion<float128>&, const Vec3<float128>&);
+
+/// The largest norms of a ledger's torques over its entries (N m).
+struct LedgerLargest {
+  double tau_phys = 0;
+  double tau_cor = 0;
+  double tau_trans = 0;
+  double tau_cent = 0;
+  double dL_dt = 0;
+  double residual = 0;
+
+  void include(const LedgerEntry<double>& entry);
+  /// The largest residual over the largest of all torques; 0 where there is no torque at all.
+  double relative_residual() const;
+};
 
 }  // namespace earthtop
