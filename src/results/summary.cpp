@@ -95,6 +95,13 @@ Json theory_json(const std::vector<TheoryReport>& theory) {
   return list;
 }
 
+Json ledger_json(const LedgerReport& ledger) {
+  return {{"observer", to_string(ledger.observer)},      {"tau_phys_max_N_m", ledger.largest.tau_phys},
+          {"tau_cor_max_N_m", ledger.largest.tau_cor},   {"tau_trans_max_N_m", ledger.largest.tau_trans},
+          {"tau_cent_max_N_m", ledger.largest.tau_cent}, {"dL_dt_max_N_m", ledger.largest.dL_dt},
+          {"residual_max_N_m", ledger.largest.residual}, {"residual_over_largest_torque", ledger.largest.relative_residual()}};
+}
+
 /// Everything that could turn a top is on one of the two lists.
 Json effects_json(const Scenario& scenario) {
   Json modelled = Json::array({"gravity"});
@@ -150,24 +157,26 @@ std::string matching_rule(const Scenario& scenario) {
 
 std::string summary_json(const RunResult& result) {
   const Scenario& scenario = result.scenario;
-  return dump(
-      {{"$schema", "earthtop-summary-1.json"},
-       {"name", scenario.name},
-       {"title", scenario.title},
-       {"outcome", {{"status", to_string(result.status)}, {"reached_s", result.reached_s}, {"rows", result.rows.size()}}},
-       {"matching_rule",
-        {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
-       {"drift", drift_json(result.drift, scenario.threshold_rad)},
-       {"headline", headline_json(check_headline(result))},
-       {"solution", integration_json(result.solution)},
-       {"certificate", integration_json(result.certificate)},
-       {"attitude_bound_rad", result.attitude_bound_rad},
-       {"invariants", invariants_json(result.invariants)},
-       {"theory", theory_json(result.theory)},
-       {"effects", effects_json(scenario)},
-       {"notes", result.notes},
-       {"scenario", Json::parse(canonical_json(scenario))},
-       {"provenance", provenance_json(scenario)}});
+  Json summary = {
+      {"$schema", "earthtop-summary-1.json"},
+      {"name", scenario.name},
+      {"title", scenario.title},
+      {"outcome", {{"status", to_string(result.status)}, {"reached_s", result.reached_s}, {"rows", result.rows.size()}}},
+      {"matching_rule",
+       {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
+      {"drift", drift_json(result.drift, scenario.threshold_rad)},
+      {"headline", headline_json(check_headline(result))},
+      {"solution", integration_json(result.solution)},
+      {"certificate", integration_json(result.certificate)},
+      {"attitude_bound_rad", result.attitude_bound_rad},
+      {"invariants", invariants_json(result.invariants)},
+      {"theory", theory_json(result.theory)}};
+  if (result.ledger) summary["ledger"] = ledger_json(*result.ledger);
+  summary["effects"] = effects_json(scenario);
+  summary["notes"] = result.notes;
+  summary["scenario"] = Json::parse(canonical_json(scenario));
+  summary["provenance"] = provenance_json(scenario);
+  return dump(summary);
 }
 
 std::string timing_json(const RunResult& result) {

@@ -1,18 +1,9 @@
-#include <charconv>
-#include <cmath>
-
 #include "earthtop/results/results.hpp"
 #include "results/columns.hpp"
+#include "results/csv.hpp"
 
 namespace earthtop {
 namespace {
-
-void append_number(std::string& line, double value) {
-  if (!std::isfinite(value)) return;
-  char digits[32];  // the longest shortest form of a double has 24 characters
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-  line.append(digits, end);
-}
 
 void append_header(std::string& text) {
   for (const Column& column : trajectory_columns()) {

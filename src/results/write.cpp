@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "earthtop/results/provenance.hpp"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// In the order in which they appear; summary.json, which names the scenario, comes last.
-constexpr std::array kFiles = {"trajectory.csv", "drift.svg", "timing.json", "summary.json"};
+constexpr std::array kFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"};
 
 [[noreturn]] void refuse(const fs::path& dir, std::string reason) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, dir.string());
@@ -80,6 +81,11 @@ class PendingFile {
   fs::path temporary_;
 };
 
+/// Removes a file that need not be there.
+void remove_file(const fs::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) fail(file, errno);
+}
+
 /// Makes the names themselves last. Some file systems cannot sync a directory (EINVAL): then there is nothing to do.
 void sync_directory(const fs::path& dir) {
   const int descriptor = ::open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -121,6 +127,8 @@ void check_present_files(const fs::path& dir, const Scenario& scenario, bool for
       refuse(dir, "summary.json in it is not a summary of earthtop's; choose another --out, or --force to overwrite it");
     if (present != scenario_sha256(scenario))
       refuse(dir, "holds the results of another scenario; choose another --out, or --force to overwrite them");
+    if (!scenario.ledger && is_there(dir / "torques.csv"))
+      refuse(dir, "torques.csv in it is none of this scenario's results; choose another --out, or --force to remove it");
     return;
   }
   for (const char* name : kFiles)
@@ -148,10 +156,17 @@ void write_results(const RunResult& result, const fs::path& dir, bool force) {
   if (error) throw WriteError(dir.string(), error.message());
 
   PendingFile trajectory(dir / "trajectory.csv", trajectory_csv(result));
+  std::optional<PendingFile> torques;
+  if (result.ledger) torques.emplace(dir / "torques.csv", torques_csv(result));
   PendingFile figure(dir / "drift.svg", svg(drift_figure(result)));
   PendingFile timing(dir / "timing.json", timing_json(result));
   PendingFile summary(dir / "summary.json", summary_json(result));
-  for (PendingFile* file : {&trajectory, &figure, &timing, &summary}) file->put_in_place();
+  for (PendingFile* file : {&trajectory, &figure, &timing}) file->put_in_place();
+  if (torques)
+    torques->put_in_place();
+  else
+    remove_file(dir / "torques.csv");
+  summary.put_in_place();
   sync_directory(dir);
 }
 

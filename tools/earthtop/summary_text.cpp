@@ -186,7 +186,11 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   page.entry("Computed", described(result.solution));
   page.entry("Checked", described(result.certificate));
   for (const std::string& note : result.notes) page.entry("Note", page.warning(harmless(note)));
-  page.entry("Written", fmt::format("{}: trajectory.csv, summary.json, drift.svg, timing.json", harmless(directory)));
+  if (const auto& ledger = result.ledger)
+    page.entry("Torques", fmt::format("torques.csv, as the {} observer counts them: they miss dL'/dt by {:.1e} N m at most",
+                                      to_string(ledger->observer), ledger->largest.residual));
+  page.entry("Written", fmt::format("{}: trajectory.csv, {}summary.json, drift.svg, timing.json", harmless(directory),
+                                    result.ledger ? "torques.csv, " : ""));
   return std::move(page).text();
 }
 

@@ -1,4 +1,4 @@
-/// The result files of a run: trajectory.csv, drift.svg, timing.json and summary.json.
+/// The result files of a run: trajectory.csv, torques.csv where a ledger was asked for, drift.svg, timing.json, summary.json.
 #pragma once
 
 #include <filesystem>
@@ -27,6 +27,9 @@ class WriteError : public std::runtime_error {
 /// value that is absent or not finite is an empty field.
 std::string trajectory_csv(const RunResult& result);
 
+/// The ledger's columns in its observer's axes (N m), written like the trajectory; the header alone if there is no ledger.
+std::string torques_csv(const RunResult& result);
+
 /// Everything about a run but its rows and its wall time, as JSON with a final newline. The same result gives the same
 /// bytes, on any host and at any time; a number that is not finite is null.
 std::string summary_json(const RunResult& result);
@@ -46,8 +49,9 @@ Figure drift_figure(const RunResult& result);
 /// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
 void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
 
-/// Writes trajectory.csv, drift.svg, timing.json and, last, summary.json; makes `dir`. Every file is complete on disk under
-/// a temporary name before the first one is renamed: after a failure the old results are intact and no temporary is left.
+/// Writes trajectory.csv, torques.csv if there is a ledger, drift.svg, timing.json and, last, summary.json; makes `dir`. Every
+/// file is complete on disk under a temporary name before the first one is renamed: after a failure the old results are intact
+/// and no temporary is left. A torques.csv of older results that these do not have is removed before summary.json changes.
 /// @throws as check_output_directory, which it calls; WriteError.
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force);
 

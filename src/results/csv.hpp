@@ -1,0 +1,27 @@
+/// Numbers of a CSV line: shortest ones that read back to the same bits; what is not finite is an empty field.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace earthtop {
+
+inline void append_number(std::string& line, double value) {
+  if (!std::isfinite(value)) return;
+  char digits[32];  // the longest shortest form of a double has 24 characters
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+  line.append(digits, end);
+}
+
+inline void append_field(std::string& line, double value) {
+  line += ',';
+  append_number(line, value);
+}
+
+template <class Container>
+void append_fields(std::string& line, const Container& values) {
+  for (const double value : values) append_field(line, value);
+}
+
+}  // namespace earthtop
