@@ -1,6 +1,7 @@
 #include "earthtop/model/ledger.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "earthtop/frames/frame_stack.hpp"
 #include "earthtop/model/equations.hpp"
@@ -160,7 +161,10 @@ template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128
                                             const Vec3<float128>&);
 
 void LedgerLargest::include(const LedgerEntry<double>& entry) {
-  const auto follow = [](double& largest, const Vec3<double>& column) { largest = std::max(largest, norm(column)); };
+  const auto follow = [](double& largest, const Vec3<double>& column) {
+    const double size = norm(column);
+    if (!(size <= largest) && !std::isnan(largest)) largest = size;  // what is no number stays, to be seen
+  };
   follow(tau_phys, entry.tau_phys_A);
   follow(tau_cor, entry.tau_cor_A);
   follow(tau_trans, entry.tau_trans_A);
@@ -171,7 +175,7 @@ void LedgerLargest::include(const LedgerEntry<double>& entry) {
 
 double LedgerLargest::relative_residual() const {
   const double torque = std::max({tau_phys, tau_cor, tau_trans, tau_cent});
-  return torque > 0 ? residual / torque : 0;
+  return torque > 0 || std::isnan(residual) ? residual / torque : 0;
 }
 
 }  // namespace earthtop

@@ -178,6 +178,15 @@ on_stdout '^Headline .*: NOT MET'
 expect 0 run top.json --out bare
 grep -q Headline out.txt && fault "a headline where the scenario has none"
 
+# The torque ledger: written when asked, gone with the results it belonged to.
+expect 0 run top.json --out ledger --set /numerics/ledger=laboratory
+on_stdout 'torques.csv, as the laboratory observer'
+head -n 1 ledger/torques.csv | grep -q '^t_s,tau_phys_x_N_m,.*,residual_z_N_m$' || fault "no ledger"
+[ "$(wc -l <ledger/torques.csv)" -eq "$(wc -l <ledger/trajectory.csv)" ] || fault "the ledger has not the trajectory's rows"
+grep -q '"residual_over_largest_torque"' ledger/summary.json || fault "no ledger in the summary"
+expect 0 run top.json --out ledger --force
+[ ! -e ledger/torques.csv ] || fault "an old ledger was left"
+
 # Results of another scenario in the way.
 expect 2 run top.json --set /release/spin_rad_s=210
 on_stderr 'another scenario'

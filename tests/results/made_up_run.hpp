@@ -58,4 +58,22 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   return result;
 }
 
+/// The same with a ledger whose numbers are 1 to 18 times the row's number from 1 on.
+inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
+  RunResult result = made_up_run(rows);
+  result.scenario.ledger = LedgerObserver::platform;
+  LedgerReport& ledger = result.ledger.emplace();
+  ledger.observer = LedgerObserver::platform;
+  for (std::size_t i = 0; i < rows; ++i) {
+    LedgerEntry<double> entry;
+    double number = 0;
+    for (Vec3<double>* column :
+         {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
+      for (int k = 0; k < 3; ++k) (*column)[k] = ++number * static_cast<double>(i + 1);
+    ledger.entries.push_back(entry);
+  }
+  ledger.largest = {1, 2, 3, 4, 5, 0.5};
+  return result;
+}
+
 }  // namespace earthtop::test

@@ -93,6 +93,24 @@ TEST(Summary, EffectSwitchedOffIsLeftOut) {
   EXPECT_TRUE(has("left_out", "centrifugal"));
 }
 
+TEST(Summary, LedgerOnlyWhereThereIsOne) {
+  EXPECT_FALSE(summary_of(made_up_run()).contains("ledger"));
+  RunResult result = test::made_up_run_with_ledger();
+  json ledger = summary_of(result).at("ledger");
+  EXPECT_EQ(ledger.at("observer"), "platform");
+  EXPECT_EQ(ledger.at("tau_phys_max_N_m"), 1);
+  EXPECT_EQ(ledger.at("tau_cor_max_N_m"), 2);
+  EXPECT_EQ(ledger.at("tau_trans_max_N_m"), 3);
+  EXPECT_EQ(ledger.at("tau_cent_max_N_m"), 4);
+  EXPECT_EQ(ledger.at("dL_dt_max_N_m"), 5);
+  EXPECT_EQ(ledger.at("residual_max_N_m"), 0.5);
+  EXPECT_EQ(ledger.at("residual_over_largest_torque"), 0.125);
+  result.ledger->largest.residual = std::numeric_limits<double>::quiet_NaN();
+  ledger = summary_of(result).at("ledger");
+  EXPECT_TRUE(ledger.at("residual_max_N_m").is_null());
+  EXPECT_TRUE(ledger.at("residual_over_largest_torque").is_null());
+}
+
 TEST(Summary, ScenarioIsTheCanonicalOneAndItsHash) {
   const RunResult result = made_up_run();
   const json summary = summary_of(result);

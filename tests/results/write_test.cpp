@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::made_up_run;
+using test::made_up_run_with_ledger;
 
 class Write : public testing::Test {
  protected:
@@ -42,6 +43,8 @@ class Write : public testing::Test {
 };
 
 const std::set<std::string> kAll = {"trajectory.csv", "drift.svg", "timing.json", "summary.json"};
+
+const std::set<std::string> kAllAndTorques = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"};
 
 RunResult another_run() {
   RunResult result = made_up_run();
@@ -94,6 +97,41 @@ TEST_F(Write, WhatIsNotOursIsRefusedUnlessForced) {
   fs::remove(dir_ / "summary.json");
   put(dir_ / "trajectory.csv", "mine\n");
   EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError);
+}
+
+TEST_F(Write, LedgerIsWrittenWhereThereIsOne) {
+  const RunResult result = made_up_run_with_ledger();
+  write_results(result, dir_, false);
+  EXPECT_EQ(names_in(dir_), kAllAndTorques);
+  EXPECT_EQ(read(dir_ / "torques.csv"), torques_csv(result));
+  EXPECT_NO_THROW(write_results(result, dir_, false));
+}
+
+TEST_F(Write, LedgerOfOlderResultsDoesNotStay) {
+  write_results(made_up_run_with_ledger(), dir_, false);
+  EXPECT_THROW(write_results(made_up_run(), dir_, false), ScenarioError);
+  EXPECT_EQ(names_in(dir_), kAllAndTorques);
+  write_results(made_up_run(), dir_, true);
+  EXPECT_EQ(names_in(dir_), kAll);
+  write_results(made_up_run_with_ledger(), dir_, true);
+  EXPECT_EQ(names_in(dir_), kAllAndTorques);
+}
+
+TEST_F(Write, LedgerThatIsNotOursIsRefusedUnlessForced) {
+  fs::create_directories(dir_);
+  put(dir_ / "torques.csv", "mine\n");
+  for (const RunResult& result : {made_up_run(), made_up_run_with_ledger()})
+    EXPECT_THROW(write_results(result, dir_, false), ScenarioError);
+  fs::remove(dir_ / "torques.csv");
+  write_results(made_up_run(), dir_, false);
+  put(dir_ / "torques.csv", "mine\n");  // beside results that have none
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError);
+  EXPECT_THROW(write_results(made_up_run(), dir_, false), ScenarioError);
+  EXPECT_EQ(read(dir_ / "torques.csv"), "mine\n");
+  write_results(made_up_run(), dir_, true);
+  EXPECT_EQ(names_in(dir_), kAll);
+  fs::create_directories(dir_ / "torques.csv");
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, true), ScenarioError);
 }
 
 TEST_F(Write, OtherFilesInTheDirectoryAreNoObstacle) {
@@ -172,6 +210,22 @@ TEST_F(Write, FailureInTheMiddleOfAFileLeavesTheOldResult) {
     EXPECT_EQ(read(dir_ / "summary.json"), summary_json(old));
     EXPECT_EQ(read(dir_ / "timing.json"), timing);
   }
+}
+
+TEST_F(Write, FailureLeavesTheOldLedger) {
+  const RunResult old = made_up_run_with_ledger(11);
+  write_results(old, dir_, false);
+  RunResult next = made_up_run();  // has none; its summary.json does not fit
+  next.rows.resize(2);
+  try {
+    const FileSizeLimit full(100);
+    write_results(next, dir_, true);
+    FAIL() << "written in spite of the limit";
+  } catch (const WriteError&) {
+  }
+  EXPECT_EQ(names_in(dir_), kAllAndTorques);
+  EXPECT_EQ(read(dir_ / "torques.csv"), torques_csv(old));
+  EXPECT_EQ(read(dir_ / "summary.json"), summary_json(old));
 }
 
 }  // namespace
