@@ -14,7 +14,9 @@ inline void nudge(DriftProblem<double>& problem) {
   constexpr double kUnit = 8 * 2.2e-16;
   const Vec3<double> turn = kUnit * Vec3<double>(0.6, -0.5, 0.7);
   problem.release.q_LB = (problem.release.q_LB * Quaternion<double>{1, turn / 2}).normalized();
-  problem.release.w_XB_B = problem.release.w_XB_B.cwiseProduct(Vec3<double>(1 + kUnit, 1 - kUnit, 1 - kUnit));
+  Vec3<double>& w_XB_B = problem.release.w_XB_B;
+  // Against the whole rate: round-off turns a spin about a principal axis away from it, however exactly it was released there.
+  w_XB_B += kUnit * norm(w_XB_B) * Vec3<double>(0.6, -0.5, -0.7);
   problem.model.mass_moment_B *= 1 + kUnit;
   // Each moment its own way, the tensor and its inverse alike.
   const Vec3<double> stretch(1 + kUnit, 1 - kUnit, 1 + kUnit / 2);
