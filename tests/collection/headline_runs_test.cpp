@@ -42,8 +42,7 @@ void expect_met(const Scenario& scenario) {
   const auto check = check_headline(result);
   ASSERT_TRUE(check && check->computed);
   EXPECT_TRUE(check->met) << check->stated.quantity << " = " << *check->computed << ", off by " << *check->difference;
-  // Bounds are not yet promised in unstable scenes.
-  if (scenario.name != "dzhanibekov" && scenario.name != "sleeping-top-below-critical") expect_generated_drifts(result);
+  expect_generated_drifts(result);
 }
 
 TEST(Headlines, EveryScenarioMeetsItsOwn) {
