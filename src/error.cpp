@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "text/utf8.hpp"
+
 namespace earthtop {
 namespace {
 
@@ -14,19 +16,29 @@ std::string summarize(const std::string& file, const std::vector<Diagnostic>& di
   return text;
 }
 
-std::string escape_control_characters(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f)
-      escaped += fmt::format("\\x{:02x}", byte);
-    else
-      escaped += c;
-  }
-  return escaped;
+/// What steers a terminal or turns the order of its text around: controls (C0, DEL, C1), line and paragraph separators,
+/// marks of writing direction.
+bool is_control(char32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x61C || code == 0x200E || code == 0x200F ||
+         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
 }
 
 }  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const auto [code, length] = first_character(text);
+    if (length == 0 || (length == 1 && is_control(code)))
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
+    else if (is_control(code))
+      shown += fmt::format("\\u{:04x}", static_cast<unsigned>(code));
+    else
+      shown += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return shown;
+}
 
 ScenarioError::ScenarioError(std::vector<Diagnostic> diagnostics, std::string file)
     : std::runtime_error(summarize(file, diagnostics)), diagnostics_(std::move(diagnostics)), file_(std::move(file)) {}
@@ -41,7 +53,7 @@ std::string format_diagnostic(std::string_view file, const Diagnostic& diagnosti
   }
   text += fmt::format("{}: ", severity);
   if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
-  return escape_control_characters(text + diagnostic.message);
+  return printable(text + diagnostic.message);
 }
 
 std::string_view to_string(RunStatus status) {

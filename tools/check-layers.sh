@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers='real error
+layers='real text error
 frames
 model
 closed_form

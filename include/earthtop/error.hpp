@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace earthtop {
@@ -32,7 +33,24 @@ class ScenarioError : public std::runtime_error {
   std::string file_;
 };
 
-/// `file:line:col: error: /json/pointer: what`, one line; control characters escaped. @param severity  "error" or "warning"
+/// A read that broke off, e.g. by a disk error: names the file and the reason.
+class ReadError : public std::runtime_error {
+ public:
+  ReadError(std::string file, std::string reason)
+      : std::runtime_error(file + ": " + reason), file_(std::move(file)), reason_(std::move(reason)) {}
+  const std::string& file() const { return file_; }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string file_;
+  std::string reason_;
+};
+
+/// A text as a terminal may safely show it: valid UTF-8 in which controls, line ends and marks of writing direction, and
+/// bytes that are no UTF-8, stand as \xNN or \uNNNN.
+std::string printable(std::string_view text);
+
+/// `file:line:col: error: /json/pointer: what`, one line, printable. @param severity  "error" or "warning"
 std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity = "error");
 
 /// How an integration ended.

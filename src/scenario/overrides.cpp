@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "scenario/reader.hpp"
-#include "scenario/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop::scenario {
 namespace {

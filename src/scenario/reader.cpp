@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenario/number.hpp"
-#include "scenario/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -36,28 +37,48 @@ class Reader {
     outcome_ = outcome;
     return false;
   }
+  /// The character that stands here; one that may be invisible with its number.
   std::string here() const {
     if (at_ >= text_.size()) return "the end of the text";
-    std::size_t length = 1;
-    while (at_ + length < text_.size() && (static_cast<unsigned char>(text_[at_ + length]) & 0xC0) == 0x80) ++length;
-    return fmt::format("'{}'", text_.substr(at_, length));
+    const auto [code, length] = first_character(text_.substr(at_));
+    const bool seen = code > ' ' && code < 0x7F;
+    return seen ? fmt::format("'{}'", text_[at_])
+                : fmt::format("'{}' (U+{:04X})", text_.substr(at_, length), static_cast<unsigned>(code));
   }
+  std::string unexpected() const { return at_ >= text_.size() ? "the text ends here" : "unexpected " + here(); }
 
   // -- the text as a whole
   bool encoding() {
     if (text_.size() > kLargestText)
       return stop(0, fmt::format("the text has {} bytes; at most 16 MiB are allowed", text_.size()), ReadOutcome::refused);
-    const auto nul_at = [&](std::size_t i) { return i < text_.size() && text_[i] == '\0'; };
-    if (text_.starts_with("\xFE\xFF") || text_.starts_with("\xFF\xFE") || (nul_at(0) && nul_at(2)) || (nul_at(1) && nul_at(3)))
-      return stop(0, "the text is in UTF-16 or UTF-32; save it as UTF-8", ReadOutcome::refused);
+    if (const auto other = wide_encoding(); !other.empty())
+      return stop(0, fmt::format("the text is in {}; save it as UTF-8, e.g. with iconv -f {} -t UTF-8", other, other),
+                  ReadOutcome::refused);
     if (const auto nul = text_.find('\0'); nul != std::string_view::npos)
-      return stop(nul, "a NUL byte; a scenario is plain UTF-8 text", ReadOutcome::refused);
+      return stop(nul, "a NUL byte; remove it: a scenario is plain UTF-8 text", ReadOutcome::refused);
     if (const auto bad = first_invalid_utf8(text_); bad != std::string_view::npos)
       return stop(bad,
                   fmt::format("byte 0x{:02x} is not valid UTF-8; save the text as UTF-8",
                               static_cast<unsigned>(static_cast<unsigned char>(text_[bad]))),
                   ReadOutcome::refused);
     return true;
+  }
+
+  /// The other encodings of Unicode, by byte order mark or by where the NUL bytes of the first character stand: every JSON
+  /// text begins with an ASCII character.
+  std::string_view wide_encoding() const {
+    using namespace std::string_view_literals;
+    if (text_.starts_with("\xFF\xFE\0\0"sv)) return "UTF-32LE";
+    if (text_.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32BE";
+    if (text_.starts_with("\xFF\xFE"sv)) return "UTF-16LE";
+    if (text_.starts_with("\xFE\xFF"sv)) return "UTF-16BE";
+    std::string pattern;
+    for (const char c : text_.substr(0, 4)) pattern += c == '\0' ? '0' : 'x';
+    if (pattern == "x000") return "UTF-32LE";
+    if (pattern == "000x") return "UTF-32BE";
+    if (pattern == "x0x0" || pattern == "x0") return "UTF-16LE";
+    if (pattern == "0x0x" || pattern == "0x") return "UTF-16BE";
+    return "";
   }
 
   // -- tokens
@@ -88,7 +109,7 @@ class Reader {
     if (c == '+' || c == '.') return stop(at_, "a number begins with a digit or '-'; write 0.5, not .5 or +0.5");
     if (c == '\'') return stop(at_, "single quotes; JSON strings stand in double quotes");
     if (c == '/') return stop(at_, no_comments());
-    return stop(at_, "unexpected " + here() + "; a JSON value must stand here");
+    return stop(at_, unexpected() + "; a JSON value must stand here");
   }
 
   static std::string no_comments() { return "JSON has no comments; use a key that begins with \"//\" or \"_\""; }
@@ -128,19 +149,20 @@ class Reader {
       if (is_not_finite(text_.substr(word, at_ - word))) return not_finite(node, start);
       at_ = word;
     }
-    if (!is_digit(peek())) return stop(at_, "'-' must be followed by a digit, not by " + here());
+    if (!is_digit(peek())) return stop(at_, "'-' must be followed by a digit, not by " + here() + "; write -1");
     if (peek() == '0' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))
       return stop(start, "a number with a leading zero; write it without");
     digits();
     if (peek() == '.') {
       ++at_;
-      if (!is_digit(peek())) return stop(at_, "a decimal point must be followed by a digit, not by " + here());
+      if (!is_digit(peek()))
+        return stop(at_, "a decimal point must be followed by a digit, not by " + here() + "; write 2.0 or 2");
       digits();
     }
     if (peek() == 'e' || peek() == 'E') {
       ++at_;
       if (peek() == '+' || peek() == '-') ++at_;
-      if (!is_digit(peek())) return stop(at_, "an exponent needs a digit, not " + here());
+      if (!is_digit(peek())) return stop(at_, "an exponent needs a digit, not " + here() + "; write 2e5 or 2e-5");
       digits();
     }
     const std::string_view digits_given = text_.substr(start, at_ - start);
@@ -167,7 +189,7 @@ class Reader {
       while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\\' && static_cast<unsigned char>(text_[at_]) >= 0x20)
         ++at_;
       out.append(text_.substr(run, at_ - run));
-      if (at_ >= text_.size()) return stop(start, "a string without its closing quote");
+      if (at_ >= text_.size()) return stop(start, "a string without its closing quote; put '\"' at its end");
       if (text_[at_] == '"') return ++at_, true;
       if (text_[at_] != '\\')
         return stop(at_, "a line break or control character inside a string; close the string, or write \\n, \\t, \\u00XX");
@@ -184,15 +206,17 @@ class Reader {
     if (c != 'u') return stop(start, "an escape that JSON does not know; allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
     ++at_;
     char32_t code = 0;
-    if (!hex4(code)) return stop(start, "\\u must be followed by four hexadecimal digits");
+    if (!hex4(code)) return stop(start, "\\u must be followed by four hexadecimal digits; write \\u00e9");
     if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_).starts_with("\\u")) {
       at_ += 2;
       char32_t low = 0;
-      if (!hex4(low) || low < 0xDC00 || low > 0xDFFF) return stop(start, "half of a surrogate pair; both halves are needed");
+      if (!hex4(low) || low < 0xDC00 || low > 0xDFFF)
+        return stop(start, "half of a surrogate pair; write both halves, e.g. \\ud83d\\ude00, or the character itself");
       code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
     }
-    if (code >= 0xD800 && code < 0xE000) return stop(start, "half of a surrogate pair; both halves are needed");
-    if (code == 0) complain(start, "a NUL character in a string; it is not allowed");
+    if (code >= 0xD800 && code < 0xE000)
+      return stop(start, "half of a surrogate pair; write both halves, e.g. \\ud83d\\ude00, or the character itself");
+    if (code == 0 && !in_comment_) complain(start, "a NUL character in a string; leave it out");
     append_utf8(code, out);
     return true;
   }
@@ -218,7 +242,7 @@ class Reader {
       pointer_.resize(parent);
       if (take(']')) return true;
       const std::size_t comma = at_;
-      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; ',' or ']' must stand here");
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or ']' must stand here");
       skip_space();
       if (peek() == ']') return stop(comma, "a comma after the last element; leave it out");
     }
@@ -232,17 +256,19 @@ class Reader {
     for (;;) {
       skip_space();
       if (peek() != '"')
-        return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; a key in double quotes must stand here");
+        return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; a key in double quotes must stand here");
       Node& member = node.children.emplace_back();
       member.key_place = place(at_);
       if (!string(member.key)) return false;
       pointer_ += pointer_step(member.key);
-      if (!take(':')) return stop(at_, "unexpected " + here() + "; ':' must stand here");
+      if (!take(':')) return stop(at_, unexpected() + "; ':' must stand here");
+      const bool outer = std::exchange(in_comment_, in_comment_ || is_comment(member.key));
       if (!value(member, depth + 1)) return false;
+      in_comment_ = outer;
       pointer_.resize(parent);
-      if (take('}')) return refuse_duplicates(node), true;
+      if (take('}')) return in_comment_ || (refuse_duplicates(node), true);
       const std::size_t comma = at_;
-      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : "unexpected " + here() + "; ',' or '}' must stand here");
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or '}' must stand here");
       skip_space();
       if (peek() == '}') return stop(comma, "a comma after the last member; leave it out");
     }
@@ -276,6 +302,7 @@ class Reader {
   Findings& findings_;
   std::size_t at_ = 0;
   std::size_t values_ = 0;
+  bool in_comment_ = false;  // in the value of a comment: what it means is nobody's concern, but JSON it must be
   ReadOutcome outcome_ = ReadOutcome::complete;
 };
 

@@ -42,7 +42,9 @@ std::string read_all(int descriptor, const std::string& file) {
   for (;;) {
     const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse(file, fmt::format("cannot be read ({}); check the file", std::strerror(errno)));
+    if (got < 0 && errno == EISDIR) refuse(file, "is a directory; give a scenario file in it");
+    if (got < 0 && errno == EBADF) refuse(file, "is closed; give a file, or redirect standard input");
+    if (got < 0) throw ReadError(file, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
     if (got == 0) return text;
     text.append(chunk, 0, static_cast<std::size_t>(got));
     if (text.size() > scenario::kLargestText)

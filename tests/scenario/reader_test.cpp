@@ -13,7 +13,7 @@ namespace {
 using namespace std::string_literals;
 
 TEST(ScenarioSyntax, FirstSyntaxErrorStandsWhereItIs) {
-  expect_one("", "1:1 ", "the end of the text");
+  expect_one("", "1:1 ", "the text ends here; a JSON value");
   expect_one("{\"a\": 1,\n \"b\" 2}", "2:6 /b", "':' must stand here");
   expect_one("{\"_a\": [1, 2,]}", "1:13 /_a", "a comma after the last element");
   expect_one("{\"_a\": 1,\n}", "1:9 ", "a comma after the last member");
@@ -45,10 +45,17 @@ TEST(ScenarioSyntax, ColumnsAreBytesAndAByteOrderMarkHasNone) {
 TEST(ScenarioSyntax, NulAndOtherEncodingsAreRefused) {
   expect_one("{\"_a\":\n \"x\0y\"}"s, "2:4 ", "NUL byte");
   expect_one(kMinimal + "\0garbage"s, "5:1 ", "NUL byte");
-  expect_one(replaced(kMinimal, "{", "{\"_a\": \"\\u0000\","), "1:9 /_a", "NUL character");
-  expect_one("\xFF\xFE{\0\"\0}\0"s, "1:1 ", "UTF-16");
-  expect_one("{\0\"\0}\0"s, "1:1 ", "UTF-16");
-  expect_one("\0{\0}"s, "1:1 ", "UTF-16");
+  expect_one(replaced(kMinimal, "{", "{\"title\": \"\\u0000\","), "1:12 /title", "NUL character");
+  expect_one("\xFF\xFE{\0\"\0}\0"s, "1:1 ", "UTF-16LE; save it as UTF-8");
+  expect_one("{\0\"\0}\0"s, "1:1 ", "UTF-16LE");
+  expect_one("{\0"s, "1:1 ", "UTF-16LE");
+  expect_one("\xFE\xFF\0{\0}"s, "1:1 ", "UTF-16BE");
+  expect_one("\0{\0}"s, "1:1 ", "UTF-16BE");
+  expect_one("\xFF\xFE\0\0{\0\0\0"s, "1:1 ", "UTF-32LE");
+  expect_one("{\0\0\0}\0\0\0"s, "1:1 ", "UTF-32LE");
+  expect_one("\0\0\xFE\xFF\0\0\0{"s, "1:1 ", "UTF-32BE");
+  expect_one("\0\0\0{\0\0\0}"s, "1:1 ", "UTF-32BE");
+  expect_one(std::string(100, '\0'), "1:1 ", "NUL byte");
   expect_one("{\"_a\": \"\xC3\x28\"}", "1:9 ", "0xc3 is not valid UTF-8");
   expect_one("{\"_a\": \"\xC0\xAF\"}", "1:9 ", "not valid UTF-8");          // overlong
   expect_one("{\"_a\": \"\xED\xA0\x80\"}", "1:9 ", "not valid UTF-8");      // surrogate
@@ -81,7 +88,9 @@ TEST(ScenarioSyntax, DuplicateKeysNameBothPlaces) {
              "given already at 3:14");
   expect_one(replaced(kMinimal, "\"spin_rad_s\": 200", "\"spin_rad_s\": 200, \"tilt\\u005fdeg\": 20"), "3:49 /release/tilt_deg",
              "given already at 3:14");  // the same key, written with an escape
-  expect_one(replaced(kMinimal, "{\"site\"", "{\"_c\": {\"a\": 1, \"a\": 2}, \"site\""), "1:17 /_c/a", "given already at 1:9");
+  EXPECT_NO_THROW(parse(replaced(kMinimal, "{\"site\"", "{\"_c\": [{\"a\": 1, \"a\": 2}], \"site\"")));  // a comment's value
+  expect_one(replaced(kMinimal, "{\"site\"", "{\"_c\": {}, \"report\": {}, \"report\": {}, \"site\""), "1:26 /report",
+             "given already at 1:12");
   EXPECT_NO_THROW(parse(replaced(kMinimal, "{\"site\"", "{\"//\": 1, \"//\": 2, \"_c\": 1, \"_c\": 2, \"site\"")));
 }
 

@@ -16,19 +16,6 @@ namespace {
 
 constexpr double kArcsecond = std::numbers::pi / (180 * 3600.0);
 
-/// Text for a terminal: what would steer it is shown as "?".
-std::string harmless(std::string_view text) {
-  std::string shown;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-    const bool c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 to U+009F
-    shown += byte < 0x20 || byte == 0x7F || c1 ? '?' : text[i];
-    if (c1) ++i;
-  }
-  return shown;
-}
-
 /// Seven digits, or fewer or more: those that the bound leaves standing and one beyond.
 std::string with_bound(double value, double bound) {
   if (!std::isfinite(value) || !std::isfinite(bound)) return fmt::format("{:.6e} rad, bound not known", value);
@@ -173,7 +160,7 @@ std::string described(const IntegrationReport& report) {
 std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color) {
   const Scenario& scenario = result.scenario;
   Page page(color);
-  page.heading(harmless(scenario.title.empty() ? scenario.name : scenario.title));
+  page.heading(printable(scenario.title.empty() ? scenario.name : scenario.title));
   write_scene(page, scenario, result.reached_s);
   if (result.status != RunStatus::completed)
     page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
@@ -185,11 +172,11 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   if (const auto check = check_headline(result)) write_headline(page, *check, changed);
   page.entry("Computed", described(result.solution));
   page.entry("Checked", described(result.certificate));
-  for (const std::string& note : result.notes) page.entry("Note", page.warning(harmless(note)));
+  for (const std::string& note : result.notes) page.entry("Note", page.warning(printable(note)));
   if (const auto& ledger = result.ledger)
     page.entry("Torques", fmt::format("torques.csv, as the {} observer counts them: they miss dL'/dt by {:.1e} N m at most",
                                       to_string(ledger->observer), ledger->largest.residual));
-  page.entry("Written", fmt::format("{}: trajectory.csv, {}summary.json, drift.svg, timing.json", harmless(directory),
+  page.entry("Written", fmt::format("{}: trajectory.csv, {}summary.json, drift.svg, timing.json", printable(directory),
                                     result.ledger ? "torques.csv, " : ""));
   return std::move(page).text();
 }

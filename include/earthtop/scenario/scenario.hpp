@@ -66,7 +66,7 @@ struct ScenarioSource {
 };
 
 /// Reads a scenario file, "-" for standard input. @throws ScenarioError for a missing, unreadable, oversized (over 16 MiB)
-/// file, a directory or a FIFO.
+/// file, a directory or a FIFO; ReadError.
 ScenarioSource read_scenario_source(const std::string& path);
 
 /// What was found in a scenario's text, sorted by position; at most 20 errors, then one that says how many more. Those of

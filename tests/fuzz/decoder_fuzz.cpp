@@ -1,0 +1,76 @@
+// Any bytes at all into the decoder: it accepts or refuses, in words that can be shown, and what it accepts is a scenario
+// with a canonical form that is its own. Bytes 0x01, which stand in no JSON text, part the text from --set pairs.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "earthtop/scenario/scenario.hpp"
+
+namespace {
+
+void demand(bool holds, const char* what, const std::string& shown) {
+  if (holds) return;
+  std::fprintf(stderr, "BROKEN: %s\n%s\n", what, shown.c_str());
+  std::abort();
+}
+
+std::vector<std::string> parts_of(std::string_view text) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const auto end = text.find('\x01');
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// 1-based, and not beyond the end of a line.
+bool stands_in(std::string_view text, int line, int column) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (line < 1 || column < 1) return false;
+  for (int i = 1; i < line; ++i) {
+    const auto newline = text.find('\n');
+    if (newline == std::string_view::npos) return false;
+    text.remove_prefix(newline + 1);
+  }
+  return static_cast<std::size_t>(column) <= std::min(text.find('\n'), text.size()) + 1;
+}
+
+void check_refusal(const earthtop::ScenarioError& error, std::string_view text, bool with_sets) {
+  demand(!error.diagnostics().empty() && error.diagnostics().size() <= 21, "1 to 21 diagnostics", error.what());
+  for (const earthtop::Diagnostic& diagnostic : error.diagnostics()) {
+    const std::string line = format_diagnostic(error.file(), diagnostic);
+    demand(line == earthtop::printable(line) && line.find('\n') == std::string::npos, "a line that can be shown", line);
+    demand(line.size() < 4000, "a line of bearable length", line);
+    demand(!diagnostic.message.empty(), "a message", line);
+    const bool from_set = with_sets && diagnostic.line == 0 && diagnostic.column == 0;
+    demand(from_set || stands_in(text, diagnostic.line, diagnostic.column), "a place in the text", line);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto parts = parts_of({reinterpret_cast<const char*>(data), size});
+  std::vector<std::pair<std::string, std::string>> sets;
+  for (std::size_t i = 2; i < parts.size(); i += 2) sets.emplace_back(parts[i - 1], parts[i]);
+  std::string canonical;
+  try {
+    canonical = canonical_json(earthtop::parse_scenario({"fuzz.json", parts[0]}, sets));
+  } catch (const earthtop::ScenarioError& error) {
+    check_refusal(error, parts[0], !sets.empty());
+    return 0;
+  }
+  try {
+    const std::string again = canonical_json(earthtop::parse_scenario({"canonical.json", canonical}));
+    demand(again == canonical, "a canonical form that is its own", canonical + "\n" + again);
+  } catch (const earthtop::ScenarioError& error) {
+    demand(false, "a canonical form that is accepted", canonical + "\n" + error.what());
+  }
+  return 0;
+}
