@@ -62,6 +62,7 @@ struct RunResult {
 
 /// Asks a running integration to stop; safe in a signal handler.
 void request_interrupt() noexcept;
+bool interrupt_requested() noexcept;
 
 /// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run.
 /// Numerical trouble is the result's status; the rows up to it are kept.

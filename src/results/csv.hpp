@@ -3,7 +3,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <string_view>
+
+#include "earthtop/run.hpp"
 
 namespace earthtop {
 
@@ -23,5 +27,10 @@ template <class Container>
 void append_fields(std::string& line, const Container& values) {
   for (const double value : values) append_field(line, value);
 }
+
+/// The files in pieces of whole lines, of about `kCsvPiece` bytes: two million rows are a gigabyte.
+inline constexpr std::size_t kCsvPiece = std::size_t{1} << 18;
+void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink);
+void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink);
 
 }  // namespace earthtop

@@ -18,15 +18,11 @@ constexpr std::string_view kHeader =
 
 }  // namespace
 
-std::string torques_csv(const RunResult& result) {
+void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
   std::string text(kHeader);
-  if (!result.ledger) return text;
-  const std::vector<LedgerEntry<double>>& entries = result.ledger->entries;
-  const std::size_t rows = std::min(entries.size(), result.rows.size());
-  constexpr std::size_t kTypicalRow = 380;  // 19 numbers of up to 20 characters
-  text.reserve(kHeader.size() + rows * kTypicalRow);
+  const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    const LedgerEntry<double>& entry = entries[i];
+    const LedgerEntry<double>& entry = result.ledger->entries[i];
     append_number(text, result.rows[i].t_s);
     append_fields(text, entry.tau_phys_A);
     append_fields(text, entry.tau_cor_A);
@@ -35,7 +31,16 @@ std::string torques_csv(const RunResult& result) {
     append_fields(text, entry.dL_dt_A);
     append_fields(text, entry.residual_A);
     text += '\n';
+    if (text.size() < kCsvPiece) continue;
+    sink(text);
+    text.clear();
   }
+  sink(text);
+}
+
+std::string torques_csv(const RunResult& result) {
+  std::string text;
+  write_torques_csv(result, [&](std::string_view piece) { text += piece; });
   return text;
 }
 

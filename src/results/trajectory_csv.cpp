@@ -23,12 +23,21 @@ void append_row(std::string& text, const DriftRow& row) {
 
 }  // namespace
 
-std::string trajectory_csv(const RunResult& result) {
-  constexpr std::size_t kTypicalRow = 560;  // 28 numbers of up to 20 characters
+void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
   std::string text;
-  text.reserve((1 + result.rows.size()) * kTypicalRow);
   append_header(text);
-  for (const DriftRow& row : result.rows) append_row(text, row);
+  for (const DriftRow& row : result.rows) {
+    append_row(text, row);
+    if (text.size() < kCsvPiece) continue;
+    sink(text);
+    text.clear();
+  }
+  sink(text);
+}
+
+std::string trajectory_csv(const RunResult& result) {
+  std::string text;
+  write_trajectory_csv(result, [&](std::string_view piece) { text += piece; });
   return text;
 }
 

@@ -1,99 +1,34 @@
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "results/csv.hpp"
+#include "results/file_set.hpp"
 
 namespace earthtop {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// In the order in which they appear; summary.json, which names the scenario, comes last.
-constexpr std::array kFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"};
+/// summary.json, which names the scenario, is the seal of the others.
+constexpr std::string_view kSummary = "summary.json";
+constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", kSummary};
 
 [[noreturn]] void refuse(const fs::path& dir, std::string reason) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, dir.string());
 }
 
 [[noreturn]] void fail(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
-
-/// A file that is complete on disk under a temporary name beside its place, and vanishes unless it is renamed.
-class PendingFile {
- public:
-  PendingFile(fs::path place, std::string_view content) : place_(std::move(place)) {
-    const int descriptor = open_temporary();
-    int error = write_all(descriptor, content);
-    if (error == 0 && ::fsync(descriptor) != 0) error = errno;
-    if (::close(descriptor) != 0 && error == 0) error = errno;
-    if (error != 0) {
-      ::unlink(temporary_.c_str());
-      fail(place_, error);
-    }
-  }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  ~PendingFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  }
-
-  void put_in_place() {
-    if (::rename(temporary_.c_str(), place_.c_str()) != 0) fail(place_, errno);
-    temporary_.clear();
-  }
-
- private:
-  int open_temporary() {
-    static std::atomic<unsigned> counter = 0;
-    for (int attempt = 0; attempt < 1000; ++attempt) {
-      const std::string name = fmt::format(".{}.{}-{}.tmp", place_.filename().string(), ::getpid(), counter++);
-      temporary_ = place_.parent_path() / name;
-      const int descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor >= 0) return descriptor;
-      if (errno != EEXIST && errno != EINTR) break;
-    }
-    fail(place_, errno);
-  }
-
-  static int write_all(int descriptor, std::string_view rest) {
-    while (!rest.empty()) {
-      const ssize_t written = ::write(descriptor, rest.data(), rest.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return errno;
-      if (written == 0) return EIO;
-      rest.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-  }
-
-  fs::path place_;
-  fs::path temporary_;
-};
-
-/// Removes a file that need not be there.
-void remove_file(const fs::path& file) {
-  if (::unlink(file.c_str()) != 0 && errno != ENOENT) fail(file, errno);
-}
-
-/// Makes the names themselves last. Some file systems cannot sync a directory (EINVAL): then there is nothing to do.
-void sync_directory(const fs::path& dir) {
-  const int descriptor = ::open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) fail(dir, errno);
-  const int error = ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
-  ::close(descriptor);
-  if (error != 0) fail(dir, error);
-}
 
 /// The scenario whose results `summary` holds; empty if it is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
@@ -109,18 +44,21 @@ std::string scenario_of(const fs::path& summary) {
   return json.at(hash).get<std::string>();
 }
 
+/// @throws WriteError where it cannot be known
 bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
+  struct stat status = {};
+  if (::lstat(path.c_str(), &status) == 0) return true;
+  if (errno != ENOENT && errno != ENOTDIR) fail(path, errno);
+  return false;
 }
 
 /// Refuses what must not be overwritten in an existing directory.
 void check_present_files(const fs::path& dir, const Scenario& scenario, bool force) {
-  for (const char* name : kFiles)
-    if (std::error_code error; fs::is_directory(dir / name, error))
+  for (const std::string_view name : kFiles)
+    if (std::error_code error; fs::is_directory(fs::symlink_status(dir / name, error)))
       refuse(dir, std::string(name) + " in it is a directory; choose another --out");
   if (force) return;
-  const fs::path summary = dir / "summary.json";
+  const fs::path summary = dir / kSummary;
   if (is_there(summary)) {
     const std::string present = scenario_of(summary);
     if (present.empty())
@@ -131,7 +69,11 @@ void check_present_files(const fs::path& dir, const Scenario& scenario, bool for
       refuse(dir, "torques.csv in it is none of this scenario's results; choose another --out, or --force to remove it");
     return;
   }
-  for (const char* name : kFiles)
+  // A run that was killed while it put its files in place left the summary under a temporary name.
+  const auto left = FileSet::temporaries(dir, kSummary);
+  const std::string ours = scenario_sha256(scenario);
+  if (std::any_of(left.begin(), left.end(), [&](const fs::path& path) { return scenario_of(path) == ours; })) return;
+  for (const std::string_view name : kFiles)
     if (is_there(dir / name))
       refuse(dir, std::string(name) + " is in it without a summary.json; choose another --out, or --force to overwrite it");
 }
@@ -139,35 +81,30 @@ void check_present_files(const fs::path& dir, const Scenario& scenario, bool for
 }  // namespace
 
 void check_output_directory(const fs::path& dir, const Scenario& scenario, bool force) {
-  if (dir.empty()) refuse("--out", "the directory's name is empty");
+  if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
   if (error) throw WriteError(dir.string(), error.message());
   while (!is_there(present) && present.has_relative_path()) present = present.parent_path();
-  if (!fs::is_directory(present, error)) refuse(present, "is not a directory");
+  if (!fs::is_directory(present, error)) {
+    const bool link = fs::is_symlink(fs::symlink_status(present, error));
+    refuse(present, link ? "is a link that leads to no directory; mend it, or choose another --out"
+                         : "is not a directory; choose another --out");
+  }
   if (::access(present.c_str(), W_OK | X_OK) != 0) fail(present, errno);
   if (fs::is_directory(dir, error)) check_present_files(dir, scenario, force);
 }
 
 void write_results(const RunResult& result, const fs::path& dir, bool force) {
   check_output_directory(dir, result.scenario, force);
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error) throw WriteError(dir.string(), error.message());
-
-  PendingFile trajectory(dir / "trajectory.csv", trajectory_csv(result));
-  std::optional<PendingFile> torques;
-  if (result.ledger) torques.emplace(dir / "torques.csv", torques_csv(result));
-  PendingFile figure(dir / "drift.svg", svg(drift_figure(result)));
-  PendingFile timing(dir / "timing.json", timing_json(result));
-  PendingFile summary(dir / "summary.json", summary_json(result));
-  for (PendingFile* file : {&trajectory, &figure, &timing}) file->put_in_place();
-  if (torques)
-    torques->put_in_place();
-  else
-    remove_file(dir / "torques.csv");
-  summary.put_in_place();
-  sync_directory(dir);
+  FileSet files(dir, kFiles);
+  check_present_files(dir, result.scenario, force);  // once more: no other run writes there now
+  files.add("trajectory.csv", [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink); });
+  if (result.ledger) files.add("torques.csv", [&](const FileSet::Sink& sink) { write_torques_csv(result, sink); });
+  files.add("drift.svg", svg(drift_figure(result)));
+  files.add("timing.json", timing_json(result));
+  files.add(kSummary, summary_json(result));
+  files.commit();
 }
 
 }  // namespace earthtop

@@ -14,7 +14,7 @@
 namespace earthtop {
 namespace {
 
-std::atomic<bool> interrupt_requested = false;
+std::atomic<bool> stop_asked = false;
 
 /// `automatic` is rkf78, of odeint's methods the one with the least error at a given cost on the shipped scenarios, with a
 /// local tolerance a hundred times finer than the one asked for: local errors add up over the thousands of steps of a run.
@@ -45,7 +45,7 @@ IntegrationOptions second_options(const IntegrationOptions& first) {
 DriftTrajectory<double> integrate_timed(const DriftProblem<double>& problem, const IntegrationOptions& options,
                                         IntegrationReport& report) {
   const auto start = std::chrono::steady_clock::now();
-  DriftTrajectory<double> trajectory = integrate_drift(problem, options, &interrupt_requested);
+  DriftTrajectory<double> trajectory = integrate_drift(problem, options, &stop_asked);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.observer = options.observer;
   report.method = options.method;
@@ -91,7 +91,9 @@ double attitude_distance(const Quaternion<double>& p, const Quaternion<double>& 
 
 }  // namespace
 
-void request_interrupt() noexcept { interrupt_requested = true; }
+void request_interrupt() noexcept { stop_asked = true; }
+
+bool interrupt_requested() noexcept { return stop_asked; }
 
 RunResult run(const Scenario& scenario) {
   require_affordable(scenario);

@@ -1,6 +1,7 @@
 #include "earthtop/run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -17,20 +18,21 @@ namespace {
 
 volatile std::sig_atomic_t g_signal = 0;
 
+/// The first signal asks the run to stop, which takes well under a second. Another one ends the program at once, but for
+/// the moment in which results are put in place.
 extern "C" void stop_running(int signal) {
+  if (g_signal != 0 && discard_temporaries()) ::_exit(128 + signal);
   g_signal = signal;
   request_interrupt();
 }
 
-/// The first SIGINT or SIGTERM asks the run to stop; the second one kills.
 void install_stop_handlers() {
   struct sigaction action {};
   action.sa_handler = stop_running;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
-    // A shell's background job has SIGINT ignored: it stays so.
+    // A shell's background job has SIGINT ignored, and nohup's SIGHUP: it stays so.
     if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
 }
@@ -44,6 +46,12 @@ struct RunArguments {
   std::vector<std::string> sets;
 };
 
+int interrupted(const RunArguments& arguments, const std::string& where) {
+  return report_errors(
+      "", {{0, 0, "", fmt::format("interrupted {}; nothing was written, the same command starts it again", where)}},
+      arguments.json, 128 + (g_signal != 0 ? g_signal : SIGINT));
+}
+
 Scenario read_scenario(const RunArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
@@ -52,21 +60,15 @@ Scenario read_scenario(const RunArguments& arguments) {
   return *std::move(report.scenario);
 }
 
-int run_verb(const RunArguments& arguments) {
+int run_verb(const RunArguments& arguments) try {
   const Scenario scenario = read_scenario(arguments);
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scenario, arguments.force);
 
   install_stop_handlers();
   const RunResult result = run(scenario);
-  if (result.status == RunStatus::interrupted) {
-    const int signal = g_signal != 0 ? g_signal : SIGINT;
-    return report_errors("",
-                         {{0, 0, "",
-                           fmt::format("interrupted at t = {} s of {} s; nothing was written, the same command starts it again",
-                                       result.reached_s, scenario.duration_s)}},
-                         arguments.json, 128 + signal);
-  }
+  if (result.status == RunStatus::interrupted)
+    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, scenario.duration_s));
   write_results(result, dir, arguments.force);
   if (arguments.json)
     print(summary_json(result));
@@ -74,8 +76,12 @@ int run_verb(const RunArguments& arguments) {
     print(summary_text(result, dir.string(), !arguments.sets.empty(), wants_color()));
   if (result.status == RunStatus::completed) return kDone;
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
-                      to_string(result.status), result.reached_s, scenario.duration_s, dir.string()));
+                      to_string(result.status), result.reached_s, scenario.duration_s, printable(dir.string())));
   return kNumericalFailure;
+} catch (const Interrupted&) {
+  return interrupted(arguments, "before the results were in place");
+} catch (const ReadError& error) {
+  return report_errors(error.file(), {{0, 0, "", error.reason()}}, arguments.json, kWriteFailed);
 }
 
 }  // namespace

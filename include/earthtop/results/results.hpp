@@ -49,10 +49,22 @@ Figure drift_figure(const RunResult& result);
 /// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
 void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
 
-/// Writes trajectory.csv, torques.csv if there is a ledger, drift.svg, timing.json and, last, summary.json; makes `dir`. Every
-/// file is complete on disk under a temporary name before the first one is renamed: after a failure the old results are intact
-/// and no temporary is left. A torques.csv of older results that these do not have is removed before summary.json changes.
-/// @throws as check_output_directory, which it calls; WriteError.
+/// An interrupt was requested before the first file was in place: nothing has changed.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Writes trajectory.csv, torques.csv if there is a ledger, drift.svg, timing.json and summary.json; makes `dir`. A torques.csv
+/// of older results that these do not have is removed. Every file is complete on disk under a temporary name before anything
+/// changes: after a failure the old results are intact, and no temporary and no empty directory are left. While files are
+/// replaced there is no summary.json: where it is, the others belong to it, even if the program is killed. Where a result is a
+/// link, the link is replaced and what it leads to is left alone.
+/// @throws as check_output_directory, which it calls; WriteError; Interrupted.
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force);
+
+/// Removes the temporaries of a `write_results` that is under way, for a program about to end; safe in a signal handler.
+/// @returns false, and does nothing, in the moment in which files are put in place
+bool discard_temporaries() noexcept;
 
 }  // namespace earthtop

@@ -1,0 +1,274 @@
+#include "results/file_set.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "earthtop/results/results.hpp"
+
+namespace earthtop {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
+
+void stop_if_asked() {
+  if (interrupt_requested()) throw Interrupted();
+}
+
+// What a signal handler needs to know: the names that must not stay, and whether files are being put in place.
+std::array<std::atomic<const char*>, 16> names_on_disk{};
+std::atomic<bool> committing = false;
+
+/// Keeps a name known to `discard_temporaries` while it lives.
+class KnownName {
+ public:
+  explicit KnownName(const char* name) {
+    for (auto& slot : names_on_disk) {
+      const char* none = nullptr;
+      if (slot.compare_exchange_strong(none, name)) {
+        slot_ = &slot;
+        return;
+      }
+    }
+  }
+  ~KnownName() {
+    if (slot_) *slot_ = nullptr;
+  }
+  KnownName(const KnownName&) = delete;
+  KnownName& operator=(const KnownName&) = delete;
+
+ private:
+  std::atomic<const char*>* slot_ = nullptr;
+};
+
+std::string temporary_name(std::string_view name) {
+  static std::atomic<unsigned> counter = 0;
+  return fmt::format(".{}.{}-{}.tmp", name, ::getpid(), counter++);
+}
+
+bool is_temporary_of(std::string_view candidate, std::string_view name) {
+  const std::string front = fmt::format(".{}.", name);
+  constexpr std::string_view kBack = ".tmp";
+  if (!candidate.starts_with(front) || !candidate.ends_with(kBack) || candidate.size() <= front.size() + kBack.size())
+    return false;
+  const auto middle = candidate.substr(front.size(), candidate.size() - front.size() - kBack.size());
+  return middle.find_first_not_of("0123456789-") == std::string_view::npos;
+}
+
+int write_all(int descriptor, std::string_view rest) {
+  constexpr std::size_t kChunk = std::size_t{1} << 20;
+  while (!rest.empty()) {
+    stop_if_asked();
+    const ssize_t written = ::write(descriptor, rest.data(), std::min(rest.size(), kChunk));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    if (written == 0) return EIO;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return descriptor_; }
+  int close() { return descriptor_ < 0 ? 0 : ::close(std::exchange(descriptor_, -1)); }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+bool discard_temporaries() noexcept {
+  if (committing) return false;
+  for (const auto& slot : names_on_disk)
+    if (const char* name = slot.load()) ::unlink(name);
+  return true;
+}
+
+/// One file: its place, its new version and its old one, both beside it; an empty name where there is none.
+struct FileSet::File {
+  File(const fs::path& dir, std::string_view its_name)
+      : name(its_name), place(dir / its_name), next(dir / temporary_name(its_name)), last(dir / temporary_name(its_name)) {}
+  ~File() {
+    if (is_written) ::unlink(next.c_str());
+    if (is_set_aside) ::unlink(last.c_str());
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  void set_aside() {
+    if (::rename(place.c_str(), last.c_str()) == 0)
+      is_set_aside = true;
+    else if (errno != ENOENT)
+      fail(place, errno);
+  }
+  void put_in_place() {
+    if (!is_written) return;
+    if (::rename(next.c_str(), place.c_str()) != 0) fail(place, errno);
+    is_written = false;
+    is_in_place = true;
+  }
+  void put_back() noexcept {
+    if (is_in_place && ::rename(place.c_str(), next.c_str()) == 0) is_written = true;
+    if (is_set_aside) ::rename(last.c_str(), place.c_str());
+    is_set_aside = false;  // where even that failed, the old version stays under its temporary name
+  }
+
+  std::string name;
+  fs::path place, next, last;
+  KnownName known{next.c_str()};
+  bool is_written = false;    // `next` is on disk
+  bool is_in_place = false;   // and has become `place`
+  bool is_set_aside = false;  // `last` is what was at `place`
+};
+
+FileSet::FileSet(fs::path dir, std::span<const std::string_view> names) : dir_(std::move(dir)) {
+  try {
+    make_directory();
+    lock();
+    for (const std::string_view name : names) {
+      files_.push_back(std::make_unique<File>(dir_, name));
+      if (name != names.back()) remove_left(name);
+    }
+  } catch (...) {
+    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());
+    if (directory_ >= 0) ::close(directory_);
+    throw;
+  }
+}
+
+FileSet::~FileSet() {
+  files_.clear();
+  if (!committed_)
+    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
+  if (directory_ >= 0) ::close(directory_);
+}
+
+void FileSet::make_directory() {
+  std::error_code error;
+  for (fs::path at = dir_; !at.empty() && !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path())
+    made_.insert(made_.begin(), at);
+  fs::create_directories(dir_, error);
+  if (error) throw WriteError(dir_.string(), error.message());
+}
+
+/// Temporaries that are there while the lock is held belong to nobody. Where there is no lock, they stay.
+void FileSet::remove_left(std::string_view name) const {
+  if (!locked_) return;
+  for (const fs::path& left : temporaries(dir_, name)) ::unlink(left.c_str());
+}
+
+void FileSet::lock() {
+  directory_ = ::open(dir_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (directory_ < 0) {
+    if (errno == EACCES) return;  // a directory that may be written to, but not read
+    fail(dir_, errno);
+  }
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kPatience{10};
+  for (const auto start = Clock::now(); ::flock(directory_, LOCK_EX | LOCK_NB) != 0;) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return;  // cannot lock here
+    stop_if_asked();
+    if (Clock::now() - start > kPatience)
+      throw WriteError(dir_.string(), "another run has been writing there for 10 s; wait for it, or choose another --out");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  locked_ = true;
+}
+
+std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (auto at = fs::directory_iterator(dir, error); !error && at != fs::directory_iterator(); at.increment(error))
+    if (is_temporary_of(at->path().filename().string(), name)) found.push_back(at->path());
+  return found;
+}
+
+FileSet::File& FileSet::file(std::string_view name) {
+  for (const auto& file : files_)
+    if (file->name == name) return *file;
+  throw std::logic_error(fmt::format("{} is not one of the files", name));
+}
+
+void FileSet::add(std::string_view name, const std::function<void(const Sink&)>& produce) {
+  File& file = this->file(name);
+  // A file of this name is of a killed run with the same process number.
+  if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail(file.place, errno);
+  Descriptor descriptor(::open(file.next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (descriptor.get() < 0) fail(file.place, errno);
+  file.is_written = true;
+  produce([&](std::string_view content) {
+    if (const int error = write_all(descriptor.get(), content); error != 0) fail(file.place, error);
+  });
+  stop_if_asked();
+  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail(file.place, errno);
+  if (descriptor.close() != 0) fail(file.place, errno);
+}
+
+void FileSet::add(std::string_view name, std::string_view content) {
+  add(name, [&](const Sink& sink) { sink(content); });
+}
+
+/// Makes the names themselves last. Some file systems cannot sync a directory (EINVAL): then there is nothing to do.
+void FileSet::sync() const {
+  if (directory_ >= 0 && ::fsync(directory_) != 0 && errno != EINVAL) fail(dir_, errno);
+}
+
+void FileSet::replace() {
+  File& seal = *files_.back();
+  seal.set_aside();
+  if (seal.is_set_aside) sync();
+  for (const auto& file : files_) {
+    if (file.get() == &seal) continue;
+    file->set_aside();
+    file->put_in_place();
+  }
+  sync();
+  seal.put_in_place();
+  sync();
+}
+
+void FileSet::put_back() noexcept {
+  for (const auto& file : files_) file->put_back();  // the seal last
+}
+
+void FileSet::commit() {
+  stop_if_asked();
+  committing = true;
+  try {
+    replace();
+  } catch (...) {
+    put_back();
+    committing = false;
+    throw;
+  }
+  committed_ = true;
+  for (const auto& file : files_) {
+    if (file->is_set_aside) ::unlink(file->last.c_str());
+    file->is_set_aside = false;
+  }
+  remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
+  committing = false;
+}
+
+}  // namespace earthtop
