@@ -65,7 +65,7 @@ void request_interrupt() noexcept;
 bool interrupt_requested() noexcept;
 
 /// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run.
-/// Numerical trouble is the result's status; the rows up to it are kept.
+/// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none.
 RunResult run(const Scenario& scenario);
 
 }  // namespace earthtop

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
@@ -95,6 +96,18 @@ void request_interrupt() noexcept { stop_asked = true; }
 
 bool interrupt_requested() noexcept { return stop_asked; }
 
+namespace {
+
+/// What is known of a run that was asked to stop: how far it came.
+RunResult stopped(RunResult result, const DriftTrajectory<double>& first) {
+  result.status = RunStatus::interrupted;
+  result.reached_s = first.samples.empty() ? 0 : first.samples.back().state.t_s;
+  result.rows.clear();
+  return result;
+}
+
+}  // namespace
+
 RunResult run(const Scenario& scenario) {
   require_affordable(scenario);
   auto problem = make_problem<double>(scenario);
@@ -109,9 +122,10 @@ RunResult run(const Scenario& scenario) {
   const DriftTrajectory<double> second = integrate_timed(problem, second_options(options), result.certificate);
   result.status = first.status != RunStatus::completed ? first.status : second.status;
 
+  // What follows takes seconds where the rows are millions.
   DriftBound bound;
   const std::size_t count = std::min(first.samples.size(), second.samples.size());
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count && !stop_asked; ++i) {
     const DriftSample<double>& sample = first.samples[i];
     const DriftSample<double>& other = second.samples[i];
     bound.include(sample.measures, other.measures, sample.state.epsilon);
@@ -120,10 +134,13 @@ RunResult run(const Scenario& scenario) {
                                      attitude_distance(sample.state.ref_q_LB, other.state.ref_q_LB));
     result.attitude_bound_rad = std::max(result.attitude_bound_rad, DriftBound::kSafety * distance);
   }
+  if (stop_asked) return stopped(std::move(result), first);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
   result.drift.threshold_time_s = first.threshold_time_s;
+  if (stop_asked) return stopped(std::move(result), first);
   result.invariants = assess_invariants(scenario, result.rows);
+  if (stop_asked) return stopped(std::move(result), first);
   result.theory = assess_theory(scenario, result.rows, result.drift);
   result.ledger = assess_ledger(scenario, result.rows);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
