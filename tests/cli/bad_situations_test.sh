@@ -223,13 +223,13 @@ fi
 
 # -- signals. The first command is long to compute, the second long to write.
 sed 's/"duration_s": 0.5, "output_step_s": 0.01/"duration_s": 50000, "output_step_s": 1000/' top.json >long.json
-# stopped STATUS SIGNAL SECONDS ARGUMENTS...: the signal comes after so many seconds; the program ends within one more.
+# stopped STATUS SIGNAL SECONDS ARGUMENTS...: the signal comes after so many seconds; the program ends soon after.
 stopped() {
   wanted=$1
   signal=$2
   delay=$3
   shift 3
-  timeout --preserve-status -k 1 -s "$signal" "$delay" "$tool" "$@" >out.txt 2>err.txt </dev/null
+  timeout --preserve-status -k 3 -s "$signal" "$delay" "$tool" "$@" >out.txt 2>err.txt </dev/null
   status=$?
   [ "$status" -eq "$wanted" ] || fault "SIG$signal after $delay s: exit status $status, not $wanted"
 }
@@ -237,7 +237,6 @@ for delay in 0.02 0.2; do
   stopped 130 INT "$delay" run long.json --out stopped/deep
   stopped 143 TERM "$delay" run long.json --out stopped/deep
 done
-on_stderr 'interrupted at t = .* nothing was written, the same command starts it again'
 stopped 129 HUP 0.2 run long.json --out stopped/deep
 [ ! -e stopped ] || fault "an interrupted run left a directory"
 expect 2 run long.json --out old
@@ -245,7 +244,7 @@ rm -rf old
 expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 keep old
 for delay in 0.15 0.25 0.35 0.45; do
-  timeout --preserve-status -k 1 -s TERM "$delay" "$tool" run top.json --out old --quiet --force \
+  timeout --preserve-status -k 3 -s TERM "$delay" "$tool" run top.json --out old --quiet --force \
     --set /motion/output_step_s=1e-5 >out.txt 2>err.txt </dev/null
   case $? in
     143) intact old "SIGTERM after $delay s" ;;
@@ -269,6 +268,7 @@ expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 nothing_left old
 
 # Killed, or refused by the disk, at any of the eight renamings: without its summary.json a result is none, and whole with it.
+export ASAN_OPTIONS=detect_leaks=0 # which cannot be done under strace
 if command -v strace >/dev/null && strace -o /dev/null -e trace=rename true 2>/dev/null; then
   for n in 1 2 5 8; do
     rm -rf old
