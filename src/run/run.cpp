@@ -142,6 +142,7 @@ RunResult run(const Scenario& scenario) {
   result.invariants = assess_invariants(scenario, result.rows);
   if (stop_asked) return stopped(std::move(result), first);
   result.theory = assess_theory(scenario, result.rows, result.drift);
+  if (stop_asked) return stopped(std::move(result), first);
   result.ledger = assess_ledger(scenario, result.rows);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
   return result;
