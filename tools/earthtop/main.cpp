@@ -66,6 +66,8 @@ int guarded_main(int argc, char** argv) {
     return parse_and_do(argc, argv);
   } catch (const ScenarioError& error) {
     return report_errors(error.file(), error.diagnostics(), json, kRefused);
+  } catch (const ReadError& error) {
+    return report_errors(error.file(), {{0, 0, "", error.reason()}}, json, kWriteFailed);
   } catch (const WriteError& error) {
     // What cannot reach standard output is not tried there again.
     const bool lost = error.file() == kStandardOutput;

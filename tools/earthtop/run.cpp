@@ -80,8 +80,6 @@ int run_verb(const RunArguments& arguments) try {
   return kNumericalFailure;
 } catch (const Interrupted&) {
   return interrupted(arguments, "before the results were in place");
-} catch (const ReadError& error) {
-  return report_errors(error.file(), {{0, 0, "", error.reason()}}, arguments.json, kWriteFailed);
 }
 
 }  // namespace
