@@ -177,8 +177,9 @@ class Driver {
         stepper = Stepper();
       step_before = h;
       for (std::int64_t k = 0; k < steps; ++k) {
-        if (const RunStatus status = may_go_on(times[row - 1], times); status != RunStatus::completed) return status;
-        stepper.do_step(system, x, times[row - 1] + static_cast<T>(k) * h, h);
+        const T now = times[row - 1] + static_cast<T>(k) * h;
+        if (const RunStatus status = may_go_on(now, times); status != RunStatus::completed) return status;
+        stepper.do_step(system, x, now, h);
         ++counters_.accepted;
         if (!all_finite(x)) return RunStatus::not_finite;
         on_step_(times[row - 1] + static_cast<T>(k + 1) * h, x);

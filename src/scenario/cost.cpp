@@ -4,30 +4,61 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
+
+namespace {
+
+/// How fast a platform turns, and how it accelerates the pivot, at most.
+struct PlatformDemand {
+  double rate_rad_s = 0;
+  double acceleration_m_s2 = 0;
+};
+
+PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double earth_rate_rad_s) {
+  const double omega = 2 * std::numbers::pi * std::abs(platform.frequency_hz), amplitude = std::abs(platform.amplitude_rad);
+  const double rate = std::abs(platform.rate_rad_s) + std::abs(platform.acceleration_rad_s2) * duration_s + amplitude * omega;
+  const double alpha = std::abs(platform.acceleration_rad_s2) + amplitude * omega * omega;
+  const auto& d = platform.pivot_offset_m;
+  const double offset = std::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
+  return {std::max(rate, omega), (turning * turning + alpha) * offset};
+}
+
+/// The phase of the fastest motion that a step covers (rad), as measured on a fast top; a method of order p takes steps that
+/// grow with the p-th root of its tolerance.
+double radians_a_step(const IntegrationOptions& options) {
+  const double tolerance = options.relative_tolerance;
+  switch (options.method) {
+    case Method::dopri5: return 0.25 * std::pow(tolerance / 1e-8, 1.0 / 5);
+    case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
+    case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
+    case Method::automatic: return 0.22 * std::pow(std::max(tolerance / 100, 1e-14) / 1e-14, 1.0 / 8);
+    case Method::abm8: break;  // its step is given
+  }
+  return 0.04;
+}
+
+}  // namespace
 
 double fastest_rate_rad_s(const Scenario& scenario) {
   const auto body = make_body<double>(scenario.body);
   const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(body.I_BP_B, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
-  const double mgl = body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B);
-  double rate = norm(Vec3<double>(body.I_BP_B * release.w_XB_B)) / least_moment + 2 * std::sqrt(mgl / least_moment) +
-                std::abs(scenario.rotation_rate_rad_s);
-  if (scenario.platform) {
-    const PlatformSpec& p = *scenario.platform;
-    rate += std::abs(p.rate_rad_s) + std::abs(p.acceleration_rad_s2) * scenario.duration_s + 6.3 * std::abs(p.frequency_hz);
-  }
+  PlatformDemand platform;
+  if (scenario.platform) platform = demand_of(*scenario.platform, scenario.duration_s, scenario.rotation_rate_rad_s);
+  const double torque = body.mass * (scenario.site.gravity_m_s2 + platform.acceleration_m_s2) * norm(body.p_PBcm_B);
+  const double rate = norm(Vec3<double>(body.I_BP_B * release.w_XB_B)) / least_moment + 2 * std::sqrt(torque / least_moment) +
+                      std::abs(scenario.rotation_rate_rad_s) + platform.rate_rad_s;
   return std::max(rate, 1 / scenario.duration_s);
 }
 
 double estimated_steps(const Scenario& scenario) {
-  constexpr double kRadiansAStep = 0.2;
-  const double step_s = scenario.numerics.step_s.value_or(kRadiansAStep / fastest_rate_rad_s(scenario));
-  return scenario.duration_s / step_s;
+  const IntegrationOptions& options = scenario.numerics;
+  return scenario.duration_s / options.step_s.value_or(radians_a_step(options) / fastest_rate_rad_s(scenario));
 }
 
 void require_affordable(const Scenario& scenario) {

@@ -37,11 +37,13 @@ void decode_headline(const Section& root, Scenario& scenario) {
   const auto value = given.number("value"), tolerance = given.number("tolerance"), at = given.number("at_s");
   if (!quantity || !origin || !value || !tolerance) return;
   scenario.headline = HeadlineSpec{*quantity, at, *value, *tolerance, *origin};
+  if (*quantity == "drift.threshold_time_s" && !root.section("report").has("threshold_rad"))
+    given.refuse("quantity", "there is no threshold to pass; give /report/threshold_rad");
   if (!at || !(scenario.duration_s > 0)) return;
   if (quantity->find('.') != std::string::npos)
     given.refuse_key("at_s", "belongs to a column of trajectory.csv; a figure of summary.json has no time");
   else if (!is_output_time(*at, scenario.duration_s, scenario.output_step_s))
-    given.refuse("at_s", "is not the time of a row; must be a multiple of output_step_s within the duration");
+    given.warn("at_s", "is not the time of a row, a multiple of output_step_s within the duration: nothing is held against it");
 }
 
 /// @returns whether gravity is known

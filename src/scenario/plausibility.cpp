@@ -26,16 +26,17 @@ void warn_of_radians(const Section& section, std::string_view key, double most) 
         key, fmt::format("{} degrees is close to the equator; if these are radians, write {:.6g}", *value, *value / kDegree));
 }
 
-bool is_earth(double rotation_rate_rad_s) { return std::abs(std::abs(rotation_rate_rad_s) / kEarthRateWgs84 - 1) < 0.1; }
+bool is_earth(double rotation_rate_rad_s) { return std::abs(std::abs(rotation_rate_rad_s) / kEarthRateWgs84 - 1) < 0.01; }
 
 void warn_of_site(const Section& root, const Scenario& scenario, bool has_weight) {
   const Section site = root.section("site"), earth = root.section("earth");
   warn_of_radians(site, "latitude_deg", std::numbers::pi / 2);
-  if (earth.has("rotation_rate_rad_s") && std::abs(std::abs(scenario.rotation_rate_rad_s) - 15.041) < 0.05)
-    earth.warn("rotation_rate_rad_s", "is the Earth's rate in degrees an hour; in rad/s it is 7.292115e-5");
+  for (const auto& [unit, factor] : {std::pair("degrees an hour", 3600 / kDegree), std::pair("degrees a second", 1 / kDegree)})
+    if (earth.has("rotation_rate_rad_s") && is_earth(scenario.rotation_rate_rad_s / factor))
+      earth.warn("rotation_rate_rad_s", fmt::format("is the Earth's rate in {}; in rad/s it is 7.292115e-5", unit));
   const auto gravity = site.has("gravity_m_s2") ? site.number("gravity_m_s2") : std::nullopt;
   const auto height = site.number("height_m");
-  if (!gravity || !height || !has_weight || !is_earth(scenario.rotation_rate_rad_s)) return;
+  if (!gravity || *gravity == 0 || !height || !has_weight || !is_earth(scenario.rotation_rate_rad_s)) return;
   // The least and largest gravity at sea level, anomalies included, taken to the height by normal gravity's decrease.
   const double decrease = normal_gravity(45, 0) - normal_gravity(45, *height);
   const double least = 9.76 - decrease, most = 9.84 - decrease;
@@ -53,10 +54,11 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
   const double radius = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));  // of gyration
   const std::string_view place = section.has("solids") ? "solids" : "inertia";
   constexpr double kPointBob = 1e-3;  // below this share of the arm the body is meant as a point: its density says nothing
+  if (!std::isfinite(radius)) return;
   if (radius > kPointBob * arm) {
-    // A ball of this radius of gyration; discs and rods are within a factor of ten or so.
+    // Of all bodies with this mass and radius of gyration a ball needs the least density.
     const double density = body.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(1.3 * radius, 3));
-    if (density > 1e6)
+    if (density > 2.5e4)
       section.warn(place, fmt::format("{:.3g} kg with a radius of gyration of {:.3g} m is denser than any matter (about {:.1g} "
                                       "kg/m^3); are these grams, or another unit than kg m^2?",
                                       body.mass, radius, density));
@@ -65,7 +67,7 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
                                       "kg/m^3); are these millimetres, or another unit than kg m^2?",
                                       body.mass, radius, density));
   }
-  if (arm > 10 && radius < 0.05)  // Foucault hung a ball of 28 kg on 67 m
+  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // a pendulum may be long, but has no spin
     section.warn(section.has("solids") ? "solids" : "center_of_mass_m",
                  fmt::format("the centre of mass is {:.3g} m from the pivot, {:.3g} times the radius of gyration; are these "
                              "millimetres?",
@@ -74,8 +76,7 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
     const auto density = spec.solids[i].density_kg_m3;
     if (density && *density < 25)
       section.element("solids", i)
-          .warn("density_kg_m3",
-                fmt::format("{} kg/m^3 is no solid's; are these g/cm^3 (write {})?", *density, *density * 1000));
+          .warn("density_kg_m3", fmt::format("{} kg/m^3 is a foam's; are these g/cm^3 (write {})?", *density, *density * 1000));
   }
   constexpr double kFastestRim = 2000;  // m/s: carbon fibre bursts below this
   if (std::abs(spin_rad_s) * radius > kFastestRim)

@@ -91,6 +91,15 @@ on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /body/mass_kg'
 expect 2 check missing.json faulty.json
 on_stderr 'missing.json: error: '
 on_stderr 'faulty.json:[0-9]*:[0-9]*: error: '
+escape=$(printf 'e\033[2Jf.json')
+cp faulty.json "$escape"
+expect 1 check "$escape"
+if grep -q "$(printf '\033')" out.txt err.txt; then fault "a file's name steers the terminal"; fi
+if [ -r /proc/self/mem ]; then
+  expect 4 check top.json /proc/self/mem faulty.json
+  on_stdout 'top.json: ok'
+  on_stdout 'faulty.json: 2 errors'
+fi
 expect 1 check faulty.json top.json --json
 nothing_on_stderr
 on_stdout '"valid": false'
@@ -101,6 +110,9 @@ on_stderr 'top.json: warning: /site/gravity_m_s2: '
 expect 0 check top.json --set /site/gravity_m_s2=9.9 --quiet
 nothing_on_stdout
 nothing_on_stderr
+platform='{"motion":"harmonic","amplitude_rad":1e6,"frequency_hz":10,"pivot_offset_m":[0.3,0,0]}'
+expect 1 check top.json --set "/platform=$platform" --set /motion/duration_s=100
+on_stderr 'days of computing'
 expect 1 check top.json --set /motion/duration_s=1e8
 on_stderr 'days of computing'
 "$tool" check - <faulty.json >out.txt 2>err.txt
@@ -129,6 +141,7 @@ done <names.txt
 expect 0 example
 cp out.txt example.json
 expect 0 check example.json
+expect 2 example --list toy-top
 expect 2 example no-such-top
 on_stderr 'there is no example "no-such-top"; there are: .*toy-top'
 expect 2 completion csh
@@ -172,6 +185,15 @@ expect 0 run headline.json --out headline
 on_stdout '^Headline .*drift_axis_rad at 1.6 s = .*: met, off by'
 expect 0 run headline.json --out headline --force --set /earth/rotation_rate_rad_s=0
 on_stdout '^Headline .*: differs, as the scenario was changed'
+expect 0 run headline.json --out headline --force --set /numerics/method=dopri5 --set /numerics/relative_tolerance=0.1 \
+  --set /numerics/ledger=body --set /name=other
+on_stdout '^Headline .*: NOT MET'
+expect 0 run headline.json --out headline --force --set /motion/duration_s=1
+on_stdout '^Headline .*: not compared, this run has no such number'
+on_stderr 'warning: /headline/at_s'
+expect 3 run headline.json --out headline --force --set /numerics/method=abm8 --set /numerics/step_s=100 \
+  --set /motion/output_step_s=0.4
+on_stdout '^Headline .*: not compared, the run stopped at'
 sed 's/"value": 1/"value": 2/' headline.json >wrong.json
 expect 0 run wrong.json --out wrong
 on_stdout '^Headline .*: NOT MET'

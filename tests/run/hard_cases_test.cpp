@@ -395,5 +395,14 @@ TEST(HardCases, H24NoNorthwardRateAtAPole) {
   }
 }
 
+// The review of the progress after a million steps sees the time within a row, not that of the row before.
+TEST(StepLimit, MillionsOfFixedStepsInOneRowAreAllowed) {
+  Scenario s = testing::heavy_rotor_top();
+  s.duration_s = s.output_step_s = 1.5;
+  s.numerics.method = Method::abm8;
+  s.numerics.step_s = 1e-6;
+  EXPECT_EQ(run(s).status, RunStatus::completed);
+}
+
 }  // namespace
 }  // namespace earthtop

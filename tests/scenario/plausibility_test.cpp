@@ -32,6 +32,8 @@ TEST(Plausibility, GravityOfAnotherPlanetOnTheEarth) {
   expect_no_warning({{"/site/gravity_m_s2", "9.5"}, {"/site/height_m", "100000"}});
   // Not the Earth, and a body that gravity does not turn.
   expect_no_warning({{"/site/gravity_m_s2", "1.6"}, {"/earth/rotation_rate_rad_s", "2.66e-6"}});
+  expect_no_warning({{"/site/gravity_m_s2", "3.71"}, {"/earth/rotation_rate_rad_s", "7.088e-5"}});
+  expect_no_warning({{"/site/gravity_m_s2", "0"}});
   expect_no_warning({{"/site/gravity_m_s2", "0"}, {"/body/center_of_mass_m", "[0, 0, 0]"}});
 }
 
@@ -57,6 +59,13 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
                  "/body/inertia", "thinner than air");
   expect_warning({{"/body", R"({"solids": [{"shape": "disc", "radius_m": 0.05, "length_m": 0.01, "density_kg_m3": 7.8}]})"}},
                  "/body/solids/0/density_kg_m3", "write 7800");
+  expect_warning({{"/body", R"({"mass_kg": 100, "center_of_mass_m": [0, 0, 0.03],
+                    "inertia": {"about": "center_of_mass", "principal_kg_m2": [0.11, 0.11, 0.04]}})"}},
+                 "/body/inertia", "denser than any matter");
+  expect_warning({{"/body", R"({"mass_kg": 0.1, "center_of_mass_m": [0, 0, 3],
+                    "inertia": {"about": "center_of_mass", "principal_kg_m2": [1.1e-4, 1.1e-4, 4e-5]}})"}},
+                 "/body/center_of_mass_m", "millimetres");
+  expect_no_warning({{"/body/mass_kg", "5e-324"}, {"/body/center_of_mass_m", "[0, 0, 0]"}});
   expect_warning({{"/release/spin_rad_s", "200000"}}, "/body/inertia", "revolutions a minute");
   expect_no_warning(
       {{"/body", R"({"solids": [{"shape": "disc", "radius_m": 0.05, "length_m": 0.01, "density_kg_m3": 7800}]})"}});
@@ -69,6 +78,7 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
 
 TEST(Plausibility, EarthRateInDegreesAnHour) {
   expect_warning({{"/earth/rotation_rate_rad_s", "15.041"}}, "/earth/rotation_rate_rad_s", "degrees an hour");
+  expect_warning({{"/earth/rotation_rate_rad_s", "4.178e-3"}}, "/earth/rotation_rate_rad_s", "degrees a second");
   expect_no_warning({{"/earth/rotation_rate_rad_s", "14"}, {"/motion/duration_s", "1"}});
 }
 

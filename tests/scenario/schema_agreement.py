@@ -77,7 +77,7 @@ BEYOND_THE_SCHEMA = [
     ({"motion": {"duration_s": 1e9}}, "steps"),
     ({"numerics": {"method": "abm8", "step_s": 1e-12}}, "steps"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
-    ({"headline": {"quantity": "axis_L_x", "at_s": 0.50001, "value": 1, "tolerance": 1, "origin": ""}}, "not the time of a row"),
+    ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
 ]
 # The same where the fault is in the text: a parser takes these silently, or a schema never sees them.
 TEXTS_BEYOND_THE_SCHEMA = [

@@ -19,16 +19,18 @@ struct CheckArguments {
 
 struct CheckedFile {
   std::string file;
-  bool readable = true;
+  ExitStatus unread = kDone;  // the status where it cannot be read
   ScenarioReport report;
 };
 
 CheckedFile check_file(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides) {
   try {
     const ScenarioSource source = read_scenario_source(path);
-    return {source.file, true, examine_scenario(source, overrides)};
+    return {source.file, kDone, examine_scenario(source, overrides)};
   } catch (const ScenarioError& error) {
-    return {error.file(), false, {std::nullopt, error.diagnostics().size(), error.diagnostics(), {}}};
+    return {error.file(), kRefused, {std::nullopt, error.diagnostics().size(), error.diagnostics(), {}}};
+  } catch (const ReadError& error) {
+    return {error.file(), kWriteFailed, {std::nullopt, 1, {{0, 0, "", error.reason()}}, {}}};
   }
 }
 
@@ -36,8 +38,8 @@ std::string counted(std::size_t count, const char* noun) { return fmt::format("{
 
 std::string verdict(const CheckedFile& checked) {
   const ScenarioReport& report = checked.report;
-  std::string text = checked.file + ": ";
-  if (!checked.readable) {
+  std::string text = printable(checked.file) + ": ";
+  if (checked.unread != kDone) {
     text += "cannot be read";
   } else if (!report.scenario) {
     text += counted(report.error_count, "error");
@@ -84,7 +86,8 @@ int check_verb(const CheckArguments& arguments) {
   for (const std::string& path : arguments.files) files.push_back(check_file(path, overrides));
   arguments.json ? report_json(files) : report_text(files, arguments.quiet);
   const auto any = [&](auto predicate) { return std::any_of(files.begin(), files.end(), predicate); };
-  if (any([](const CheckedFile& checked) { return !checked.readable; })) return kRefused;
+  for (const ExitStatus status : {kWriteFailed, kRefused})
+    if (any([&](const CheckedFile& checked) { return checked.unread == status; })) return status;
   return any([](const CheckedFile& checked) { return !checked.report.scenario; }) ? kNegative : kDone;
 }
 

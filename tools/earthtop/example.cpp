@@ -46,9 +46,12 @@ int example_verb(const ExampleArguments& arguments) {
 void add_example(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ExampleArguments>();
   CLI::App* example = app.add_subcommand("example", "print a scenario to begin with; without a name, one that explains itself");
-  example->add_option("NAME", arguments->name, "one of the shipped scenarios");
-  example->add_flag("--annotated", arguments->annotated, "every key that applies, each explained, with its default");
-  example->add_flag("--list", arguments->list, "names and titles of the shipped scenarios");
+  CLI::Option* name = example->add_option("NAME", arguments->name, "one of the shipped scenarios");
+  CLI::Option* annotated =
+      example->add_flag("--annotated", arguments->annotated, "every key that applies, each explained, with its default");
+  example->add_flag("--list", arguments->list, "names and titles of the shipped scenarios")
+      ->excludes(name)
+      ->excludes(annotated);
   example->callback([&action, arguments] { action = [arguments] { return example_verb(*arguments); }; });
 }
 

@@ -71,9 +71,11 @@ int guarded_main(int argc, char** argv) {
   } catch (const WriteError& error) {
     // What cannot reach standard output is not tried there again.
     const bool lost = error.file() == kStandardOutput;
-    return report_errors(error.file(), {{0, 0, "", error.reason()}}, json && !lost, kWriteFailed);
+    const char* remedy = lost ? "" : "; see to space and permission there, or choose another place";
+    return report_errors(error.file(), {{0, 0, "", error.reason() + remedy}}, json && !lost, kWriteFailed);
   } catch (const std::bad_alloc&) {
-    return report_errors("", {{0, 0, "", "out of memory"}}, json, kNumericalFailure);
+    return report_errors("", {{0, 0, "", "out of memory; take fewer rows (a longer output_step_s, no ledger)"}}, json,
+                         kNumericalFailure);
   } catch (const std::exception& error) {
     return report_errors("", {{0, 0, "", fmt::format("unexpected: {}", error.what())}}, json, kNumericalFailure);
   }

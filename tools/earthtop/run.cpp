@@ -52,16 +52,34 @@ int interrupted(const RunArguments& arguments, const std::string& where) {
       arguments.json, 128 + (g_signal != 0 ? g_signal : SIGINT));
 }
 
-Scenario read_scenario(const RunArguments& arguments) {
+/// Whether --set changed what is predicted, and not only how it is computed or what is reported of it.
+bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
+  const auto original = examine_scenario(source).scenario;
+  if (!original) return true;
+  scenario.name = original->name;
+  scenario.numerics = original->numerics;
+  scenario.ledger = original->ledger;
+  scenario.output_step_s = original->output_step_s;
+  scenario.threshold_rad = original->threshold_rad;
+  return canonical_json(scenario) != canonical_json(*original);
+}
+
+struct RequestedScene {
+  Scenario scenario;
+  bool is_changed;  ///< the file says something else
+};
+
+RequestedScene read_scenario(const RunArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
-  return *std::move(report.scenario);
+  const bool is_changed = !arguments.sets.empty() && is_another_scene(*report.scenario, source);
+  return {*std::move(report.scenario), is_changed};
 }
 
 int run_verb(const RunArguments& arguments) try {
-  const Scenario scenario = read_scenario(arguments);
+  const auto [scenario, is_changed] = read_scenario(arguments);
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scenario, arguments.force);
 
@@ -70,10 +88,14 @@ int run_verb(const RunArguments& arguments) try {
   if (result.status == RunStatus::interrupted)
     return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, scenario.duration_s));
   write_results(result, dir, arguments.force);
-  if (arguments.json)
-    print(summary_json(result));
-  else if (!arguments.quiet)
-    print(summary_text(result, dir.string(), !arguments.sets.empty(), wants_color()));
+  try {
+    if (arguments.json)
+      print(summary_json(result));
+    else if (!arguments.quiet)
+      print(summary_text(result, dir.string(), is_changed, wants_color()));
+  } catch (const WriteError& error) {
+    throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
+  }
   if (result.status == RunStatus::completed) return kDone;
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
                       to_string(result.status), result.reached_s, scenario.duration_s, printable(dir.string())));

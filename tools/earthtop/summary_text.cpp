@@ -137,11 +137,18 @@ void write_trend(Page& page, const RunResult& result) {
   }
 }
 
-void write_headline(Page& page, const HeadlineCheck& check, bool changed) {
+void write_headline(Page& page, const RunResult& result, const HeadlineCheck& check, bool changed) {
   const std::string quantity =
       check.at_s ? fmt::format("{} at {} s", check.stated.quantity, *check.at_s) : check.stated.quantity;
   const std::string stated = fmt::format("{} = {:.12g} ± {:.1g}", quantity, check.stated.value, check.stated.tolerance);
-  const std::string off = check.difference ? fmt::format("off by {:.1e}", *check.difference) : "there is no such number here";
+  if (!check.difference) {
+    const std::string why = result.status != RunStatus::completed && check.at_s
+                                ? fmt::format("the run stopped at {} s", result.reached_s)
+                                : std::string("this run has no such number");
+    page.entry("Headline", page.warning(fmt::format("{}: not compared, {}", stated, why)));
+    return;
+  }
+  const std::string off = fmt::format("off by {:.1e}", *check.difference);
   if (check.met)
     page.entry("Headline", fmt::format("{}: met, {}", stated, off));
   else if (changed)
@@ -169,7 +176,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_drift(page, result.drift, result.reached_s);
   page.line("");
   write_trend(page, result);
-  if (const auto check = check_headline(result)) write_headline(page, *check, changed);
+  if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
   page.entry("Computed", described(result.solution));
   page.entry("Checked", described(result.certificate));
   for (const std::string& note : result.notes) page.entry("Note", page.warning(printable(note)));
