@@ -113,10 +113,11 @@ void write_drift(Page& page, const DriftSummary& drift, double reached_s) {
 
 void write_trend(Page& page, const RunResult& result) {
   if (const auto& secular = result.drift.secular) {
-    const double theory = result.scenario.rotation_rate_rad_s * sin_cos_degrees(result.scenario.site.latitude_deg).sin;
-    page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise;",
+    page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise",
                                     secular->mean_precession_rate_change_rad_s, secular->azimuth_rate_standard_error_rad_s));
-    page.entry("", fmt::format("first-order theory of a fast top: -Ω sin(latitude) = {:.4e} rad/s", 0.0 - theory));
+    for (const TheoryReport& report : result.theory)
+      if (report.name == "precession_rate_change")
+        page.entry("", fmt::format("first-order theory of a fast top: -Ω sin(latitude) = {:.4e} rad/s", report.predicted));
     page.entry("Swings",
                fmt::format("up to {:.3g} rad of azimuth to either side of the trend", secular->azimuth_oscillation_rad));
   }
