@@ -33,10 +33,10 @@ class ScenarioError : public std::runtime_error {
   std::string file_;
 };
 
-/// A read that broke off, e.g. by a disk error: names the file and the reason.
-class ReadError : public std::runtime_error {
+/// A file that cannot be worked with, though it was asked for rightly: which one, and why.
+class FileError : public std::runtime_error {
  public:
-  ReadError(std::string file, std::string reason)
+  FileError(std::string file, std::string reason)
       : std::runtime_error(file + ": " + reason), file_(std::move(file)), reason_(std::move(reason)) {}
   const std::string& file() const { return file_; }
   const std::string& reason() const { return reason_; }
@@ -44,6 +44,16 @@ class ReadError : public std::runtime_error {
  private:
   std::string file_;
   std::string reason_;
+};
+
+/// Reading an input broke off.
+class ReadError : public FileError {
+  using FileError::FileError;
+};
+
+/// A result could not be written.
+class WriteError : public FileError {
+  using FileError::FileError;
 };
 
 /// A text as a terminal may safely show it: valid UTF-8 in which controls, line ends and marks of writing direction, and

@@ -10,19 +10,6 @@
 
 namespace earthtop {
 
-/// A result that could not be written: names the file and the reason.
-class WriteError : public std::runtime_error {
- public:
-  WriteError(std::string file, std::string reason)
-      : std::runtime_error(file + ": " + reason), file_(std::move(file)), reason_(std::move(reason)) {}
-  const std::string& file() const { return file_; }
-  const std::string& reason() const { return reason_; }
-
- private:
-  std::string file_;
-  std::string reason_;
-};
-
 /// One header line and one line for each row; shortest numbers that read back to the same bits, in SI units and rad. A
 /// value that is absent or not finite is an empty field.
 std::string trajectory_csv(const RunResult& result);
