@@ -3,9 +3,8 @@
 # message that names the place, the old results as they were, and no temporary file left.
 # usage: bad_situations_test.sh PATH_OF_EARTHTOP
 set -u
-tool=$(realpath "$1") || exit 1
-[ -x "$tool" ] || exit 1
-work=$(mktemp -d) || exit 1
+# shellcheck source=tests/cli/expect.sh
+. "$(dirname "$0")/expect.sh"
 mounted=
 tidy_up() {
   [ -z "$mounted" ] || umount "$mounted"
@@ -13,25 +12,7 @@ tidy_up() {
   rm -rf "$work"
 }
 trap tidy_up EXIT
-cd "$work" || exit 1
-faults=0
-
-fault() {
-  echo "FAULT: $1" >&2
-  head -n 5 out.txt | sed 's/^/  stdout: /' >&2
-  head -n 5 err.txt | sed 's/^/  stderr: /' >&2
-  faults=$((faults + 1))
-}
 skip() { echo "skipped: $1"; }
-# expect STATUS ARGUMENTS...: runs the program, keeps its streams in out.txt and err.txt.
-expect() {
-  wanted=$1
-  shift
-  timeout 20 "$tool" "$@" >out.txt 2>err.txt </dev/null
-  status=$?
-  [ "$status" -eq "$wanted" ] || fault "earthtop $*: exit status $status, not $wanted"
-}
-on_stderr() { grep -q -- "$1" err.txt || fault "no '$1' on standard error"; }
 # refused FILE WHAT: status 2, and this on standard error; no results.
 refused() {
   expect 2 run "$1" --out results

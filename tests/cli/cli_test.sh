@@ -2,31 +2,8 @@
 # The program as a shell sees it: exit statuses, what goes to which stream, what is left on disk.
 # usage: cli_test.sh PATH_OF_EARTHTOP
 set -u
-tool=$(realpath "$1") || exit 1
-[ -x "$tool" ] || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-faults=0
-
-fault() {
-  echo "FAULT: $1" >&2
-  head -n 5 out.txt | sed 's/^/  stdout: /' >&2
-  head -n 5 err.txt | sed 's/^/  stderr: /' >&2
-  faults=$((faults + 1))
-}
-# expect STATUS ARGUMENTS...: runs the program, keeps its streams in out.txt and err.txt.
-expect() {
-  wanted=$1
-  shift
-  "$tool" "$@" >out.txt 2>err.txt </dev/null
-  status=$?
-  [ "$status" -eq "$wanted" ] || fault "earthtop $*: exit status $status, not $wanted"
-}
-on_stdout() { grep -q -- "$1" out.txt || fault "no '$1' on standard output"; }
-on_stderr() { grep -q -- "$1" err.txt || fault "no '$1' on standard error"; }
-nothing_on_stdout() { [ ! -s out.txt ] || fault "standard output is not empty"; }
-nothing_on_stderr() { [ ! -s err.txt ] || fault "standard error is not empty"; }
+# shellcheck source=tests/cli/expect.sh
+. "$(dirname "$0")/expect.sh"
 
 cat >top.json <<'END'
 { "name": "cli-top", "title": "A top for the shell", "site": { "latitude_deg": 45, "gravity_m_s2": 9.8 },
