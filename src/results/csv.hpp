@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "earthtop/run.hpp"
 
@@ -28,8 +29,21 @@ void append_fields(std::string& line, const Container& values) {
   for (const double value : values) append_field(line, value);
 }
 
-/// The files in pieces of whole lines, of about `kCsvPiece` bytes: two million rows are a gigabyte.
-inline constexpr std::size_t kCsvPiece = std::size_t{1} << 18;
+/// Header and rows to the sink, in pieces of whole lines: two million rows at once are a gigabyte.
+/// @param append_row  appends the line of a row, by its number, to a text
+template <class AppendRow>
+void write_csv(std::string header, std::size_t rows, AppendRow append_row, const std::function<void(std::string_view)>& sink) {
+  constexpr std::size_t kPiece = std::size_t{1} << 18;
+  std::string text = std::move(header);
+  for (std::size_t i = 0; i < rows; ++i) {
+    append_row(text, i);
+    if (text.size() < kPiece) continue;
+    sink(text);
+    text.clear();
+  }
+  sink(text);
+}
+
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink);
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink);
 

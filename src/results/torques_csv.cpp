@@ -19,23 +19,16 @@ constexpr std::string_view kHeader =
 }  // namespace
 
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
-  std::string text(kHeader);
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
-  for (std::size_t i = 0; i < rows; ++i) {
+  const auto append_row = [&](std::string& text, std::size_t i) {
     const LedgerEntry<double>& entry = result.ledger->entries[i];
     append_number(text, result.rows[i].t_s);
-    append_fields(text, entry.tau_phys_A);
-    append_fields(text, entry.tau_cor_A);
-    append_fields(text, entry.tau_trans_A);
-    append_fields(text, entry.tau_cent_A);
-    append_fields(text, entry.dL_dt_A);
-    append_fields(text, entry.residual_A);
+    for (const Vec3<double>* torque_A :
+         {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
+      append_fields(text, *torque_A);
     text += '\n';
-    if (text.size() < kCsvPiece) continue;
-    sink(text);
-    text.clear();
-  }
-  sink(text);
+  };
+  write_csv(std::string(kHeader), rows, append_row, sink);
 }
 
 std::string torques_csv(const RunResult& result) {

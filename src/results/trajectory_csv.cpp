@@ -5,12 +5,14 @@
 namespace earthtop {
 namespace {
 
-void append_header(std::string& text) {
+std::string header() {
+  std::string text;
   for (const Column& column : trajectory_columns()) {
     if (&column != trajectory_columns().data()) text += ',';
     text += column.name;
   }
   text += '\n';
+  return text;
 }
 
 void append_row(std::string& text, const DriftRow& row) {
@@ -24,15 +26,8 @@ void append_row(std::string& text, const DriftRow& row) {
 }  // namespace
 
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
-  std::string text;
-  append_header(text);
-  for (const DriftRow& row : result.rows) {
-    append_row(text, row);
-    if (text.size() < kCsvPiece) continue;
-    sink(text);
-    text.clear();
-  }
-  sink(text);
+  const auto append = [&](std::string& text, std::size_t i) { append_row(text, result.rows[i]); };
+  write_csv(header(), result.rows.size(), append, sink);
 }
 
 std::string trajectory_csv(const RunResult& result) {

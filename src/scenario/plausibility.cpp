@@ -56,7 +56,8 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
   constexpr double kPointBob = 1e-3;  // below this share of the arm the body is meant as a point: its density says nothing
   if (!std::isfinite(radius)) return;
   if (radius > kPointBob * arm) {
-    // Of all bodies with this mass and radius of gyration a ball needs the least density.
+    // Of all bodies with this mass and radius of gyration a ball, whose radius is 1.3 times it, needs the least density. The
+    // densest metal has 2.26e4 kg/m^3; a metre of thin wire comes out at 0.1.
     const double density = body.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(1.3 * radius, 3));
     if (density > 2.5e4)
       section.warn(place, fmt::format("{:.3g} kg with a radius of gyration of {:.3g} m is denser than any matter (about {:.1g} "

@@ -13,6 +13,7 @@
 #include <regex>
 
 #include "hostile/kinds.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace earthtop::hostile_test {
 namespace {
@@ -30,18 +31,10 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-class Program : public testing::Test {
+class Program : public ::testing::Test {
  protected:
-  Program() {
-    std::string name = (fs::temp_directory_path() / "earthtop-hostile-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    dir_ = name;
-    fs::current_path(dir_);
-  }
-  ~Program() override {
-    fs::current_path("/");
-    fs::remove_all(dir_);
-  }
+  Program() { fs::current_path(dir_); }
+  ~Program() override { fs::current_path("/"); }
 
   /// What a run of the program on `scenario` cost; its streams are in "stdout" and "stderr".
   struct Cost {
@@ -94,7 +87,8 @@ class Program : public testing::Test {
     RecordProperty("MiB", std::to_string(largest_));
   }
 
-  fs::path dir_;
+  testing::TemporaryDirectory temporary_;
+  const fs::path dir_ = temporary_.path();
   double longest_ = 0, largest_ = 0;
 };
 

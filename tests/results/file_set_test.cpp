@@ -13,6 +13,7 @@
 #include <map>
 
 #include "earthtop/results/results.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace earthtop {
 namespace {
@@ -23,15 +24,8 @@ constexpr std::array<std::string_view, 4> kNames = {"rows", "figure", "extra", "
 using Files = std::map<std::string, std::string>;
 const Files kOld = {{"rows", "old rows"}, {"figure", "old figure"}, {"extra", "old extra"}, {"seal", "old seal"}};
 
-class FileSetTest : public testing::Test {
+class FileSetTest : public ::testing::Test {
  protected:
-  FileSetTest() {
-    std::string name = (fs::temp_directory_path() / "earthtop-files-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    dir_ = name;
-  }
-  ~FileSetTest() override { fs::remove_all(dir_); }
-
   void put(const Files& files) const {
     for (const auto& [name, text] : files) std::ofstream(dir_ / name) << text;
   }
@@ -47,7 +41,8 @@ class FileSetTest : public testing::Test {
     for (const std::string_view name : {"rows", "figure", "seal"}) set.add(name, "new " + std::string(name));
   }
 
-  fs::path dir_;
+  testing::TemporaryDirectory temporary_;
+  const fs::path dir_ = temporary_.path();
 };
 
 TEST_F(FileSetTest, WhatIsNotAddedGoes) {

@@ -9,6 +9,7 @@
 
 #include "earthtop/results/results.hpp"
 #include "results/made_up_run.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace earthtop {
 namespace {
@@ -17,16 +18,8 @@ namespace fs = std::filesystem;
 using test::made_up_run;
 using test::made_up_run_with_ledger;
 
-class Write : public testing::Test {
+class Write : public ::testing::Test {
  protected:
-  Write() {
-    std::string name = (fs::temp_directory_path() / "earthtop-write-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    root_ = name;
-    dir_ = root_ / "out" / "made-up";
-  }
-  ~Write() override { fs::remove_all(root_); }
-
   static std::string read(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -38,8 +31,9 @@ class Write : public testing::Test {
     return names;
   }
 
-  fs::path root_;
-  fs::path dir_;
+  testing::TemporaryDirectory temporary_;
+  const fs::path root_ = temporary_.path();
+  const fs::path dir_ = root_ / "out" / "made-up";
 };
 
 const std::set<std::string> kAll = {"trajectory.csv", "drift.svg", "timing.json", "summary.json"};

@@ -8,19 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "support.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace earthtop::scenario_test {
 namespace {
 
-class ScenarioFile : public testing::Test {
+class ScenarioFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = testing::TempDir() + "earthtop-scenario-XXXXXX";
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    directory_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(directory_); }
-
   static void expect_refused(const std::string& path, const std::string& part) {
     try {
       read_scenario_source(path);
@@ -32,7 +26,8 @@ class ScenarioFile : public testing::Test {
     }
   }
 
-  std::filesystem::path directory_;
+  testing::TemporaryDirectory temporary_;
+  const std::filesystem::path directory_ = temporary_.path();
 };
 
 TEST_F(ScenarioFile, IsReadWhole) {
