@@ -15,6 +15,8 @@ using float128 = __float128;
 
 extern "C" {
 float128 sqrtq(float128) noexcept;
+float128 fmaq(float128, float128, float128) noexcept;
+float128 roundq(float128) noexcept;
 float128 sinq(float128) noexcept;
 float128 cosq(float128) noexcept;
 float128 atan2q(float128, float128) noexcept;
@@ -30,10 +32,12 @@ namespace real {
 
 using std::atan2;
 using std::cos;
+using std::fma;
 using std::fmod;
 using std::isfinite;
 using std::log;
 using std::pow;
+using std::round;
 using std::sin;
 using std::sqrt;
 
@@ -43,10 +47,12 @@ constexpr T abs(T x) {
 }
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
+inline float128 fma(float128 x, float128 y, float128 z) { return fmaq(x, y, z); }
 inline float128 fmod(float128 x, float128 y) { return fmodq(x, y); }
 inline bool isfinite(float128 x) { return finiteq(x) != 0; }
 inline float128 log(float128 x) { return logq(x); }
 inline float128 pow(float128 x, float128 y) { return powq(x, y); }
+inline float128 round(float128 x) { return roundq(x); }
 inline float128 sin(float128 x) { return sinq(x); }
 inline float128 sqrt(float128 x) { return sqrtq(x); }
 
@@ -70,6 +76,22 @@ template <class T>
 constexpr T pi() {
   return static_cast<T>(3.141592653589793116e+00) + static_cast<T>(1.224646799147353207e-16) +
          static_cast<T>(-2.994769809718339666e-33);
+}
+
+/// pi - pi<T>(), to the precision of T.
+template <class T>
+constexpr T pi_rest();
+template <>
+constexpr double pi_rest() {
+  return 1.2246467991473531772e-16;
+}
+template <>
+constexpr long double pi_rest() {
+  return -5.0165576126683320236e-20L;
+}
+template <>
+constexpr float128 pi_rest() {
+  return static_cast<float128>(8.6718101301237810248e-35L);
 }
 
 /// sqrt(x^2 + y^2 + z^2) without overflow or underflow between: the deviations of a tiny Earth rate live near 1e-300.

@@ -12,6 +12,7 @@ namespace earthtop {
 /// One of the two integrations behind a run.
 struct IntegrationReport {
   Observer observer = Observer::laboratory;
+  ModelForm form = ModelForm::general;  ///< the one taken
   Method method = Method::rkf78;
   std::string precision = "double";
   double relative_tolerance = 0;

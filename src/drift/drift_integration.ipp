@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drift/drift_system.hpp"
+#include "drift/reduced_drift_system.hpp"
 #include "integrate/odeint_driver.hpp"
 
 namespace earthtop {
@@ -36,10 +37,11 @@ class TurnCounter {
 template <class T, class System>
 class StepWatcher {
  public:
-  StepWatcher(const System& system, const NaturalUnits& units, std::optional<double> threshold)
+  StepWatcher(System& system, const NaturalUnits& units, std::optional<double> threshold)
       : system_(system), units_(units), threshold_(threshold) {}
 
   void operator()(T t, const typename System::State& x) {
+    system_.follow(x);
     const DriftState<T> state = system_.deviation_state(x, t);
     const DriftPhases<T> phases = drift_phases(state);
     half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
@@ -72,7 +74,7 @@ class StepWatcher {
     t_before_s_ = t_s;
   }
 
-  const System& system_;
+  System& system_;
   const NaturalUnits& units_;
   std::optional<double> threshold_;
   TurnCounter<T> half_spin_, azimuth_;
@@ -91,12 +93,9 @@ void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
       state.w_LB_B[i] -= problem.units.rate_to_rad_s(transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L)[i]);
 }
 
-template <class T, Observer O, SceneKind K, RotatingMotion R>
-DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                const std::atomic<bool>* stop) {
-  using System = DriftSystem<T, O, K, R>;
-  System system(problem.model);
-  auto x = system.initial_state(problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B), problem.release.X);
+template <class T, class System>
+DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
+                                    const IntegrationOptions& options, const std::atomic<bool>* stop) {
   std::vector<T> times;
   times.reserve(problem.times_s.size());
   for (const double t : problem.times_s) times.push_back(problem.units.time_from_s(T(t)));
@@ -106,6 +105,7 @@ DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const Integratio
   drive.relative_tolerance = T(options.relative_tolerance);
   drive.first_step = T(0.02) / problem.fastest_rate;
   drive.fixed_step = options.step_s ? problem.units.time_from_s(T(*options.step_s)) : T(0.04) / problem.fastest_rate;
+  drive.largest_step = system.largest_step();
   drive.step_limit = options.step_limit;
   drive.stop = stop;
 
@@ -128,11 +128,27 @@ DriftTrajectory<T> integrate_in(const DriftProblem<T>& problem, const Integratio
   return trajectory;
 }
 
+template <class T, Observer O, SceneKind K, RotatingMotion R>
+DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                     const std::atomic<bool>* stop) {
+  DriftSystem<T, O, K, R> system(problem.model);
+  const Release<T>& release = problem.release;
+  const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
+  return integrate_system(system, x, problem, options, stop);
+}
+
 template <class T, Observer O, RotatingMotion R = RotatingMotion::integrated>
 DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                 const std::atomic<bool>* stop) {
-  if (problem.model.kind == SceneKind::plain) return integrate_in<T, O, SceneKind::plain, R>(problem, options, stop);
-  return integrate_in<T, O, SceneKind::full, R>(problem, options, stop);
+  if (problem.model.kind == SceneKind::plain) return integrate_general<T, O, SceneKind::plain, R>(problem, options, stop);
+  return integrate_general<T, O, SceneKind::full, R>(problem, options, stop);
+}
+
+template <class T, Observer O>
+DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                     const std::atomic<bool>* stop) {
+  ReducedDriftSystem<T, O> system(problem.model, problem.release, problem.units);
+  return integrate_system(system, system.initial_state(), problem, options, stop);
 }
 
 }  // namespace
@@ -140,13 +156,18 @@ DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const Integratio
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                    const std::atomic<bool>* stop) {
+  const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
-    case Observer::laboratory: return integrate_as<T, Observer::laboratory>(problem, options, stop);
+    case Observer::laboratory:
+      if (reduced) return integrate_reduced<T, Observer::laboratory>(problem, options, stop);
+      return integrate_as<T, Observer::laboratory>(problem, options, stop);
     case Observer::body:
+      if (reduced) throw std::logic_error("the reduced form has no body axes");
       if (problem.rotating == RotatingMotion::composed)
         return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
       return integrate_as<T, Observer::body>(problem, options, stop);
     case Observer::inertial:
+      if (reduced) return integrate_reduced<T, Observer::inertial>(problem, options, stop);
       if (problem.rotating == RotatingMotion::composed)
         return integrate_as<T, Observer::inertial, RotatingMotion::composed>(problem, options, stop);
       return integrate_as<T, Observer::inertial>(problem, options, stop);

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "drift/deviation_state.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "integrate/group_norms.hpp"
 
@@ -151,25 +152,12 @@ class DriftSystem {
   /// The part of it that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`; cheap.
   DriftState<T> deviation_state(const State& x, T t) const {
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
-    const Deviation<T> deviation = drift_state::load_deviation(x);
-    DriftState<T> s;
-    s.epsilon = model_.epsilon;
-    s.ref_q_LB = ref_q;
-    s.e_w = deviation.w;
-    if constexpr (O == Observer::body) {
-      s.e_v_scaled = deviation.y;
-    } else if constexpr (O == Observer::laboratory) {
-      s.e_v_scaled = transposed_times(rotation_matrix(ref_q), deviation.y);
-    } else {
-      // q_NL^* d, the deviation seen from the laboratory, in L axes; then in the reference's body axes.
-      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
-      const T epsilon = model_.epsilon;
-      s.e_w = turn.w * deviation.w + epsilon * epsilon * turn.v_scaled.dot(deviation.y);
-      const Vec3<T> seen_L = turn.w * deviation.y - deviation.w * turn.v_scaled - epsilon * turn.v_scaled.cross(deviation.y);
-      s.e_v_scaled = transposed_times(rotation_matrix(ref_q), seen_L);
-    }
-    return s;
+    return seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
   }
+  /// Called after every step: the attitude quaternions are integrated, and continuous by themselves.
+  void follow(const State&) {}
+  /// Every step is far shorter than a turn of the spin: none is too long for the angles to be followed.
+  static T largest_step() { return T(0); }
 
  private:
   Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation) const {

@@ -27,7 +27,8 @@ struct DriveOptions {
   Method method = Method::rkf78;
   T relative_tolerance = T(1e-12);
   T first_step = T(0.01);
-  T fixed_step = T(0);  ///< largest step of a fixed-step method; the step taken divides each output interval
+  T largest_step = T(0);  ///< of a controlled method; 0: any
+  T fixed_step = T(0);    ///< largest step of a fixed-step method; the step taken divides each output interval
   std::int64_t step_limit = 0;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -124,6 +125,7 @@ class Driver {
       for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
         if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
         // Land on the output time; two like steps rather than a long one and a sliver.
+        if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
         const bool lands = proposed >= remaining;
         const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
         T dt = step, t = clock.now();

@@ -11,6 +11,15 @@ std::string_view to_string(Observer observer) {
   return "unknown";
 }
 
+std::string_view to_string(ModelForm form) {
+  switch (form) {
+    case ModelForm::automatic: return "auto";
+    case ModelForm::general: return "general";
+    case ModelForm::reduced: return "reduced";
+  }
+  return "unknown";
+}
+
 std::string_view to_string(Method method) {
   switch (method) {
     case Method::automatic: return "auto";

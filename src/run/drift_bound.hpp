@@ -18,9 +18,11 @@ inline void nudge(DriftProblem<double>& problem) {
   // Against the whole rate: round-off turns a spin about a principal axis away from it, however exactly it was released there.
   w_XB_B += kUnit * norm(w_XB_B) * Vec3<double>(0.6, -0.5, -0.7);
   problem.model.mass_moment_B *= 1 + kUnit;
-  // Each moment its own way, the tensor and its inverse alike.
-  const Vec3<double> stretch(1 + kUnit, 1 - kUnit, 1 + kUnit / 2);
+  // Each moment its own way, the tensor and its inverse alike; but a symmetric top is one exactly.
   Model<double>& model = problem.model;
+  Vec3<double> stretch(1 + kUnit, 1 - kUnit, 1 + kUnit / 2);
+  if (const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B); axis >= 0)
+    stretch[(axis + 1) % 3] = stretch[(axis + 2) % 3];
   model.I_BP_B_inverse = stretch.asDiagonal() * model.I_BP_B_inverse * stretch.asDiagonal();
   model.I_BP_B = stretch.cwiseInverse().asDiagonal() * model.I_BP_B * stretch.cwiseInverse().asDiagonal();
 }

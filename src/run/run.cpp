@@ -27,10 +27,11 @@ IntegrationOptions first_options(const IntegrationOptions& asked) {
   return first;
 }
 
-/// The second integration: rkf78 in another observer's equations; ten times coarser where the rows come from rkf78 too,
-/// finer than the rows otherwise.
-IntegrationOptions second_options(const IntegrationOptions& first) {
+/// The second integration: rkf78 in another observer's equations, of the same form; ten times coarser where the rows come from
+/// rkf78 too, finer than the rows otherwise.
+IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form) {
   IntegrationOptions second = first;
+  second.form = form;
   second.step_s.reset();
   second.method = Method::rkf78;
   second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
@@ -49,6 +50,7 @@ DriftTrajectory<double> integrate_timed(const DriftProblem<double>& problem, con
   DriftTrajectory<double> trajectory = integrate_drift(problem, options, &stop_asked);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.observer = options.observer;
+  report.form = takes_reduced_form(problem.model, options) ? ModelForm::reduced : ModelForm::general;
   report.method = options.method;
   report.relative_tolerance = options.relative_tolerance;
   report.step_s = trajectory.step_s;
@@ -119,7 +121,8 @@ RunResult run(const Scenario& scenario) {
   problem.rotating = RotatingMotion::composed;
   problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));  // no further than the rows got
   nudge(problem);
-  const DriftTrajectory<double> second = integrate_timed(problem, second_options(options), result.certificate);
+  const DriftTrajectory<double> second =
+      integrate_timed(problem, second_options(options, result.solution.form), result.certificate);
   result.status = first.status != RunStatus::completed ? first.status : second.status;
 
   // What follows takes seconds where the rows are millions.

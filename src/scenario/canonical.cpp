@@ -82,6 +82,7 @@ Json platform_json(const PlatformSpec& platform) {
 Json numerics_json(const IntegrationOptions& options) {
   Json json = {{"method", std::string(to_string(options.method))},
                {"observer", std::string(to_string(options.observer))},
+               {"model", std::string(to_string(options.form))},
                {"precision", "double"}};
   if (options.step_s)
     json["step_s"] = *options.step_s;

@@ -81,6 +81,7 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
 namespace {
 
 constexpr Method kMethods[] = {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
+constexpr ModelForm kForms[] = {ModelForm::automatic, ModelForm::general};
 constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
 constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,
                                        LedgerObserver::body};
@@ -114,6 +115,8 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
   if (observer)
     options.observer =
         *std::find_if(std::begin(kObservers), std::end(kObservers), [&](Observer o) { return to_string(o) == *observer; });
+  if (const auto form = numerics.word("model"))
+    options.form = *std::find_if(std::begin(kForms), std::end(kForms), [&](ModelForm f) { return to_string(f) == *form; });
   if (!method) return;
   options.method = *std::find_if(std::begin(kMethods), std::end(kMethods), [&](Method m) { return to_string(m) == *method; });
   if (options.method == Method::abm8) return decode_fixed_step(numerics, scenario);

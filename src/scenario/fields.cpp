@@ -117,6 +117,8 @@ constexpr Field kFields[] = {
     {"/numerics/method", word, "", any(), "auto|dopri5|rkf78|bulirsch_stoer|abm8", "taylor|splitting|long_horizon|closed_form",
      "\"auto\"", "integration method"},
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
+    {"/numerics/model", word, "", any(), "auto|general", "", "\"auto\"",
+     "auto: in the laboratory a symmetric top without its spin; general: attitude and rates of any body"},
     {"/numerics/precision", word, "", any(), "double", "long_double|float128", "\"double\"", "scalar type"},
     // 1e-14 is 45 eps: rounding of one step's sums; a controlled step cannot meet less in double.
     {"/numerics/relative_tolerance", number, "", from(1e-14, 1e-1), "", "", "1e-12",

@@ -138,9 +138,9 @@ TEST(FreeRotors, T9TumblingBrickOfNasa) {
   const double moments[] = {0.001894220, 0.006211019, 0.007194665};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(scenario.body.inertia_kg_m2[i][i], moments[i] * kSlugFoot2);
   const double degree = real::pi<double>() / 180;
-  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
-    SCOPED_TRACE(to_string(observer));
-    scenario.numerics.observer = observer;
+  for (const testing::Equations& equations : testing::kEquations) {
+    SCOPED_TRACE(equations);
+    equations.take(scenario);
     const RunResult result = run(scenario);
     // The first published rate is relative to the Earth: 10 deg/s less the Earth's own.
     EXPECT_NEAR(result.rows.front().w_LB_B[0] / degree, 9.995821927, 5e-10);

@@ -9,8 +9,6 @@ namespace {
 
 using testing::set_principal;
 
-constexpr std::array kObservers{Observer::laboratory, Observer::body, Observer::inertial};
-
 Mat3<double> attitude(const std::array<double, 4>& q) {
   return rotation_matrix(Quaternion<double>{q[0], Vec3<double>(q[1], q[2], q[3])});
 }
@@ -31,11 +29,11 @@ TEST(HardCases, H1MatchingRuleChangesTheDrift) {
 // At a pole the laboratory motion is the non-rotating one, seen from a frame that turns: any body, inertial rates.
 TEST(HardCases, H4PoleEquivalenceOfAnAsymmetricBody) {
   for (const double latitude : {90.0, -90.0})
-    for (const Observer observer : kObservers) {
-      SCOPED_TRACE(::testing::Message() << latitude << " " << to_string(observer));
+    for (const testing::Equations& equations : testing::kEquations) {
+      SCOPED_TRACE(::testing::Message() << latitude << " " << equations);
       Scenario s = testing::asymmetric_top();
       s.site.latitude_deg = latitude;
-      s.numerics.observer = observer;
+      equations.take(s);
       s.release.rates_relative_to = RatesRelativeTo::inertial;
       const RunResult r = run(s);
       ASSERT_LT(r.attitude_bound_rad, 1e-9);
@@ -52,11 +50,11 @@ TEST(HardCases, H4PoleEquivalenceOfAnAsymmetricBody) {
 // Without a gravity torque the same holds at every latitude, about the celestial axis.
 TEST(HardCases, H5FreeBodyKeepsItsMotionInSpace) {
   for (const double latitude : {-90.0, -33.0, 0.0, 51.0})
-    for (const Observer observer : kObservers) {
+    for (const testing::Equations& equations : testing::kEquations) {
       Scenario s = testing::asymmetric_top();
       s.site.latitude_deg = latitude;
       s.body.center_of_mass_m = {0, 0, 0};
-      s.numerics.observer = observer;
+      equations.take(s);
       s.release.rates_relative_to = RatesRelativeTo::inertial;
       s.release.angular_velocity_body_rad_s = {5, 20, 30};
       const Vec3<double> n = celestial_axis_L<double>(s.site);
@@ -286,12 +284,12 @@ TEST(HardCases, H18NearlyEqualMomentsGiveNearlyTheSameMotion) {
 
 // Turn back every rate, the Earth's too, and the top returns.
 TEST(HardCases, H22TimeReversal) {
-  for (const Observer observer : kObservers) {
+  for (const testing::Equations& equations : testing::kEquations) {
     Scenario s = testing::heavy_rotor_top();
     s.duration_s = 60;
     s.output_step_s = 1;
     s.rotation_rate_rad_s = 0.01;
-    s.numerics.observer = observer;
+    equations.take(s);
     const RunResult forth = run(s);
     Scenario back = s;
     back.rotation_rate_rad_s = -s.rotation_rate_rad_s;
@@ -316,13 +314,13 @@ void expect_same_drift(const RunResult& a, const RunResult& b, double azimuth_si
   }
 }
 
-class Symmetry : public ::testing::TestWithParam<std::tuple<Observer, Method>> {
+class Symmetry : public ::testing::TestWithParam<std::tuple<testing::Equations, Method>> {
  protected:
   Scenario scene() const {
     Scenario s = testing::asymmetric_top();
     s.duration_s = 2;
     s.rotation_rate_rad_s = 0.01;
-    s.numerics.observer = std::get<0>(GetParam());
+    std::get<0>(GetParam()).take(s);
     s.numerics.method = std::get<1>(GetParam());
     if (s.numerics.method == Method::abm8) s.numerics.step_s = 1e-3;
     return s;
@@ -361,7 +359,7 @@ TEST_P(Symmetry, H23MirrorNorthSouthChangesNoBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllObservers, Symmetry,
-                         ::testing::Combine(::testing::ValuesIn(kObservers),
+                         ::testing::Combine(::testing::ValuesIn(testing::kEquations),
                                             ::testing::Values(Method::automatic, Method::abm8)));
 
 // At a pole the azimuth of the release is no matter, and a symmetric top does not know its spin angle.
@@ -388,8 +386,8 @@ TEST(HardCases, H24NoNorthwardRateAtAPole) {
     s.site.latitude_deg = latitude;
     s.release.tilt_deg = 0;
     s.duration_s = 2;
-    for (const Observer observer : kObservers) {
-      s.numerics.observer = observer;
+    for (const testing::Equations& equations : testing::kEquations) {
+      equations.take(s);
       EXPECT_EQ(run(s).drift.axis_max_rad, 0.0);
     }
   }

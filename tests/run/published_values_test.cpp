@@ -44,9 +44,9 @@ TEST(PublishedValues, T1HeavyTopOfBrulsCardonaArnold) {
   s.body.inertia_about = InertiaAbout::center_of_mass;
   s.release.quaternion_LB = {1, 0, 0, 0};
   s.release.angular_velocity_body_rad_s = {0, 150, -4.61538};
-  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
-    SCOPED_TRACE(to_string(observer));
-    s.numerics.observer = observer;
+  for (const testing::Equations& equations : testing::kEquations) {
+    SCOPED_TRACE(equations);
+    equations.take(s);
     const RunResult r = run(s);
     expect_attitude(row_at(r, 0.2).q_LB,
                     {-0.70827915297431256211, 0.43878108812658189737, 0.54572839614541767342, 0.089399752824005010462});
@@ -178,8 +178,8 @@ TEST(PublishedValues, T7BalancedGyroscopeStaysInSpace) {
   s.release.rates_relative_to = RatesRelativeTo::inertial;
   s.release.spin_rad_s = 300;
   s.output_step_s = 10;
-  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
-    s.numerics.observer = observer;
+  for (const testing::Equations& equations : testing::kEquations) {
+    equations.take(s);
     const RunResult r = run(s);
     expect_vector(r.rows.back().axis_L, {0.99999042852582571135, -0.0030937725087229706379, 0.0030937725087229706379},
                   300 * 60 * 2.2e-16);

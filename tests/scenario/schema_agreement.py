@@ -51,7 +51,7 @@ WHOLE = [
     scene(release={"tilt_deg": 20, "azimuth_deg": -90, "spin_angle_deg": 10, "spin_rad_s": 200,
                    "precession": {"rate_rad_s": 1}, "rates_relative_to": "laboratory"},
           effects={"coriolis": False, "centrifugal": True, "transverse": False},
-          numerics={"method": "rkf78", "observer": "body", "precision": "double", "relative_tolerance": 1e-10,
+          numerics={"method": "rkf78", "observer": "body", "model": "general", "precision": "double", "relative_tolerance": 1e-10,
                     "ledger": "platform"}),
     scene(release={"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"},
           numerics={"method": "abm8", "step_s": 1e-3},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ostream>
 #include <random>
 
 #include "earthtop/run.hpp"
@@ -13,6 +14,22 @@ namespace earthtop::testing {
 inline void set_principal(BodySpec& body, double I1, double I2, double I3) {
   body.inertia_kg_m2 = {{{I1, 0, 0}, {0, I2, 0}, {0, 0, I3}}};
 }
+
+/// The equations a run can integrate: three observers' own, and the laboratory's without the spin for symmetric tops.
+struct Equations {
+  Observer observer;
+  ModelForm form;
+  void take(Scenario& scenario) const {
+    scenario.numerics.observer = observer;
+    scenario.numerics.form = form;
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Equations& e) {
+    return out << to_string(e.observer) << ", " << to_string(e.form);
+  }
+};
+inline constexpr std::array kEquations{
+    Equations{Observer::laboratory, ModelForm::general}, Equations{Observer::laboratory, ModelForm::automatic},
+    Equations{Observer::body, ModelForm::general}, Equations{Observer::inertial, ModelForm::general}};
 
 /// The toy top of the shipped scenario.
 inline Scenario toy_top() {

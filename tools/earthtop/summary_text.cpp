@@ -159,8 +159,9 @@ void write_headline(Page& page, const RunResult& result, const HeadlineCheck& ch
 }
 
 std::string described(const IntegrationReport& report) {
-  return fmt::format("{} in {}, {} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
-                     axes_of(report.observer), grouped(report.counters.evaluations), report.seconds);
+  return fmt::format("{}{} in {}, {} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
+                     report.form == ModelForm::reduced ? " without the spin" : "", axes_of(report.observer),
+                     grouped(report.counters.evaluations), report.seconds);
 }
 
 }  // namespace

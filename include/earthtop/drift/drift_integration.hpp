@@ -8,6 +8,7 @@
 
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/model/reduced_top.hpp"
 
 namespace earthtop {
 
@@ -82,6 +83,13 @@ struct DriftProblem {
   RotatingMotion rotating = RotatingMotion::integrated;
 };
 
+/// Whether these options mean the reduced form for this model (reduced_top.hpp).
+template <class T>
+bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
+  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
+  return options.observer == Observer::laboratory && is_reducible(model);
+}
+
 template <class T>
 struct DriftTrajectory {
   RunStatus status = RunStatus::completed;
@@ -92,8 +100,8 @@ struct DriftTrajectory {
 };
 
 /// @param stop  set from outside to end early with RunStatus::interrupted; may be null.
-/// @throws std::logic_error for a method that is not built for T: double has all, long double rkf78 and bulirsch_stoer,
-/// float128 rkf78.
+/// @throws std::logic_error for a reduced form where the model has none or in body axes; for a method that is not built for T:
+/// double has all, long double rkf78 and bulirsch_stoer, float128 rkf78.
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                    const std::atomic<bool>* stop = nullptr);

@@ -13,11 +13,17 @@ enum class Observer { laboratory, body, inertial };
 /// automatic picks one of the others; dopri5, rkf78 and bulirsch_stoer control their step, abm8 has a fixed one.
 enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, abm8 };
 
+/// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
+/// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
+enum class ModelForm { automatic, general, reduced };
+
 std::string_view to_string(Observer observer);
 std::string_view to_string(Method method);
+std::string_view to_string(ModelForm form);
 
 struct IntegrationOptions {
   Observer observer = Observer::laboratory;
+  ModelForm form = ModelForm::automatic;
   Method method = Method::automatic;
   double relative_tolerance = 1e-12;  ///< local error per step, against the size of each component group
   std::optional<double> step_s;       ///< fixed-step methods; the step taken divides the output step

@@ -71,17 +71,21 @@ extern template Body<float128> make_body(const BodySpec&);
 /// included. Slack: 32 eps of the largest pivot moment.
 std::vector<Diagnostic> body_violations(const BodySpec& spec);
 
-/// The body axis (0, 1, 2) about which the body is a symmetric top: the two other principal moments are exactly equal,
+/// The body axis (0, 1, 2) about which a body is a symmetric top: the two other principal moments are exactly equal,
 /// products of inertia are exactly zero, and the centre of mass lies exactly on the axis. -1 if there is none.
+/// @param center_B  the centre of mass, or any multiple of it
 template <class T>
-int symmetry_axis(const Body<T>& body) {
-  const Mat3<T>& I = body.I_BP_B;
-  if (I(0, 1) != T(0) || I(0, 2) != T(0) || I(1, 2) != T(0)) return -1;
+int symmetry_axis(const Mat3<T>& I_BP_B, const Vec3<T>& center_B) {
+  if (I_BP_B(0, 1) != T(0) || I_BP_B(0, 2) != T(0) || I_BP_B(1, 2) != T(0)) return -1;
   for (const int axis : {2, 1, 0}) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    if (I(a, a) == I(b, b) && body.p_PBcm_B[a] == T(0) && body.p_PBcm_B[b] == T(0)) return axis;
+    if (I_BP_B(a, a) == I_BP_B(b, b) && center_B[a] == T(0) && center_B[b] == T(0)) return axis;
   }
   return -1;
+}
+template <class T>
+int symmetry_axis(const Body<T>& body) {
+  return symmetry_axis(body.I_BP_B, body.p_PBcm_B);
 }
 
 }  // namespace earthtop

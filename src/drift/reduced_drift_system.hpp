@@ -1,0 +1,143 @@
+/// The right-hand side of a symmetric top's drift integration without its spin, on one state vector:
+///   [0,3) axis n   [3,6) momentum L   [6,9) frame vector a, all of the non-rotating reference   [9] w   [10,13) y   [13,16) P
+///
+/// The deviation is the one in outer axes (deviation.hpp): attitude D = R_rot R_ref^T and momentum carried back, L_rot =
+/// D (L + epsilon P). It needs no attitude but the reference's axis, and P.n = I3 (w3_rot - w3_ref) / epsilon is constant:
+///
+///   dP/dt = (L + epsilon P) x v + m l n x (D^T g_rot - g) / epsilon ,  v = P / I1 + (1/I3 - 1/I1) (P.n) n
+///   D turns at v, in the laboratory less D^T W
+///
+/// The spin phases are exact: the reference's is w3 t, the rotating body's is carried by D.
+#pragma once
+
+#include <array>
+
+#include "drift/deviation_state.hpp"
+#include "drift/drift_system.hpp"
+#include "earthtop/model/reduced_top.hpp"
+#include "integrate/group_norms.hpp"
+
+namespace earthtop {
+
+/// @tparam O  laboratory axes, or inertial ones, in which gravity turns
+template <class T, Observer O>
+class ReducedDriftSystem {
+ public:
+  static_assert(O != Observer::body);
+  static constexpr std::size_t kSize = 16;
+  using State = std::array<T, kSize>;
+
+  ReducedDriftSystem(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
+      : model_(model), top_(reduced_top(model)), w_XB_B_(units.rate_from_rad_s(release.w_XB_B)), release_(release) {
+    spin_momentum_ = top_.I3 * w_XB_B_[top_.axis];
+    spin_deviation_ = (T(1) / top_.I3 - top_.inverse_I1) * initial_momentum_deviation_B()[top_.axis];
+    q_LF_ = release.q_LB;
+  }
+
+  static constexpr auto groups() {
+    return std::array<ComponentGroup, 5>{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}, {9, 1, 1.0}, {10, 6, 1e-5}}};
+  }
+
+  EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
+    const ReducedMotion<T> reference = load_reference(x);
+    const Deviation<T> deviation = load_deviation(x);
+    const T epsilon = model_.epsilon;
+    const Vec3<T>& g_L = model_.apparent_gravity_L;
+    const auto turned_back = [&](const Vec3<T>& u) { return turn_back_minus_one_scaled(deviation.w, deviation.y, epsilon, u); };
+    // What the reference sees: no Earth.
+    store_reference(reduced_equation(top_, reference, Vec3<T>(Vec3<T>::Zero()), g_L, spin_momentum_), dxdt);
+
+    const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
+    Vec3<T> d = v, Dg = turned_back(g_L);
+    if constexpr (O == Observer::laboratory) {
+      d -= model_.W_IL_L_scaled + epsilon * turned_back(model_.W_IL_L_scaled);
+    } else {
+      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
+      const Vec3<T> turned = turn_minus_one_scaled(turn.w, turn.v_scaled, epsilon, g_L);
+      Dg += turned + epsilon * turned_back(turned);
+    }
+    dxdt[9] = -epsilon * epsilon * deviation.y.dot(d) / T(2);
+    store(Vec3<T>((deviation.w * d + epsilon * deviation.y.cross(d)) / T(2)), dxdt, 10);
+    const Vec3<T> mass_moment_A = mass_moment_along(top_, reference.n);
+    store(Vec3<T>(Vec3<T>(reference.L + epsilon * deviation.p).cross(v) + field_torque(mass_moment_A, Dg)), dxdt, 13);
+  }
+
+  /// The state at release, where both predictions have the same attitude and the same rates of the kind it names.
+  State initial_state() const {
+    const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
+    State x;
+    store_reference({R_LB.col(top_.axis), times(R_LB, Vec3<T>(model_.I_BP_B * w_XB_B_)), R_LB.col((top_.axis + 1) % 3)}, x);
+    x[9] = T(1);
+    store(Vec3<T>(Vec3<T>::Zero()), x, 10);
+    store(times(R_LB, initial_momentum_deviation_B()), x, 13);
+    return x;
+  }
+
+  /// Called after every step: the frame's quaternion keeps its sign, so that attitudes are continuous.
+  void follow(const State& x) {
+    const Quaternion<T> q = frame(load_reference(x));
+    const T cosine = q.w * q_LF_.w + q.v.dot(q_LF_.v);
+    q_LF_ = cosine < T(0) ? Quaternion<T>{-q.w, -q.v} : q;
+  }
+  /// Where body axis 3 is not the one of symmetry it goes round with the spin, and its angles must be seen often enough; 0
+  /// where no step is too long.
+  T largest_step() const {
+    const T spin = real::abs(w_XB_B_[top_.axis]);
+    return top_.axis == 2 || spin == T(0) ? T(0) : T(1) / spin;
+  }
+
+  /// The variables that all observers share, of the state last followed; rates in natural units, `t_s` left to the caller.
+  DriftState<T> shared_state(const State& x, T t) const {
+    const ReducedMotion<T> reference = load_reference(x);
+    const Deviation<T> deviation = load_deviation(x);
+    const T epsilon = model_.epsilon;
+    DriftState<T> s = deviation_state(x, t);
+    const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
+    s.ref_w_LB_B = top_.inverse_I1 * transposed_times(R_ref, reference.L);
+    s.ref_w_LB_B[top_.axis] = w_XB_B_[top_.axis];
+    const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
+    s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, epsilon * s.e_v_scaled}.normalized();
+    const Vec3<T> w_IB_B = s.ref_w_LB_B + epsilon * transposed_times(R_ref, v);
+    s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
+    return s;
+  }
+  /// The part of it that the drift is measured from.
+  DriftState<T> deviation_state(const State& x, T t) const {
+    const Quaternion<T> ref_q_LB = q_LF_ * steady_turn(top_.axis, w_XB_B_[top_.axis], t);
+    return seen_from_laboratory<O>(model_, ref_q_LB, load_deviation(x), t);
+  }
+
+ private:
+  static Vec3<T> load(const State& x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
+  static void store(const Vec3<T>& v, State& x, std::size_t at) { x[at] = v[0], x[at + 1] = v[1], x[at + 2] = v[2]; }
+  static ReducedMotion<T> load_reference(const State& x) { return {load(x, 0), load(x, 3), load(x, 6)}; }
+  static void store_reference(const ReducedMotion<T>& m, State& x) { store(m.n, x, 0), store(m.L, x, 3), store(m.a, x, 6); }
+  static Deviation<T> load_deviation(const State& x) { return {x[9], load(x, 10), load(x, 13)}; }
+
+  /// Theta (w_IB_rot - w_IB_ref) / epsilon at release.
+  Vec3<T> initial_momentum_deviation_B() const {
+    if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
+    return times(model_.I_BP_B, transposed_times(rotation_matrix(release_.q_LB), model_.W_IL_L_scaled));
+  }
+  /// The attitude of the frame that does not spin, made orthonormal.
+  Quaternion<T> frame(const ReducedMotion<T>& reference) const {
+    const Vec3<T> n = reference.n / norm(reference.n);
+    const Vec3<T> across = reference.a - reference.a.dot(n) * n;
+    const Vec3<T> a = across / norm(across);
+    Mat3<T> R_LF;
+    R_LF.col(top_.axis) = n;
+    R_LF.col((top_.axis + 1) % 3) = a;
+    R_LF.col((top_.axis + 2) % 3) = n.cross(a);
+    return quaternion_of(R_LF);
+  }
+
+  const Model<T>& model_;
+  ReducedTop<T> top_;
+  Vec3<T> w_XB_B_;
+  const Release<T>& release_;
+  T spin_momentum_ = T(0);   ///< L.n of the reference
+  T spin_deviation_ = T(0);  ///< (1/I3 - 1/I1) P.n
+  Quaternion<T> q_LF_;       ///< as last followed
+};
+
+}  // namespace earthtop

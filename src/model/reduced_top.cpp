@@ -1,0 +1,23 @@
+#include "earthtop/model/reduced_top.hpp"
+
+#include <stdexcept>
+
+namespace earthtop {
+
+template <class T>
+ReducedTop<T> reduced_top(const Model<T>& model) {
+  if (!is_reducible(model)) throw std::logic_error("reduced_top: not a symmetric top under gravity and the Earth's rotation");
+  ReducedTop<T> top;
+  top.axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+  const int across = (top.axis + 1) % 3;
+  top.I1 = model.I_BP_B(across, across);
+  top.I3 = model.I_BP_B(top.axis, top.axis);
+  top.inverse_I1 = T(1) / top.I1;
+  top.mass_moment = model.mass_moment_B[top.axis];
+  return top;
+}
+template ReducedTop<double> reduced_top(const Model<double>&);
+template ReducedTop<long double> reduced_top(const Model<long double>&);
+template ReducedTop<float128> reduced_top(const Model<float128>&);
+
+}  // namespace earthtop
