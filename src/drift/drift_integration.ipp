@@ -6,7 +6,6 @@
 
 #include "drift/drift_system.hpp"
 #include "drift/reduced_drift_system.hpp"
-#include "integrate/odeint_driver.hpp"
 
 namespace earthtop {
 namespace {
@@ -96,18 +95,9 @@ void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
 template <class T, class System>
 DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
                                     const IntegrationOptions& options, const std::atomic<bool>* stop) {
-  std::vector<T> times;
-  times.reserve(problem.times_s.size());
-  for (const double t : problem.times_s) times.push_back(problem.units.time_from_s(T(t)));
-
-  DriveOptions<T> drive;
-  drive.method = options.method;
-  drive.relative_tolerance = T(options.relative_tolerance);
-  drive.first_step = T(0.02) / problem.fastest_rate;
-  drive.fixed_step = options.step_s ? problem.units.time_from_s(T(*options.step_s)) : T(0.04) / problem.fastest_rate;
+  const std::vector<T> times = natural_times(problem);
+  DriveOptions<T> drive = drive_options(problem, options, stop);
   drive.largest_step = system.largest_step();
-  drive.step_limit = options.step_limit;
-  drive.stop = stop;
 
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());

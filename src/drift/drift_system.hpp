@@ -6,14 +6,8 @@
 
 #include "drift/deviation_state.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
-
-// The right-hand sides are inlined whole, which makes them twice as fast; under a sanitizer that takes minutes to compile.
-#ifdef __SANITIZE_ADDRESS__
-#define EARTHTOP_INLINE_ALL
-#else
-#define EARTHTOP_INLINE_ALL [[gnu::flatten, gnu::noinline]]
-#endif
 
 namespace earthtop {
 

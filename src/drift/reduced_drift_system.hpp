@@ -28,10 +28,13 @@ class ReducedDriftSystem {
   using State = std::array<T, kSize>;
 
   ReducedDriftSystem(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
-      : model_(model), top_(reduced_top(model)), w_XB_B_(units.rate_from_rad_s(release.w_XB_B)), release_(release) {
+      : model_(model),
+        top_(reduced_top(model)),
+        w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
+        release_(release),
+        frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {
     spin_momentum_ = top_.I3 * w_XB_B_[top_.axis];
     spin_deviation_ = (T(1) / top_.I3 - top_.inverse_I1) * initial_momentum_deviation_B()[top_.axis];
-    q_LF_ = release.q_LB;
   }
 
   static constexpr auto groups() {
@@ -73,12 +76,8 @@ class ReducedDriftSystem {
     return x;
   }
 
-  /// Called after every step: the frame's quaternion keeps its sign, so that attitudes are continuous.
-  void follow(const State& x) {
-    const Quaternion<T> q = frame(load_reference(x));
-    const T cosine = q.w * q_LF_.w + q.v.dot(q_LF_.v);
-    q_LF_ = cosine < T(0) ? Quaternion<T>{-q.w, -q.v} : q;
-  }
+  /// Called after every step, so that attitudes are continuous.
+  void follow(const State& x) { frame_.follow(load_reference(x)); }
   /// Where body axis 3 is not the one of symmetry it goes round with the spin, and its angles must be seen often enough; 0
   /// where no step is too long.
   T largest_step() const {
@@ -91,7 +90,7 @@ class ReducedDriftSystem {
     const ReducedMotion<T> reference = load_reference(x);
     const Deviation<T> deviation = load_deviation(x);
     const T epsilon = model_.epsilon;
-    DriftState<T> s = deviation_state(x, t);
+    DriftState<T> s = seen_from_laboratory<O>(model_, frame_.attitude(reference, t), deviation, t);
     const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
     s.ref_w_LB_B = top_.inverse_I1 * transposed_times(R_ref, reference.L);
     s.ref_w_LB_B[top_.axis] = w_XB_B_[top_.axis];
@@ -101,10 +100,12 @@ class ReducedDriftSystem {
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
     return s;
   }
-  /// The part of it that the drift is measured from.
+  /// The part of it that the drift is measured from. A turn of both bodies about axis 3 changes none of its angles, and is left
+  /// out.
   DriftState<T> deviation_state(const State& x, T t) const {
-    const Quaternion<T> ref_q_LB = q_LF_ * steady_turn(top_.axis, w_XB_B_[top_.axis], t);
-    return seen_from_laboratory<O>(model_, ref_q_LB, load_deviation(x), t);
+    const ReducedMotion<T> reference = load_reference(x);
+    const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(reference) : frame_.attitude(reference, t);
+    return seen_from_laboratory<O>(model_, ref_q_LF, load_deviation(x), t);
   }
 
  private:
@@ -119,25 +120,13 @@ class ReducedDriftSystem {
     if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
     return times(model_.I_BP_B, transposed_times(rotation_matrix(release_.q_LB), model_.W_IL_L_scaled));
   }
-  /// The attitude of the frame that does not spin, made orthonormal.
-  Quaternion<T> frame(const ReducedMotion<T>& reference) const {
-    const Vec3<T> n = reference.n / norm(reference.n);
-    const Vec3<T> across = reference.a - reference.a.dot(n) * n;
-    const Vec3<T> a = across / norm(across);
-    Mat3<T> R_LF;
-    R_LF.col(top_.axis) = n;
-    R_LF.col((top_.axis + 1) % 3) = a;
-    R_LF.col((top_.axis + 2) % 3) = n.cross(a);
-    return quaternion_of(R_LF);
-  }
-
   const Model<T>& model_;
   ReducedTop<T> top_;
   Vec3<T> w_XB_B_;
   const Release<T>& release_;
   T spin_momentum_ = T(0);   ///< L.n of the reference
   T spin_deviation_ = T(0);  ///< (1/I3 - 1/I1) P.n
-  Quaternion<T> q_LF_;       ///< as last followed
+  SpinlessFrame<T> frame_;   ///< of the reference
 };
 
 }  // namespace earthtop

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "earthtop/drift/deviation.hpp"
-#include "earthtop/error.hpp"
-#include "earthtop/model/reduced_top.hpp"
+#include "earthtop/integrate/motion_integration.hpp"
 
 namespace earthtop {
 
@@ -73,22 +72,10 @@ struct DriftSample {
 enum class RotatingMotion { integrated, composed };
 
 template <class T>
-struct DriftProblem {
-  Model<T> model;      ///< in `units`
-  Release<T> release;  ///< SI
-  NaturalUnits units;
-  T fastest_rate = T(1);        ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
-  std::vector<double> times_s;  ///< output times; the first is the release, 0
+struct DriftProblem : MotionProblem<T> {
   std::optional<double> threshold_rad;
   RotatingMotion rotating = RotatingMotion::integrated;
 };
-
-/// Whether these options mean the reduced form for this model (reduced_top.hpp).
-template <class T>
-bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
-  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  return options.observer == Observer::laboratory && is_reducible(model);
-}
 
 template <class T>
 struct DriftTrajectory {

@@ -55,4 +55,49 @@ ReducedMotion<T> reduced_equation(const ReducedTop<T>& top, const ReducedMotion<
           Vec3<T>(rate_A - (top.inverse_I1 * spin_momentum) * x.n).cross(x.a)};
 }
 
+/// Rebuilds the attitude of a reduced motion: the frame (a, n x a, n), and the turn by the spin, which is exact.
+template <class T>
+class SpinlessFrame {
+ public:
+  /// @param axis  the body axis of symmetry   @param q_AB  attitude at release   @param w3  inertial rate along the axis, as
+  /// given
+  /// @param w3_rest  what is to be added to it; both are taken as exact
+  SpinlessFrame(int axis, const Quaternion<T>& q_AB, T w3, T w3_rest = T(0))
+      : axis_(axis), w3_(w3), w3_rest_(w3_rest), q_AF_(q_AB) {
+    const Mat3<T> R_AB = rotation_matrix(q_AB);
+    n_ = R_AB.col(axis), a_ = R_AB.col((axis + 1) % 3);
+  }
+
+  /// To be called after every step: keeps the sign of the quaternions continuous. Cheap, as long as the frame has turned by
+  /// less than 60 degrees.
+  void follow(const ReducedMotion<T>& x) {
+    if (n_.dot(x.n) > T(0.5) && a_.dot(x.a) > T(0.5)) return;
+    q_AF_ = frame(x);
+    n_ = x.n, a_ = x.a;
+  }
+  /// Attitude q_AF of the frame that does not spin: that of the body before any turn about the axis.
+  Quaternion<T> frame(const ReducedMotion<T>& x) const {
+    const Vec3<T> n = x.n / norm(x.n);
+    const Vec3<T> across = x.a - x.a.dot(n) * n;
+    const Vec3<T> a = across / norm(across);
+    Mat3<T> R_AF;
+    R_AF.col(axis_) = n;
+    R_AF.col((axis_ + 1) % 3) = a;
+    R_AF.col((axis_ + 2) % 3) = n.cross(a);
+    const Quaternion<T> q = quaternion_of(R_AF);
+    return q.w * q_AF_.w + q.v.dot(q_AF_.v) < T(0) ? Quaternion<T>{-q.w, -q.v} : q;
+  }
+  /// The body's attitude q_AB in the motion x at time t.
+  Quaternion<T> attitude(const ReducedMotion<T>& x, T t) const {
+    const Quaternion<T> q_AB = frame(x) * steady_turn(axis_, w3_, t);
+    return w3_rest_ == T(0) ? q_AB : q_AB * steady_turn(axis_, w3_rest_, t);
+  }
+
+ private:
+  int axis_;
+  T w3_, w3_rest_;
+  Quaternion<T> q_AF_;  ///< of the frame last noted, and its vectors
+  Vec3<T> n_, a_;
+};
+
 }  // namespace earthtop

@@ -1,0 +1,70 @@
+/// The body of integrate_motion, instantiated for one scalar in each of motion_integration_*.cpp.
+#pragma once
+
+#include <stdexcept>
+
+#include "integrate/motion_system.hpp"
+
+namespace earthtop {
+namespace {
+
+template <class T, class System>
+MotionTrajectory<T> integrate_motion_of(const MotionProblem<T>& problem, const IntegrationOptions& options,
+                                        const std::atomic<bool>* stop) {
+  System system(problem);
+  const std::vector<T> times = natural_times(problem);
+  const DriveOptions<T> drive = drive_options(problem, options, stop);
+  MotionTrajectory<T> trajectory;
+  trajectory.samples.reserve(times.size());
+  using State = typename System::State;
+  const auto on_step = [&](T, const State& x) { system.follow(x); };
+  const auto on_row = [&](std::size_t row, const State& x) {
+    MotionSample<T> sample = system.sample(x, times[row]);
+    sample.t_s = T(problem.times_s[row]);
+    for (int i = 0; i < 3; ++i) sample.w_LB_B[i] = problem.units.rate_to_rad_s(sample.w_LB_B[i]);
+    trajectory.samples.push_back(sample);
+  };
+  Driver<T, System, decltype(on_step), decltype(on_row)> driver(system, drive, on_step, on_row);
+  State x = system.initial_state();
+  trajectory.status = driver.run(x, times);
+  trajectory.counters = driver.counters();
+  return trajectory;
+}
+
+template <class T, Observer O>
+MotionTrajectory<T> integrate_general_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
+                                             const std::atomic<bool>* stop) {
+  if (problem.model.kind == SceneKind::plain)
+    return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::plain>>(problem, options, stop);
+  return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::full>>(problem, options, stop);
+}
+
+template <class T, Observer O>
+MotionTrajectory<T> integrate_reduced_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
+                                             MotionSought sought, const std::atomic<bool>* stop) {
+  if (sought == MotionSought::symmetry_axis)
+    return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::symmetry_axis>>(problem, options, stop);
+  return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::attitude>>(problem, options, stop);
+}
+
+}  // namespace
+
+template <class T>
+MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, MotionSought sought,
+                                     const std::atomic<bool>* stop) {
+  const bool reduced = takes_reduced_form(problem.model, options);
+  switch (options.observer) {
+    case Observer::laboratory:
+      if (reduced) return integrate_reduced_motion<T, Observer::laboratory>(problem, options, sought, stop);
+      return integrate_general_motion<T, Observer::laboratory>(problem, options, stop);
+    case Observer::body:
+      if (reduced) throw std::logic_error("the reduced form has no body axes");
+      return integrate_general_motion<T, Observer::body>(problem, options, stop);
+    case Observer::inertial:
+      if (reduced) return integrate_reduced_motion<T, Observer::inertial>(problem, options, sought, stop);
+      return integrate_general_motion<T, Observer::inertial>(problem, options, stop);
+  }
+  throw std::logic_error("unknown observer");
+}
+
+}  // namespace earthtop

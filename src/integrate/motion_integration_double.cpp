@@ -1,0 +1,6 @@
+#include "integrate/motion_integration.ipp"
+
+namespace earthtop {
+template MotionTrajectory<double> integrate_motion(const MotionProblem<double>&, const IntegrationOptions&, MotionSought,
+                                                   const std::atomic<bool>*);
+}  // namespace earthtop

@@ -1,0 +1,6 @@
+#include "integrate/motion_integration.ipp"
+
+namespace earthtop {
+template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&, MotionSought,
+                                                     const std::atomic<bool>*);
+}  // namespace earthtop

@@ -1,0 +1,6 @@
+#include "integrate/motion_integration.ipp"
+
+namespace earthtop {
+template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
+                                                        MotionSought, const std::atomic<bool>*);
+}  // namespace earthtop

@@ -1,0 +1,158 @@
+/// The right-hand sides of one motion on the rotating Earth: any body's seven variables, and the symmetric top's nine without
+/// its spin. Both tell attitude and rate in the laboratory.
+#pragma once
+
+#include <array>
+
+#include "earthtop/model/equations.hpp"
+#include "integrate/drive_problem.hpp"
+#include "integrate/group_norms.hpp"
+
+namespace earthtop {
+
+/// State: q (4), then the observer's rate variable (3).
+template <class T, Observer O, SceneKind K>
+class GeneralMotionSystem {
+ public:
+  static constexpr std::size_t kSize = 7;
+  using State = std::array<T, kSize>;
+  explicit GeneralMotionSystem(const MotionProblem<T>& problem) : problem_(problem), model_(problem.model) {}
+
+  static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 4, 1.0}, {4, 3, 1e-3}}}; }
+
+  EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
+    const Motion<T> motion = load(x);
+    const Vec3<T> field_L = pivot_field<K>(model_, t).rotating_L;
+    if constexpr (O == Observer::laboratory)
+      store(laboratory_equation(model_, motion, field_L, non_inertial_torque<K>(model_, motion)), dxdt);
+    else if constexpr (O == Observer::body)
+      store(body_equation<true, K>(model_, motion, field_L), dxdt);
+    else
+      store(inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t))), dxdt);
+  }
+
+  State initial_state() const {
+    const Release<T>& release = problem_.release;
+    const Mat3<T> R_LB = rotation_matrix(release.q_LB);
+    const Vec3<T> w_XB_B = problem_.units.rate_from_rad_s(release.w_XB_B), W_B = R_LB.transpose() * model_.W_IL_L;
+    const bool inertial = release.X == RatesRelativeTo::inertial;
+    const Vec3<T> w_LB_B = inertial ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
+    const Vec3<T> w_IB_B = inertial ? w_XB_B : Vec3<T>(w_XB_B + W_B);
+    State x;
+    if constexpr (O == Observer::laboratory)
+      store({release.q_LB, R_LB * (model_.I_BP_B * w_LB_B)}, x);
+    else if constexpr (O == Observer::body)
+      store({release.q_LB, w_IB_B}, x);
+    else
+      store({release.q_LB, R_LB * (model_.I_BP_B * w_IB_B)}, x);
+    return x;
+  }
+
+  void follow(const State&) {}
+  MotionSample<T> sample(const State& x, T t) const {
+    const Motion<T> motion = load(x);
+    MotionSample<T> s;
+    s.q_LB = motion.q;
+    if constexpr (O == Observer::inertial) s.q_LB = turn(t).conjugate() * motion.q;
+    const Mat3<T> R_LB = rotation_matrix(s.q_LB);
+    if constexpr (O == Observer::body)
+      s.w_LB_B = motion.m;
+    else
+      s.w_LB_B = times(model_.I_BP_B_inverse, transposed_times(rotation_matrix(motion.q), motion.m));
+    if constexpr (O != Observer::laboratory) s.w_LB_B -= transposed_times(R_LB, model_.W_IL_L);
+    return s;
+  }
+
+ private:
+  static Motion<T> load(const State& x) { return {{x[0], {x[1], x[2], x[3]}}, {x[4], x[5], x[6]}}; }
+  static void store(const Motion<T>& m, State& x) { x = {m.q.w, m.q.v[0], m.q.v[1], m.q.v[2], m.m[0], m.m[1], m.m[2]}; }
+  Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }
+
+  const MotionProblem<T>& problem_;
+  const Model<T>& model_;
+};
+
+/// State: axis n (3), inertial momentum L (3), and where the attitude is sought the frame vector a (3); in laboratory axes, or
+/// in inertial ones.
+template <class T, Observer O, MotionSought S>
+class ReducedMotionSystem {
+ public:
+  static_assert(O != Observer::body);
+  static constexpr bool kAttitude = S == MotionSought::attitude;
+  static constexpr std::size_t kSize = kAttitude ? 9 : 6;
+  using State = std::array<T, kSize>;
+  explicit ReducedMotionSystem(const MotionProblem<T>& problem)
+      : model_(problem.model),
+        top_(reduced_top(problem.model)),
+        R_LB_(rotation_matrix(problem.release.q_LB)),
+        w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
+        W_B_(problem.release.X == RatesRelativeTo::inertial ? Vec3<T>(Vec3<T>::Zero())
+                                                            : Vec3<T>(R_LB_.transpose() * model_.W_IL_L)),
+        frame_(top_.axis, problem.release.q_LB, w_XB_B_[top_.axis], W_B_[top_.axis]) {}
+
+  static constexpr auto groups() {
+    constexpr std::array<ComponentGroup, 3> all{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}}};
+    if constexpr (kAttitude)
+      return all;
+    else
+      return std::array<ComponentGroup, 2>{all[0], all[1]};
+  }
+
+  EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
+    const T spin_momentum = top_.I3 * (w_XB_B_[top_.axis] + W_B_[top_.axis]);
+    if constexpr (O == Observer::laboratory) {
+      store(reduced_equation(top_, load(x), model_.W_IL_L, model_.apparent_gravity_L, spin_momentum), dxdt);
+    } else {
+      const Vec3<T> gravity_N = times(rotation_matrix(turn(t)), model_.apparent_gravity_L);
+      store(reduced_equation(top_, load(x), Vec3<T>(Vec3<T>::Zero()), gravity_N, spin_momentum), dxdt);
+    }
+  }
+
+  State initial_state() const {
+    State x;
+    const Vec3<T> w_IB_B = w_XB_B_ + W_B_;
+    store({R_LB_.col(top_.axis), times(R_LB_, Vec3<T>(model_.I_BP_B * w_IB_B)), R_LB_.col((top_.axis + 1) % 3)}, x);
+    return x;
+  }
+
+  void follow(const State& x) {
+    if constexpr (kAttitude) frame_.follow(load(x));
+  }
+  MotionSample<T> sample(const State& x, T t) const {
+    MotionSample<T> s;
+    ReducedMotion<T> m = load(x);
+    if constexpr (!kAttitude) m.a = any_perpendicular(m.n);
+    const Quaternion<T> q_AB = frame_.attitude(m, t);
+    s.q_LB = q_AB;
+    if constexpr (O == Observer::inertial) s.q_LB = turn(t).conjugate() * q_AB;
+    s.w_LB_B = top_.inverse_I1 * transposed_times(rotation_matrix(q_AB), m.L);
+    s.w_LB_B[top_.axis] = w_XB_B_[top_.axis] + W_B_[top_.axis];
+    s.w_LB_B -= transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
+    return s;
+  }
+
+ private:
+  static ReducedMotion<T> load(const State& x) {
+    ReducedMotion<T> m{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, Vec3<T>::Zero()};
+    if constexpr (kAttitude) m.a = {x[6], x[7], x[8]};
+    return m;
+  }
+  static void store(const ReducedMotion<T>& m, State& x) {
+    for (std::size_t i = 0; i < 3; ++i) x[i] = m.n[static_cast<int>(i)], x[3 + i] = m.L[static_cast<int>(i)];
+    if constexpr (kAttitude)
+      for (std::size_t i = 0; i < 3; ++i) x[6 + i] = m.a[static_cast<int>(i)];
+  }
+  static Vec3<T> any_perpendicular(const Vec3<T>& n) {
+    return real::abs(n[2]) < T(0.7) ? Vec3<T>(-n[1], n[0], T(0)) : Vec3<T>(T(0), -n[2], n[1]);
+  }
+  Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }
+
+  const Model<T>& model_;
+  ReducedTop<T> top_;
+  Mat3<T> R_LB_;
+  Vec3<T> w_XB_B_;  ///< rates as released, and what makes them inertial ones
+  Vec3<T> W_B_;
+  SpinlessFrame<T> frame_;
+};
+
+}  // namespace earthtop
