@@ -52,8 +52,23 @@ class GroupScales {
   std::array<T, G> scales_;
 };
 
-/// odeint ErrorChecker: the largest group error over its tolerance; a state that is not finite counts as a huge error, so
-/// that a NaN is rejected (odeint itself would accept it).
+/// The largest group error over its tolerance; an error that is not finite counts as a huge one, so that a NaN is rejected
+/// (odeint itself would accept it).
+template <class T, std::size_t N, std::size_t G, class Time>
+T largest_group_error(const GroupScales<T, N, G>& scales, T relative_tolerance, const std::array<T, N>& dxdt_old,
+                      const std::array<T, N>& x_err, Time dt) {
+  T largest = T(0);
+  for (std::size_t g = 0; g < G; ++g) {
+    const ComponentGroup& group = scales.groups()[g];
+    const T size = std::max(scales.scale(g), T(real::abs(dt) * group_size(dxdt_old, group)));
+    const T ratio = group_size(x_err, group) / (relative_tolerance * size);
+    if (!(ratio <= T(1e30))) return T(1e30);
+    largest = std::max(largest, ratio);
+  }
+  return largest;
+}
+
+/// odeint ErrorChecker.
 template <class T, std::size_t N, std::size_t G, class Algebra>
 class GroupErrorChecker {
  public:
@@ -62,15 +77,7 @@ class GroupErrorChecker {
 
   template <class State, class Deriv, class Err, class Time>
   T error(Algebra&, const State&, const Deriv& dxdt_old, Err& x_err, Time dt) const {
-    T largest = T(0);
-    for (std::size_t g = 0; g < G; ++g) {
-      const ComponentGroup& group = scales_->groups()[g];
-      const T size = std::max(scales_->scale(g), T(real::abs(dt) * group_size(dxdt_old, group)));
-      const T ratio = group_size(x_err, group) / (tolerance_ * size);
-      if (!(ratio <= T(1e30))) return T(1e30);
-      largest = std::max(largest, ratio);
-    }
-    return largest;
+    return largest_group_error(*scales_, tolerance_, dxdt_old, x_err, dt);
   }
 
  private:

@@ -17,6 +17,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "integrate/extrapolation.hpp"
 #include "integrate/group_norms.hpp"
 
 namespace earthtop {
@@ -80,6 +81,10 @@ class Driver {
     on_row_(std::size_t{0}, x);
     const Method method = options_.method;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+    if (method == Method::extrapolation) {
+      Extrapolation<T, N, G> stepper(options_.relative_tolerance, scales_);
+      return run_controlled(stepper, x, times);
+    }
     if constexpr (!std::is_same_v<T, float128>) {
       if (method == Method::bulirsch_stoer) {
         // odeint's own checker, component by component: relative to each, with a floor a little above round-off.

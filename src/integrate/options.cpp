@@ -26,6 +26,7 @@ std::string_view to_string(Method method) {
     case Method::dopri5: return "dopri5";
     case Method::rkf78: return "rkf78";
     case Method::bulirsch_stoer: return "bulirsch_stoer";
+    case Method::extrapolation: return "extrapolation";
     case Method::abm8: return "abm8";
   }
   return "unknown";

@@ -35,6 +35,7 @@ double radians_a_step(const IntegrationOptions& options) {
     case Method::dopri5: return 0.25 * std::pow(tolerance / 1e-8, 1.0 / 5);
     case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
     case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
+    case Method::extrapolation: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
     case Method::automatic: return 0.22 * std::pow(std::max(tolerance / 100, 1e-14) / 1e-14, 1.0 / 8);
     case Method::abm8: break;  // its step is given
   }

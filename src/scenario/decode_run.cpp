@@ -80,7 +80,8 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
 
 namespace {
 
-constexpr Method kMethods[] = {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
+constexpr Method kMethods[] = {Method::automatic,      Method::dopri5,        Method::rkf78,
+                               Method::bulirsch_stoer, Method::extrapolation, Method::abm8};
 constexpr ModelForm kForms[] = {ModelForm::automatic, ModelForm::general};
 constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
 constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,

@@ -11,7 +11,7 @@
 namespace earthtop {
 namespace {
 
-constexpr std::array kMethods{Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8};
+constexpr std::array kMethods{Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::extrapolation, Method::abm8};
 
 /// x' = y, y' = -x, and z' = 1, which counts the time itself.
 struct Oscillator {
@@ -115,6 +115,25 @@ TEST(Driver, EmbeddedMethodsFollowTheirTolerance) {
     }
     EXPECT_LT(errors[1], 1e-3 * errors[0]);
     EXPECT_NEAR(std::log10(static_cast<double>(steps[1]) / static_cast<double>(steps[0])), 4 / order, 0.12 * 4);
+  }
+}
+
+TEST(Driver, ExtrapolationReachesEveryTolerance) {
+  // The order follows the tolerance, down to where the round-off of the columns decides: the work grows with the number of
+  // digits, not with its exponential, and the error stays with the tolerance over the 100 rad.
+  std::int64_t evaluations = 0;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 1e-14}) {
+    Recorder<Oscillator> recorder;
+    DriveOptions<double> options;
+    options.method = Method::extrapolation;
+    options.relative_tolerance = tolerance;
+    ASSERT_EQ(recorder.run({}, {1, 0, 0}, {0, 100}, options), RunStatus::completed);
+    EXPECT_NEAR(recorder.rows.back()[0], std::cos(100.0), 100 * tolerance);
+    EXPECT_LE(recorder.counters.rejected, 2);
+    if (evaluations > 0) {
+      EXPECT_LT(recorder.counters.evaluations, 2 * evaluations) << tolerance;
+    }
+    evaluations = recorder.counters.evaluations;
   }
 }
 

@@ -10,8 +10,10 @@ namespace earthtop {
 /// In whose axes the state lives: the rotating laboratory ([F]'s torques), the body (Euler), or inertial space.
 enum class Observer { laboratory, body, inertial };
 
-/// automatic picks one of the others; dopri5, rkf78 and bulirsch_stoer control their step, abm8 has a fixed one.
-enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, abm8 };
+/// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's) and extrapolation control their step,
+/// abm8 has a fixed one. rkf78 and extrapolation exist in every precision, bulirsch_stoer in double and long double, the others
+/// in double.
+enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, extrapolation, abm8 };
 
 /// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
 /// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
