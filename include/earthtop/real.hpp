@@ -24,6 +24,7 @@ float128 fmodq(float128, float128) noexcept;
 float128 powq(float128, float128) noexcept;
 float128 logq(float128) noexcept;
 float128 scalbnq(float128, int) noexcept;
+float128 frexpq(float128, int*) noexcept;
 int finiteq(float128) noexcept;
 }
 

@@ -42,7 +42,8 @@ struct TheoryReport {
 /// The torques on the rotating motion, as the scenario's observer counts them.
 struct LedgerReport {
   LedgerObserver observer = LedgerObserver::laboratory;
-  std::vector<LedgerEntry<double>> entries;  ///< one for each row
+  std::vector<LedgerEntry<double>> entries;             ///< one for each row
+  std::vector<LedgerEntry<float128>> extended_entries;  ///< the same in full; none in double precision
   LedgerLargest largest;
 };
 
@@ -51,6 +52,7 @@ struct RunResult {
   RunStatus status = RunStatus::completed;
   double reached_s = 0;  ///< time of the last row
   std::vector<DriftRow> rows;
+  std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full; none in double precision
   DriftSummary drift;
   IntegrationReport solution;     ///< the rows come from this one
   IntegrationReport certificate;  ///< the bounds come from comparing with this one

@@ -94,10 +94,10 @@ void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
 
 template <class T, class System>
 DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
-                                    const IntegrationOptions& options, const std::atomic<bool>* stop) {
+                                    const IntegrationOptions& options, const std::atomic<bool>* stop, T largest_step) {
   const std::vector<T> times = natural_times(problem);
   DriveOptions<T> drive = drive_options(problem, options, stop);
-  drive.largest_step = system.largest_step();
+  drive.largest_step = largest_step;
 
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
@@ -124,7 +124,10 @@ DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const Integ
   DriftSystem<T, O, K, R> system(problem.model);
   const Release<T>& release = problem.release;
   const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
-  return integrate_system(system, x, problem, options, stop);
+  // Angles between two motions that each turn at the fastest rate: less than half a turn a step. The other methods' steps are
+  // shorter.
+  const T largest_step = options.method == Method::extrapolation ? T(1.5) / problem.fastest_rate : T(0);
+  return integrate_system(system, x, problem, options, stop, largest_step);
 }
 
 template <class T, Observer O, RotatingMotion R = RotatingMotion::integrated>
@@ -138,7 +141,7 @@ template <class T, Observer O>
 DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                      const std::atomic<bool>* stop) {
   ReducedDriftSystem<T, O> system(problem.model, problem.release, problem.units);
-  return integrate_system(system, system.initial_state(), problem, options, stop);
+  return integrate_system(system, system.initial_state(), problem, options, stop, system.largest_step());
 }
 
 }  // namespace

@@ -150,8 +150,6 @@ class DriftSystem {
   }
   /// Called after every step: the attitude quaternions are integrated, and continuous by themselves.
   void follow(const State&) {}
-  /// Every step is far shorter than a turn of the spin: none is too long for the angles to be followed.
-  static T largest_step() { return T(0); }
 
  private:
   Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation) const {

@@ -1,5 +1,7 @@
 #include "earthtop/integrate/options.hpp"
 
+#include <algorithm>
+
 namespace earthtop {
 
 std::string_view to_string(Observer observer) {
@@ -30,6 +32,53 @@ std::string_view to_string(Method method) {
     case Method::abm8: return "abm8";
   }
   return "unknown";
+}
+
+std::string_view to_string(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: return "double";
+    case Precision::bits64: return "long_double";
+    case Precision::bits113: return "float128";
+  }
+  return "unknown";
+}
+
+bool is_built(Method method, Precision precision) {
+  switch (method) {
+    case Method::automatic:
+    case Method::rkf78:
+    case Method::extrapolation: return true;
+    case Method::bulirsch_stoer: return precision != Precision::bits113;
+    case Method::dopri5:
+    case Method::abm8: break;
+  }
+  return precision == Precision::bits53;
+}
+
+double least_tolerance(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return 5e-18;
+    case Precision::bits113: return 1e-32;
+  }
+  return 1e-14;
+}
+
+double default_tolerance(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return 1e-16;
+    case Precision::bits113: return 1e-28;
+  }
+  return 1e-12;
+}
+
+IntegrationOptions resolved(const IntegrationOptions& asked, Precision precision) {
+  IntegrationOptions options = asked;
+  if (asked.method != Method::automatic) return options;
+  options.method = precision == Precision::bits53 ? Method::rkf78 : Method::extrapolation;
+  options.relative_tolerance = std::max(asked.relative_tolerance / 100, least_tolerance(precision));
+  return options;
 }
 
 }  // namespace earthtop

@@ -13,6 +13,7 @@ namespace earthtop {
 struct Column {
   std::string_view name;                            ///< with its unit
   std::optional<double> (*value)(const DriftRow&);  ///< none where the row has none
+  std::optional<float128> (*extended_value)(const ExtendedDriftRow&);
 };
 
 /// All columns, in the file's order; the time is the first.

@@ -19,16 +19,6 @@ inline void append_number(std::string& line, double value) {
   line.append(digits, end);
 }
 
-inline void append_field(std::string& line, double value) {
-  line += ',';
-  append_number(line, value);
-}
-
-template <class Container>
-void append_fields(std::string& line, const Container& values) {
-  for (const double value : values) append_field(line, value);
-}
-
 /// Header and rows to the sink, in pieces of whole lines: two million rows at once are a gigabyte.
 /// @param append_row  appends the line of a row, by its number, to a text
 template <class AppendRow>

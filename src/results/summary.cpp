@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "results/digits.hpp"
 
 namespace earthtop {
 namespace {
@@ -23,7 +25,9 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 
-Json drift_json(const DriftSummary& drift, const std::optional<double>& threshold_rad) {
+Json drift_json(const RunResult& result) {
+  const DriftSummary& drift = result.drift;
+  const std::optional<double>& threshold_rad = result.scenario.threshold_rad;
   Json secular = nullptr;
   Json oscillation = nullptr;
   if (drift.secular) {
@@ -32,20 +36,26 @@ Json drift_json(const DriftSummary& drift, const std::optional<double>& threshol
                {"mean_precession_rate_change_rad_s", drift.secular->mean_precession_rate_change_rad_s}};
     oscillation = {{"azimuth_rad", drift.secular->azimuth_oscillation_rad}};
   }
-  return {{"axis_final_rad", drift.axis_final_rad},
-          {"axis_max_rad", drift.axis_max_rad},
-          {"axis_bound_rad", drift.axis_bound_rad},
-          {"attitude_final_rad", drift.attitude_final_rad},
-          {"attitude_bound_rad", drift.attitude_bound_rad},
-          {"spin_final_rad", drift.spin_final_rad},
-          {"azimuth_final_rad", or_null(drift.azimuth_final_rad)},
-          {"tilt_final_rad", drift.tilt_final_rad},
-          {"axis_final_over_earth_angle", or_null(drift.axis_final_over_earth_angle)},
-          {"verdict", "unassessed"},
-          {"secular", std::move(secular)},
-          {"oscillation", std::move(oscillation)},
-          {"threshold_rad", or_null(threshold_rad)},
-          {"threshold_time_s", or_null(drift.threshold_time_s)}};
+  Json json = {{"axis_final_rad", drift.axis_final_rad},
+               {"axis_max_rad", drift.axis_max_rad},
+               {"axis_bound_rad", drift.axis_bound_rad},
+               {"attitude_final_rad", drift.attitude_final_rad},
+               {"attitude_bound_rad", drift.attitude_bound_rad},
+               {"spin_final_rad", drift.spin_final_rad},
+               {"azimuth_final_rad", or_null(drift.azimuth_final_rad)},
+               {"tilt_final_rad", drift.tilt_final_rad},
+               {"axis_final_over_earth_angle", or_null(drift.axis_final_over_earth_angle)},
+               {"verdict", "unassessed"},
+               {"secular", std::move(secular)},
+               {"oscillation", std::move(oscillation)},
+               {"threshold_rad", or_null(threshold_rad)},
+               {"threshold_time_s", or_null(drift.threshold_time_s)}};
+  if (const auto digits = drift_digits(result))
+    json["digits"] = {{"axis_final_rad", digits->axis_final_rad},
+                      {"axis_max_rad", digits->axis_max_rad},
+                      {"attitude_final_rad", digits->attitude_final_rad},
+                      {"spin_final_rad", digits->spin_final_rad}};
+  return json;
 }
 
 Json headline_json(const std::optional<HeadlineCheck>& check) {
@@ -156,6 +166,16 @@ std::string matching_rule(const Scenario& scenario) {
              : "same attitude and same rates relative to inertial space at release";
 }
 
+std::optional<DriftDigits> drift_digits(const RunResult& result) {
+  if (result.extended_rows.empty()) return std::nullopt;
+  const auto in_full = [&](float128 value) { return digits(value, result.scenario.precision); };
+  float128 axis_max = 0;
+  for (const ExtendedDriftRow& row : result.extended_rows) axis_max = std::max(axis_max, row.drift_axis_rad);
+  const ExtendedDriftRow& last = result.extended_rows.back();
+  return DriftDigits{in_full(last.drift_axis_rad), in_full(axis_max), in_full(last.drift_attitude_rad),
+                     in_full(last.drift_spin_rad)};
+}
+
 std::string summary_json(const RunResult& result) {
   const Scenario& scenario = result.scenario;
   Json summary = {
@@ -165,7 +185,7 @@ std::string summary_json(const RunResult& result) {
       {"outcome", {{"status", to_string(result.status)}, {"reached_s", result.reached_s}, {"rows", result.rows.size()}}},
       {"matching_rule",
        {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
-      {"drift", drift_json(result.drift, scenario.threshold_rad)},
+      {"drift", drift_json(result)},
       {"headline", headline_json(check_headline(result))},
       {"solution", integration_json(result.solution)},
       {"certificate", integration_json(result.certificate)},

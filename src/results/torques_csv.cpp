@@ -3,6 +3,7 @@
 
 #include "earthtop/results/results.hpp"
 #include "results/csv.hpp"
+#include "results/digits.hpp"
 
 namespace earthtop {
 namespace {
@@ -16,16 +17,28 @@ constexpr std::string_view kHeader =
     "dL_dt_x_N_m,dL_dt_y_N_m,dL_dt_z_N_m,"
     "residual_x_N_m,residual_y_N_m,residual_z_N_m\n";
 
+template <class T, class Append>
+void append_torques(std::string& text, const LedgerEntry<T>& entry, Append append) {
+  for (const Vec3<T>* torque_A :
+       {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
+    for (int i = 0; i < 3; ++i) {
+      text += ',';
+      append((*torque_A)[i]);
+    }
+}
+
 }  // namespace
 
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
   const auto append_row = [&](std::string& text, std::size_t i) {
-    const LedgerEntry<double>& entry = result.ledger->entries[i];
     append_number(text, result.rows[i].t_s);
-    for (const Vec3<double>* torque_A :
-         {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
-      append_fields(text, *torque_A);
+    const LedgerReport& ledger = *result.ledger;
+    if (ledger.extended_entries.empty())
+      append_torques(text, ledger.entries[i], [&](double value) { append_number(text, value); });
+    else
+      append_torques(text, ledger.extended_entries[i],
+                     [&](float128 value) { text += digits(value, result.scenario.precision); });
     text += '\n';
   };
   write_csv(std::string(kHeader), rows, append_row, sink);

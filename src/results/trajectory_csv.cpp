@@ -1,6 +1,7 @@
 #include "earthtop/results/results.hpp"
 #include "results/columns.hpp"
 #include "results/csv.hpp"
+#include "results/digits.hpp"
 
 namespace earthtop {
 namespace {
@@ -23,10 +24,25 @@ void append_row(std::string& text, const DriftRow& row) {
   text += '\n';
 }
 
+/// The time is a double in every precision: it is written as one.
+void append_row(std::string& text, const ExtendedDriftRow& row, Precision precision) {
+  append_number(text, static_cast<double>(row.t_s));
+  for (const Column& column : trajectory_columns().subspan(1)) {
+    text += ',';
+    if (const auto value = column.extended_value(row)) text += digits(*value, precision);
+  }
+  text += '\n';
+}
+
 }  // namespace
 
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
-  const auto append = [&](std::string& text, std::size_t i) { append_row(text, result.rows[i]); };
+  const auto append = [&](std::string& text, std::size_t i) {
+    if (result.extended_rows.empty())
+      append_row(text, result.rows[i]);
+    else
+      append_row(text, result.extended_rows[i], result.scenario.precision);
+  };
   write_csv(header(), result.rows.size(), append, sink);
 }
 

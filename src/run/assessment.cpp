@@ -9,51 +9,90 @@ namespace earthtop {
 namespace {
 
 /// Follows one conserved quantity over the rows.
+template <class T>
 class InvariantFollower {
  public:
   InvariantFollower(std::string name, std::string unit) { report_.name = std::move(name), report_.unit = std::move(unit); }
-  void include(double value, double scale) {
-    if (first_) report_.initial = value;
+  void include(T value, T scale) {
+    if (first_) initial_ = value;
     first_ = false;
-    report_.largest_change = std::max(report_.largest_change, std::abs(value - report_.initial));
-    report_.scale = std::max(report_.scale, scale);
+    largest_change_ = std::max(largest_change_, real::abs(value - initial_));
+    scale_ = std::max(scale_, scale);
   }
-  const InvariantReport& report() const { return report_; }
+  InvariantReport report() const {
+    InvariantReport report = report_;
+    report.initial = static_cast<double>(initial_);
+    report.largest_change = static_cast<double>(largest_change_);
+    report.scale = static_cast<double>(scale_);
+    return report;
+  }
 
  private:
   InvariantReport report_;
+  T initial_ = T(0), largest_change_ = T(0), scale_ = T(0);
   bool first_ = true;
 };
 
-Quaternion<double> quaternion(const std::array<double, 4>& q) { return {q[0], Vec3<double>(q[1], q[2], q[3])}; }
-Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+template <class T>
+Quaternion<T> quaternion(const std::array<T, 4>& q) {
+  return {q[0], Vec3<T>(q[1], q[2], q[3])};
+}
+template <class T>
+Vec3<T> vector(const std::array<T, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
 
-}  // namespace
-
-std::vector<InvariantReport> assess_invariants(const Scenario& scenario, const std::vector<DriftRow>& rows) {
-  if (scenario.platform || !scenario.effects.all_on()) return {};
-  const auto body = make_body<double>(scenario.body);
-  const Vec3<double> mass_moment_B = body.mass * body.p_PBcm_B;
-  const Vec3<double> gravity_L = apparent_gravity_L<double>(scenario.site);
-  const Vec3<double> W_L = scenario.rotation_rate_rad_s * celestial_axis_L<double>(scenario.site);
+template <class T>
+std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows) {
+  const auto body = make_body<T>(scenario.body);
+  const Vec3<T> mass_moment_B = body.mass * body.p_PBcm_B;
+  const Vec3<T> gravity_L = apparent_gravity_L<T>(scenario.site);
+  const Vec3<T> W_L = T(scenario.rotation_rate_rad_s) * celestial_axis_L<T>(scenario.site);
   const int axis = symmetry_axis(body);
-  InvariantFollower jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s");
-  for (const DriftRow& row : rows) {
-    const Quaternion<double> q = quaternion(row.q_LB);
-    const Vec3<double> w_LB_B = vector(row.w_LB_B);
+  InvariantFollower<T> jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s");
+  for (const BasicDriftRow<T>& row : rows) {
+    const Quaternion<T> q = quaternion(row.q_LB);
+    const Vec3<T> w_LB_B = vector(row.w_LB_B);
     const auto J = jacobi_integral(body.I_BP_B, mass_moment_B, gravity_L, W_L, q, w_LB_B);
     jacobi.include(J.value, J.scale);
-    const auto E = jacobi_integral<double>(body.I_BP_B, mass_moment_B, gravity_L, Vec3<double>::Zero(),
-                                           quaternion(row.ref_q_LB), vector(row.ref_w_LB_B));
+    const auto E = jacobi_integral<T>(body.I_BP_B, mass_moment_B, gravity_L, Vec3<T>::Zero(), quaternion(row.ref_q_LB),
+                                      vector(row.ref_w_LB_B));
     energy.include(E.value, E.scale);
     if (axis >= 0) {
-      const double w = w_LB_B[axis] + (rotation_matrix(q).transpose() * W_L)[axis];
-      spin.include(w, std::max(std::abs(w), norm(w_LB_B)));
+      const T w = w_LB_B[axis] + transposed_times(rotation_matrix(q), W_L)[axis];
+      spin.include(w, std::max(real::abs(w), norm(w_LB_B)));
     }
   }
   std::vector<InvariantReport> reports{jacobi.report(), energy.report()};
   if (axis >= 0) reports.push_back(spin.report());
   return reports;
+}
+
+template <class T>
+std::vector<LedgerEntry<T>> ledger_entries(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows) {
+  const auto model = make_model<T>(scenario);
+  std::vector<LedgerEntry<T>> entries;
+  entries.reserve(rows.size());
+  for (const BasicDriftRow<T>& row : rows)
+    entries.push_back(ledger_entry(*scenario.ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B)));
+  return entries;
+}
+
+LedgerEntry<double> in_double(const LedgerEntry<float128>& entry) {
+  const auto cast = [](const Vec3<float128>& v) {
+    return Vec3<double>(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+  };
+  return {cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
+          cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
+}
+
+}  // namespace
+
+std::vector<InvariantReport> assess_invariants(const RunResult& result) {
+  const Scenario& scenario = result.scenario;
+  if (scenario.platform || !scenario.effects.all_on()) return {};
+  return result.extended_rows.empty() ? follow_invariants(scenario, result.rows)
+                                      : follow_invariants(scenario, result.extended_rows);
 }
 
 std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows,
@@ -97,16 +136,19 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
   return theory;
 }
 
-std::optional<LedgerReport> assess_ledger(const Scenario& scenario, const std::vector<DriftRow>& rows) {
+std::optional<LedgerReport> assess_ledger(const RunResult& result) {
+  const Scenario& scenario = result.scenario;
   if (!scenario.ledger) return std::nullopt;
-  const auto model = make_model<double>(scenario);
   LedgerReport report;
   report.observer = *scenario.ledger;
-  report.entries.reserve(rows.size());
-  for (const DriftRow& row : rows) {
-    report.entries.push_back(ledger_entry(report.observer, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B)));
-    report.largest.include(report.entries.back());
+  if (result.extended_rows.empty()) {
+    report.entries = ledger_entries(scenario, result.rows);
+  } else {
+    report.extended_entries = ledger_entries(scenario, result.extended_rows);
+    report.entries.reserve(report.extended_entries.size());
+    for (const LedgerEntry<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
   }
+  for (const LedgerEntry<double>& entry : report.entries) report.largest.include(entry);
   return report;
 }
 

@@ -79,11 +79,12 @@ Json platform_json(const PlatformSpec& platform) {
   return json;
 }
 
-Json numerics_json(const IntegrationOptions& options) {
+Json numerics_json(const Scenario& scenario) {
+  const IntegrationOptions& options = scenario.numerics;
   Json json = {{"method", std::string(to_string(options.method))},
                {"observer", std::string(to_string(options.observer))},
                {"model", std::string(to_string(options.form))},
-               {"precision", "double"}};
+               {"precision", std::string(to_string(scenario.precision))}};
   if (options.step_s)
     json["step_s"] = *options.step_s;
   else
@@ -109,7 +110,7 @@ std::string canonical_json(const Scenario& scenario) {
                 {{"coriolis", scenario.effects.coriolis},
                  {"centrifugal", scenario.effects.centrifugal},
                  {"transverse", scenario.effects.transverse}}},
-               {"numerics", numerics_json(scenario.numerics)}};
+               {"numerics", numerics_json(scenario)}};
   if (scenario.ledger) json["numerics"]["ledger"] = std::string(to_string(*scenario.ledger));
   if (scenario.platform) json["platform"] = platform_json(*scenario.platform);
   if (scenario.threshold_rad) json["report"] = {{"threshold_rad", *scenario.threshold_rad}};

@@ -28,18 +28,57 @@ PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double
 }
 
 /// The phase of the fastest motion that a step covers (rad), as measured on a fast top; a method of order p takes steps that
-/// grow with the p-th root of its tolerance.
-double radians_a_step(const IntegrationOptions& options) {
-  const double tolerance = options.relative_tolerance;
-  switch (options.method) {
+/// grow with the p-th root of its tolerance. The order of `extrapolation` follows its tolerance.
+double radians_a_step(Method method, double tolerance) {
+  switch (method) {
     case Method::dopri5: return 0.25 * std::pow(tolerance / 1e-8, 1.0 / 5);
     case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
     case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
-    case Method::extrapolation: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
-    case Method::automatic: return 0.22 * std::pow(std::max(tolerance / 100, 1e-14) / 1e-14, 1.0 / 8);
+    case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
+    case Method::automatic:
     case Method::abm8: break;  // its step is given
   }
   return 0.04;
+}
+
+/// Right-hand sides for each of those steps, rejected ones included.
+double evaluations_a_step(Method method, double tolerance) {
+  switch (method) {
+    case Method::dopri5: return 6;
+    case Method::bulirsch_stoer: return 53;
+    case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 60);
+    case Method::abm8: return 1;
+    case Method::rkf78:
+    case Method::automatic: break;
+  }
+  return 13;
+}
+
+/// One right-hand side of both predictions and the deviation between them, with its share of the stepper.
+double seconds_an_evaluation(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return 1.2e-6;
+    case Precision::bits113: return 17e-6;
+  }
+  return 1.5e-7;
+}
+
+struct Work {
+  double steps = 0, evaluations = 0;
+};
+
+/// Of the first integration.
+Work work_of(const Scenario& scenario) {
+  const IntegrationOptions options = resolved(scenario.numerics, scenario.precision);
+  const Method method = options.method;
+  const double tolerance = options.relative_tolerance;
+  const double step_s = options.step_s.value_or(radians_a_step(method, tolerance) / fastest_rate_rad_s(scenario));
+  const double steps = scenario.duration_s / step_s;
+  // Each row ends a step, for which `extrapolation` needs fewer columns than for a long one.
+  const double rows = scenario.duration_s / scenario.output_step_s;
+  const double row_evaluations = method == Method::extrapolation ? 40 : 13;
+  return {steps, steps * evaluations_a_step(method, tolerance) + rows * row_evaluations};
 }
 
 }  // namespace
@@ -57,9 +96,11 @@ double fastest_rate_rad_s(const Scenario& scenario) {
   return std::max(rate, 1 / scenario.duration_s);
 }
 
-double estimated_steps(const Scenario& scenario) {
-  const IntegrationOptions& options = scenario.numerics;
-  return scenario.duration_s / options.step_s.value_or(radians_a_step(options) / fastest_rate_rad_s(scenario));
+double estimated_steps(const Scenario& scenario) { return work_of(scenario).steps; }
+
+double estimated_seconds(const Scenario& scenario) {
+  constexpr double kBothIntegrations = 2;
+  return kBothIntegrations * seconds_an_evaluation(scenario.precision) * work_of(scenario).evaluations;
 }
 
 void require_affordable(const Scenario& scenario) {
@@ -71,6 +112,12 @@ void require_affordable(const Scenario& scenario) {
                         fmt::format("this scene needs about {:.1e} steps, some {:.1g} days of computing; at most {:.1e} are "
                                     "allowed; take a shorter duration, a slower spin or a longer step",
                                     steps, steps * kSecondsAStep / 86400, limit));
+  const double days = std::min(estimated_seconds(scenario), 1e300) / 86400;
+  if (scenario.precision != Precision::bits53 && !(days <= 1))
+    throw ScenarioError("/motion/duration_s",
+                        fmt::format("this scene needs about {:.1e} steps in {}, some {:.1g} days of computing; at most one day "
+                                    "is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
+                                    steps, to_string(scenario.precision), days));
 }
 
 }  // namespace earthtop

@@ -80,8 +80,6 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
 
 namespace {
 
-constexpr Method kMethods[] = {Method::automatic,      Method::dopri5,        Method::rkf78,
-                               Method::bulirsch_stoer, Method::extrapolation, Method::abm8};
 constexpr ModelForm kForms[] = {ModelForm::automatic, ModelForm::general};
 constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
 constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,
@@ -104,11 +102,33 @@ void decode_fixed_step(const Section& numerics, Scenario& scenario) {
                                 steps, limit, scenario.duration_s / limit));
 }
 
+/// What the scenario's precision allows: tolerances above its round-off, the methods that are built for it.
+void check_precision(const Section& numerics, Scenario& scenario) {
+  IntegrationOptions& options = scenario.numerics;
+  const Precision precision = scenario.precision;
+  const double least = least_tolerance(precision);
+  if (!numerics.has("relative_tolerance"))
+    options.relative_tolerance = default_tolerance(precision);
+  else if (options.relative_tolerance < least)
+    numerics.refuse(
+        "relative_tolerance",
+        fmt::format("{} is out of range; must be a number from {} to 0.1; below {} the rounding of {} precision, not "
+                    "the step, decides the error",
+                    options.relative_tolerance, least, least, to_string(precision)));
+  if (is_built(options.method, precision)) return;
+  std::string built;
+  for (const Method method : kMethods)
+    if (is_built(method, precision)) built += fmt::format("{}\"{}\"", built.empty() ? "" : ", ", to_string(method));
+  numerics.refuse(
+      "method", fmt::format("\"{}\" is not built for {}; must be {}", to_string(options.method), to_string(precision), built));
+  options.method = Method::automatic;
+}
+
 }  // namespace
 
 void decode_numerics(const Section& numerics, Scenario& scenario) {
   IntegrationOptions& options = scenario.numerics;
-  const auto method = numerics.word("method"), observer = numerics.word("observer");
+  const auto method = numerics.word("method"), observer = numerics.word("observer"), precision = numerics.word("precision");
   if (const auto tolerance = numerics.number("relative_tolerance")) options.relative_tolerance = *tolerance;
   if (const auto ledger = numerics.word("ledger"))
     scenario.ledger =
@@ -118,8 +138,13 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
         *std::find_if(std::begin(kObservers), std::end(kObservers), [&](Observer o) { return to_string(o) == *observer; });
   if (const auto form = numerics.word("model"))
     options.form = *std::find_if(std::begin(kForms), std::end(kForms), [&](ModelForm f) { return to_string(f) == *form; });
-  if (!method) return;
-  options.method = *std::find_if(std::begin(kMethods), std::end(kMethods), [&](Method m) { return to_string(m) == *method; });
+  if (precision)
+    scenario.precision =
+        *std::find_if(kPrecisions.begin(), kPrecisions.end(), [&](Precision p) { return to_string(p) == *precision; });
+  if (method)
+    options.method = *std::find_if(kMethods.begin(), kMethods.end(), [&](Method m) { return to_string(m) == *method; });
+  check_precision(numerics, scenario);
+  if (!method || to_string(options.method) != *method) return;
   if (options.method == Method::abm8) return decode_fixed_step(numerics, scenario);
   if (numerics.has("step_s"))
     numerics.refuse_key(

@@ -119,11 +119,13 @@ constexpr Field kFields[] = {
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
     {"/numerics/model", word, "", any(), "auto|general", "", "\"auto\"",
      "auto: in the laboratory a symmetric top without its spin; general: attitude and rates of any body"},
-    {"/numerics/precision", word, "", any(), "double", "long_double|float128", "\"double\"", "scalar type"},
-    // 1e-14 is 45 eps: rounding of one step's sums; a controlled step cannot meet less in double.
-    {"/numerics/relative_tolerance", number, "", from(1e-14, 1e-1), "", "", "1e-12",
-     "local error of a step, controlled methods", !kRequired,
-     "below 1e-14 the rounding of double precision, not the step, decides the error"},
+    {"/numerics/precision", word, "", any(), "double|long_double|float128", "", "\"double\"",
+     "scalar type: 53, 64 or 113 bits; the last prints 34 digits"},
+    // The ends for each precision are the decoder's: least_tolerance, default_tolerance.
+    {"/numerics/relative_tolerance", number, "", from(1e-32, 1e-1), "", "", "1e-12",
+     "local error of a step, controlled methods; at least 1e-14 in double, 5e-18 in long_double; default 1e-16 in long_double, "
+     "1e-28 in float128",
+     !kRequired, "and at least 1e-14 in double, 5e-18 in long_double"},
     {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "", "step of abm8"},
     {"/numerics/ledger", word, "", any(), "inertial|laboratory|platform|body", "", "",
      "observer of the torque ledger torques.csv; none is written if left out"},

@@ -1,10 +1,12 @@
-/// Which keys go with a word: with a solid's shape, with a platform's motion. Decoder and schema read the same rows.
+/// Which keys go with a word: with a solid's shape, with a platform's motion; and the methods and precisions there are. Decoder
+/// and schema read the same rows.
 #pragma once
 
 #include <array>
 #include <span>
 #include <string_view>
 
+#include "earthtop/integrate/options.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/platform.hpp"
 
@@ -40,5 +42,10 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
 };
+
+/// All methods and precisions; which go together says `is_built`.
+inline constexpr std::array kMethods = {Method::automatic,      Method::dopri5,        Method::rkf78,
+                                        Method::bulirsch_stoer, Method::extrapolation, Method::abm8};
+inline constexpr std::array kPrecisions = {Precision::bits53, Precision::bits64, Precision::bits113};
 
 }  // namespace earthtop::scenario

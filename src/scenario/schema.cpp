@@ -86,6 +86,20 @@ Json numerics_rule() {
   return when("method", "abm8", fixed_step, none_of("step_s"));
 }
 
+/// What the precision allows, as in `decode_precision`; double where none is given.
+Json precision_rule() {
+  const auto allowed = [](Precision precision) -> Json {
+    Json methods = Json::array();
+    for (const std::string_view word : split_words(find_field("/numerics/method")->words))
+      for (const Method method : kMethods)
+        if (to_string(method) == word && is_built(method, precision)) methods.push_back(word);
+    return {
+        {"properties", {{"method", {{"enum", methods}}}, {"relative_tolerance", {{"minimum", least_tolerance(precision)}}}}}};
+  };
+  return when("precision", "float128", allowed(Precision::bits113),
+              when("precision", "long_double", allowed(Precision::bits64), allowed(Precision::bits53)));
+}
+
 /// Rules of an object that involve more than one of its keys; an empty array where there are none.
 Json rules_of(std::string_view pattern) {
   if (pattern.empty()) return Json::array({site_rule()});
@@ -97,7 +111,7 @@ Json rules_of(std::string_view pattern) {
     return Json::array(
         {exactly_one("tilt_deg", "quaternion_LB"), exactly_one("spin_rad_s", "angular_velocity_body_rad_s"), release_rule()});
   if (pattern == "/platform") return platform_rules();
-  if (pattern == "/numerics") return Json::array({numerics_rule()});
+  if (pattern == "/numerics") return Json::array({numerics_rule(), precision_rule()});
   return Json::array();
 }
 

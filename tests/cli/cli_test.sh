@@ -186,6 +186,15 @@ grep -q '"residual_over_largest_torque"' ledger/summary.json || fault "no ledger
 expect 0 run top.json --out ledger --force
 [ ! -e ledger/torques.csv ] || fault "an old ledger was left"
 
+# Extended precision by one key: 34 digits in the file, the same in the summary, another identity.
+expect 0 run top.json --out quad --set /numerics/precision=float128 --set /motion/duration_s=0.05
+on_stdout '^  in full     [0-9]\.[0-9]\{31,33\}e-[0-9]* rad$'
+on_stdout '^Computed .*float128'
+grep -q '"axis_final_rad": "[0-9.]*e-[0-9]*"' quad/summary.json || fault "no digits in the summary"
+tail -n 1 quad/trajectory.csv | grep -q '^0.05,0\.[0-9]\{30,\}' || fault "no 34 digits, or too many for the time"
+expect 2 run top.json --out quad --set /numerics/precision=float128 --set /numerics/method=dopri5
+on_stderr '/numerics/method: "dopri5" is not built for float128; must be "auto", "rkf78", "extrapolation"'
+
 # Results of another scenario in the way.
 expect 2 run top.json --set /release/spin_rad_s=210
 on_stderr 'another scenario'

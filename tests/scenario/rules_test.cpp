@@ -272,6 +272,43 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
   expect_set({{"/numerics", R"({"method": "abm8", "step_s": 1e-9})"}}, "/numerics/step_s", "about 6e+10 steps; at most 2e+09");
 }
 
+TEST(ScenarioRules, PrecisionSetsMethodsAndTolerances) {
+  const auto with = [](const std::string& precision, const std::string& more) {
+    return Overrides{{"/numerics", "{\"precision\": \"" + precision + "\"" + more + "}"}};
+  };
+  const std::pair<std::string, double> defaults[] = {{"double", 1e-12}, {"long_double", 1e-16}, {"float128", 1e-28}};
+  for (const auto& [precision, tolerance] : defaults) {
+    const Scenario s = parse(kMinimal, with(precision, ""));
+    EXPECT_EQ(to_string(s.precision), precision);
+    EXPECT_EQ(s.numerics.relative_tolerance, tolerance);
+    EXPECT_EQ(parse(canonical_json(s)).numerics.relative_tolerance, tolerance);
+    EXPECT_EQ(canonical_json(parse(canonical_json(s))), canonical_json(s));
+    for (const std::string method : {"auto", "rkf78", "extrapolation"})
+      EXPECT_EQ(to_string(parse(kMinimal, with(precision, ", \"method\": \"" + method + "\"")).numerics.method), method);
+    EXPECT_EQ(parse(kMinimal, with(precision, ", \"relative_tolerance\": 1e-9")).numerics.relative_tolerance, 1e-9);
+  }
+  EXPECT_EQ(parse(kMinimal, with("float128", ", \"relative_tolerance\": 1e-32")).numerics.relative_tolerance, 1e-32);
+  EXPECT_NO_THROW(parse(kMinimal, with("long_double", ", \"method\": \"bulirsch_stoer\"")));
+  expect_set(with("float128", ", \"method\": \"bulirsch_stoer\""), "/numerics/method",
+             "is not built for float128; must be \"auto\", \"rkf78\", \"extrapolation\"");
+  for (const std::string precision : {"long_double", "float128"}) {
+    expect_set(with(precision, ", \"method\": \"dopri5\""), "/numerics/method", "\"dopri5\" is not built for " + precision);
+    expect_set(with(precision, ", \"method\": \"abm8\", \"step_s\": 1e-3"), "/numerics/method",
+               "\"abm8\" is not built for " + precision);
+  }
+}
+
+TEST(ScenarioRules, WhatWouldTakeDaysIsRefusedInEveryPrecision) {
+  // 200 rad/s: about 250 rad/s of fastest motion, 127 evaluations of 17 microseconds for each radian, twice.
+  const Overrides quad = {{"/numerics/precision", "float128"}};
+  EXPECT_NEAR(estimated_seconds(parse(kMinimal, quad)) / parse(kMinimal).duration_s, 1.0, 0.8);
+  Overrides too_long = quad;
+  too_long.push_back({"/motion/duration_s", "1e6"});
+  expect_set(too_long, "/motion/duration_s", "steps in float128, some");
+  too_long[0].second = "double";
+  EXPECT_NO_THROW(parse(kMinimal, too_long));
+}
+
 // Any value at any key, several at a time: refused with places, or a scenario whose canonical form reads back to itself and
 // whose start and times are finite.
 TEST(ScenarioRules, AnyValueAnywhereIsRefusedOrGivesAWholeScenario) {

@@ -53,6 +53,8 @@ WHOLE = [
           effects={"coriolis": False, "centrifugal": True, "transverse": False},
           numerics={"method": "rkf78", "observer": "body", "model": "general", "precision": "double", "relative_tolerance": 1e-10,
                     "ledger": "platform"}),
+    scene(numerics={"method": "extrapolation", "precision": "float128", "relative_tolerance": 1e-30}),
+    scene(numerics={"method": "bulirsch_stoer", "precision": "long_double", "relative_tolerance": 1e-16}),
     scene(release={"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"},
           numerics={"method": "abm8", "step_s": 1e-3},
           platform={"motion": "constant", "axis": [0, 1, 1], "rate_rad_s": 1, "pivot_offset_m": [1, 0, 0]}),

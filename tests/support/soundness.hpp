@@ -15,7 +15,7 @@ inline void expect_sound(const Scenario& scenario, Observer reference_observer) 
   SCOPED_TRACE(scenario.name);
   const RunResult result = run(scenario);
   ASSERT_EQ(result.status, RunStatus::completed);
-  const auto reference = reference_run(scenario, reference_observer, 1e-16);
+  const auto reference = reference_run(scenario, reference_observer);
   ASSERT_EQ(reference.status, RunStatus::completed);
   ASSERT_GT(result.drift.axis_max_rad, 0);
   const Comparison c = compare(result, reference);

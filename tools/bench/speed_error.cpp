@@ -70,14 +70,15 @@ int main(int argc, char** argv) {
   for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
     for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::rkf78, observer, tolerance, 0);
   for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::bulirsch_stoer, Observer::laboratory, tolerance, 0);
+  for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::extrapolation, Observer::laboratory, tolerance, 0);
   for (const double tolerance : {1e-8, 1e-10, 1e-12}) add(Method::dopri5, Observer::laboratory, tolerance, 0);
   for (const double step : {1e-3, 5e-4, 2.5e-4}) add(Method::abm8, Observer::laboratory, 0, step);
 
   const auto problem = make_problem<double>(scenario);
   IntegrationOptions exact_options;
   exact_options.observer = Observer::inertial;
-  exact_options.method = Method::rkf78;
-  exact_options.relative_tolerance = 1e-17;
+  exact_options.method = Method::extrapolation;
+  exact_options.relative_tolerance = 1e-22;
   const auto exact = integrate_drift(make_problem<float128>(scenario), exact_options);
 
   for (int repetition = 0; repetition < repetitions; ++repetition)

@@ -58,6 +58,7 @@ bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
   if (!original) return true;
   scenario.name = original->name;
   scenario.numerics = original->numerics;
+  scenario.precision = original->precision;
   scenario.ledger = original->ledger;
   scenario.output_step_s = original->output_step_s;
   scenario.threshold_rad = original->threshold_rad;

@@ -92,12 +92,15 @@ void write_scene(Page& page, const Scenario& scenario, double reached_s) {
   page.entry("", matching_rule(scenario));
 }
 
-void write_drift(Page& page, const DriftSummary& drift, double reached_s) {
+void write_drift(Page& page, const RunResult& result) {
+  const DriftSummary& drift = result.drift;
+  const double reached_s = result.reached_s;
   page.heading(fmt::format("Drift after {} s", reached_s));
   std::string share;
   if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
   page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad)),
             page.strong(pictured(drift.axis_final_rad)), share);
+  if (const auto digits = drift_digits(result)) page.line("  in full     {} rad", digits->axis_final_rad);
   page.line("  at most     {:.6e} rad = {}", drift.axis_max_rad, pictured(drift.axis_max_rad));
   if (drift.azimuth_final_rad)
     page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
@@ -159,8 +162,9 @@ void write_headline(Page& page, const RunResult& result, const HeadlineCheck& ch
 }
 
 std::string described(const IntegrationReport& report) {
-  return fmt::format("{}{} in {}, {} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
-                     report.form == ModelForm::reduced ? " without the spin" : "", axes_of(report.observer),
+  const std::string precision = report.precision == to_string(Precision::bits53) ? "" : spoken(report.precision) + ", ";
+  return fmt::format("{}{} in {}, {}{} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
+                     report.form == ModelForm::reduced ? " without the spin" : "", axes_of(report.observer), precision,
                      grouped(report.counters.evaluations), report.seconds);
 }
 
@@ -175,7 +179,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
     page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
                                                    result.reached_s, scenario.duration_s)));
   page.line("");
-  write_drift(page, result.drift, result.reached_s);
+  write_drift(page, result);
   page.line("");
   write_trend(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);

@@ -6,26 +6,31 @@
 #include <optional>
 #include <vector>
 
+#include "earthtop/real.hpp"
+
 namespace earthtop {
 
 /// One output time. Rotating is the motion on the turning Earth, `ref` the non-rotating prediction; drift is always
-/// rotating minus reference.
-struct DriftRow {
-  double t_s = 0;
-  std::array<double, 4> q_LB = {1, 0, 0, 0};  ///< (w, x, y, z)
-  std::array<double, 3> w_LB_B = {};          ///< rad/s
-  std::array<double, 4> ref_q_LB = {1, 0, 0, 0};
-  std::array<double, 3> ref_w_LB_B = {};
-  std::array<double, 3> axis_L = {0, 0, 1};  ///< body axis 3: East, North, Up
-  std::array<double, 3> ref_axis_L = {0, 0, 1};
-  double drift_axis_rad = 0;                ///< angle between the two axes
-  double drift_axis_bound_rad = 0;          ///< bound on the error of the above
-  std::optional<double> drift_azimuth_rad;  ///< difference of compass azimuths, continuous; none where an axis is vertical
-  double drift_tilt_rad = 0;
-  double drift_attitude_rad = 0;        ///< angle of R_ref^T R_rot, 0 to pi
-  double drift_attitude_bound_rad = 0;  ///< bound on the error of the above
-  double drift_spin_rad = 0;            ///< spin phase, continuous
+/// rotating minus reference. Rows of extended precision stand in float128, which holds a long double unchanged.
+template <class T>
+struct BasicDriftRow {
+  T t_s = T(0);
+  std::array<T, 4> q_LB = {T(1), T(0), T(0), T(0)};  ///< (w, x, y, z)
+  std::array<T, 3> w_LB_B = {};                      ///< rad/s
+  std::array<T, 4> ref_q_LB = {T(1), T(0), T(0), T(0)};
+  std::array<T, 3> ref_w_LB_B = {};
+  std::array<T, 3> axis_L = {T(0), T(0), T(1)};  ///< body axis 3: East, North, Up
+  std::array<T, 3> ref_axis_L = {T(0), T(0), T(1)};
+  T drift_axis_rad = T(0);             ///< angle between the two axes
+  T drift_axis_bound_rad = T(0);       ///< bound on the error of the above
+  std::optional<T> drift_azimuth_rad;  ///< difference of compass azimuths, continuous; none where an axis is vertical
+  T drift_tilt_rad = T(0);
+  T drift_attitude_rad = T(0);        ///< angle of R_ref^T R_rot, 0 to pi
+  T drift_attitude_bound_rad = T(0);  ///< bound on the error of the above
+  T drift_spin_rad = T(0);            ///< spin phase, continuous
 };
+using DriftRow = BasicDriftRow<double>;
+using ExtendedDriftRow = BasicDriftRow<float128>;
 
 /// A least-squares line through the azimuth drift of all rows, and what is left of it. The standard error takes the
 /// residuals as independent, which an oscillation is not: it is the scatter of the fit, not an error of the numbers.

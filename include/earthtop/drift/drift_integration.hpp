@@ -88,7 +88,7 @@ struct DriftTrajectory {
 
 /// @param stop  set from outside to end early with RunStatus::interrupted; may be null.
 /// @throws std::logic_error for a reduced form where the model has none or in body axes; for a method that is not built for T:
-/// see `Method`.
+/// see `is_built`.
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                    const std::atomic<bool>* stop = nullptr);

@@ -10,9 +10,11 @@ namespace earthtop {
 /// In whose axes the state lives: the rotating laboratory ([F]'s torques), the body (Euler), or inertial space.
 enum class Observer { laboratory, body, inertial };
 
+/// The scalar of a run: double, long double or float128.
+enum class Precision { bits53, bits64, bits113 };
+
 /// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's) and extrapolation control their step,
-/// abm8 has a fixed one. rkf78 and extrapolation exist in every precision, bulirsch_stoer in double and long double, the others
-/// in double.
+/// abm8 has a fixed one. Not all are built for every precision: see `is_built`.
 enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, extrapolation, abm8 };
 
 /// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
@@ -22,6 +24,16 @@ enum class ModelForm { automatic, general, reduced };
 std::string_view to_string(Observer observer);
 std::string_view to_string(Method method);
 std::string_view to_string(ModelForm form);
+std::string_view to_string(Precision precision);
+
+/// Automatic, rkf78 and extrapolation in every precision, bulirsch_stoer in double and long double, dopri5 and abm8 in double.
+bool is_built(Method method, Precision precision);
+
+/// The least relative tolerance: some 45 eps, the rounding of one step's sums. Less no controlled step can meet.
+double least_tolerance(Precision precision);
+/// The tolerance of those who name none: 1e-12 in double, 1e-16 in long double, 1e-28 in float128; who asks for more bits
+/// wants their digits.
+double default_tolerance(Precision precision);
 
 struct IntegrationOptions {
   Observer observer = Observer::laboratory;
@@ -31,6 +43,11 @@ struct IntegrationOptions {
   std::optional<double> step_s;       ///< fixed-step methods; the step taken divides the output step
   std::int64_t step_limit = 2'000'000'000;
 };
+
+/// `automatic` resolved: the method with the least work at a given error on the shipped scenarios, with a local tolerance a
+/// hundred times finer than the one asked for, as local errors add up over the thousands of steps of a run. That is rkf78 in
+/// double, and extrapolation, whose order follows the digits asked for, in the others.
+IntegrationOptions resolved(const IntegrationOptions& asked, Precision precision);
 
 /// What an integration cost.
 struct StepCounters {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -10,12 +11,19 @@
 
 namespace earthtop {
 
-/// One header line and one line for each row; shortest numbers that read back to the same bits, in SI units and rad. A
-/// value that is absent or not finite is an empty field.
+/// One header line and one line for each row; shortest numbers that read back to the same bits (of float128 34 digits; times
+/// are doubles in every precision), in SI units and rad. A value that is absent or not finite is an empty field.
 std::string trajectory_csv(const RunResult& result);
 
 /// The ledger's columns in its observer's axes (N m), written like the trajectory; the header alone if there is no ledger.
 std::string torques_csv(const RunResult& result);
+
+/// The drift's main numbers (rad) with all digits of the run's precision: 34 of float128.
+struct DriftDigits {
+  std::string axis_final_rad, axis_max_rad, attitude_final_rad, spin_final_rad;
+};
+/// None for a run in double, and for one without rows.
+std::optional<DriftDigits> drift_digits(const RunResult& result);
 
 /// Everything about a run but its rows and its wall time, as JSON with a final newline. The same result gives the same
 /// bytes, on any host and at any time; a number that is not finite is null.

@@ -49,6 +49,7 @@ struct Scenario {
   std::optional<PlatformSpec> platform;
   EffectsSpec effects;
   IntegrationOptions numerics;
+  Precision precision = Precision::bits53;
   std::optional<LedgerObserver> ledger;  ///< whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
 };
@@ -92,7 +93,11 @@ double fastest_rate_rad_s(const Scenario& scenario);
 /// Steps that an integration will take, within a factor of a few.
 double estimated_steps(const Scenario& scenario);
 
-/// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`
+/// Wall time of both integrations on one core (s), within a factor of a few.
+double estimated_seconds(const Scenario& scenario);
+
+/// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`, or in
+/// extended precision more than a day.
 void require_affordable(const Scenario& scenario);
 
 /// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
