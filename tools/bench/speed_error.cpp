@@ -1,46 +1,60 @@
-/// Speed against error: every method and tolerance on a scenario against 113-bit arithmetic in another observer's equations,
-/// repetitions interleaved, medians printed as a Markdown table.
+/// Speed against error of every method on a scenario, as Markdown: what a motion costs at equal error, and what a drift costs.
 ///
 /// earthtop-speed-error [SCENARIO [SECONDS [REPETITIONS]]]
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "run/setup.hpp"
+#include "earthtop/bench/bench.hpp"
 
 namespace {
 
 using namespace earthtop;
 
-struct Entry {
-  std::string label;
-  IntegrationOptions options;
-  std::vector<double> seconds;
-  double axis_drift_error = 0, drift_largest = 0, attitude_error = 0;
-  StepCounters counters;
-};
+double axis_error(const BenchErrors& errors) { return errors.axis; }
+double attitude_error(const BenchErrors& errors) { return errors.attitude.value_or(0); }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+/// Entries that differ in nothing but the tolerance stand together.
+bool same_family(const Contender& a, const Contender& b) {
+  return a.workload == b.workload && a.precision == b.precision && a.options.method == b.options.method &&
+         a.options.form == b.options.form && a.options.observer == b.options.observer;
 }
 
-void compare(const DriftTrajectory<double>& computed, const DriftTrajectory<float128>& exact, Entry& entry) {
-  for (std::size_t i = 0; i < computed.samples.size(); ++i) {
-    const auto& c = computed.samples[i];
-    const auto& e = exact.samples[i];
-    const auto error = static_cast<double>(real::abs(static_cast<float128>(c.measures.axis) - e.measures.axis));
-    entry.axis_drift_error = std::max(entry.axis_drift_error, error);
-    entry.drift_largest = std::max(entry.drift_largest, static_cast<double>(e.measures.axis));
-    const Quaternion<float128> q{c.state.q_LB.w, c.state.q_LB.v.cast<float128>()};
-    const Quaternion<float128> d = q.conjugate() * e.state.q_LB;
-    entry.attitude_error = std::max(entry.attitude_error, static_cast<double>(2 * norm(d.v)));
+std::string cost(const std::optional<CostAtError>& at) {
+  return at ? fmt::format("{:.2f} ms, {:.0f}k", 1e3 * at->seconds, 1e-3 * at->evaluations) : "-";
+}
+
+void print_equal_error(const BenchReport& report) {
+  fmt::print(
+      "| one motion | equations | axis 1e-6 rad | 1e-9 | 1e-12 | attitude 1e-9 |\n| --- | --- | ---: | ---: | ---: | ---: |\n");
+  const auto& entries = report.entries;
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    while (end < entries.size() && same_family(entries[begin].contender, entries[end].contender)) ++end;
+    const Contender& first = entries[begin].contender;
+    if (first.workload == Workload::drift) continue;
+    const std::span<const BenchEntry> family(&entries[begin], end - begin);
+    fmt::print("| {} | {}, {}{} | {} | {} | {} | {} |\n", to_string(first.options.method), to_string(first.options.form),
+               to_string(first.options.observer), first.workload == Workload::axis ? ", axis only" : "",
+               cost(cost_at_error(family, axis_error, 1e-6)), cost(cost_at_error(family, axis_error, 1e-9)),
+               cost(cost_at_error(family, axis_error, 1e-12)), cost(cost_at_error(family, attitude_error, 1e-9)));
+  }
+}
+
+void print_drift(const BenchReport& report) {
+  double largest = 0;
+  for (const auto& sample : report.reference.samples) largest = std::max(largest, static_cast<double>(sample.measures.axis));
+  fmt::print(
+      "\n| both motions and the drift | milliseconds | least, most | evaluations | error of the axis drift, of its largest | "
+      "attitude "
+      "error (rad) |\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
+  for (const BenchEntry& entry : report.entries) {
+    if (entry.contender.workload != Workload::drift) continue;
+    fmt::print("| {} | {:.1f} | {:.1f}, {:.1f} | {} | {:.1e} | {:.1e} |\n", describe(entry.contender), 1e3 * entry.seconds,
+               1e3 * entry.seconds_least, 1e3 * entry.seconds_most, entry.counters.evaluations,
+               entry.errors.drift.value_or(0) / largest, entry.errors.attitude.value_or(0));
   }
 }
 
@@ -50,53 +64,15 @@ int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "toy-top";
   Scenario scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
   if (argc > 2) scenario.duration_s = std::atof(argv[2]);
-  const int repetitions = argc > 3 ? std::atoi(argv[3]) : 5;
+  BenchOptions options;
+  if (argc > 3) options.repetitions = std::atoi(argv[3]);
 
-  std::vector<Entry> entries;
-  const auto add = [&](Method method, Observer observer, double tolerance, double step_s) {
-    IntegrationOptions options;
-    options.method = method;
-    options.observer = observer;
-    options.relative_tolerance = tolerance;
-    std::string label;
-    if (step_s > 0) {
-      options.step_s = step_s;
-      label = fmt::format("step {:g} s", step_s);
-    } else {
-      label = fmt::format("tolerance {:.0e}", tolerance);
-    }
-    entries.push_back({label, options, {}, 0, 0, 0, {}});
-  };
-  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
-    for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::rkf78, observer, tolerance, 0);
-  for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::bulirsch_stoer, Observer::laboratory, tolerance, 0);
-  for (const double tolerance : {1e-10, 1e-12, 1e-14}) add(Method::extrapolation, Observer::laboratory, tolerance, 0);
-  for (const double tolerance : {1e-8, 1e-10, 1e-12}) add(Method::dopri5, Observer::laboratory, tolerance, 0);
-  for (const double step : {1e-3, 5e-4, 2.5e-4}) add(Method::abm8, Observer::laboratory, 0, step);
-
-  const auto problem = make_problem<double>(scenario);
-  IntegrationOptions exact_options;
-  exact_options.observer = Observer::inertial;
-  exact_options.method = Method::extrapolation;
-  exact_options.relative_tolerance = 1e-22;
-  const auto exact = integrate_drift(make_problem<float128>(scenario), exact_options);
-
-  for (int repetition = 0; repetition < repetitions; ++repetition)
-    for (Entry& entry : entries) {
-      const auto start = std::chrono::steady_clock::now();
-      const auto trajectory = integrate_drift(problem, entry.options);
-      entry.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-      entry.counters = trajectory.counters;
-      if (repetition == 0) compare(trajectory, exact, entry);
-    }
-
-  fmt::print("{}, {:g} s, {} repetitions, one core\n\n", name, scenario.duration_s, repetitions);
-  fmt::print(
-      "| method | observer | | milliseconds | evaluations | error of the axis drift, of its largest | attitude error (rad) "
-      "|\n");
-  fmt::print("| --- | --- | --- | ---: | ---: | ---: | ---: |\n");
-  for (const Entry& entry : entries)
-    fmt::print("| {} | {} | {} | {:.1f} | {} | {:.1e} | {:.1e} |\n", to_string(entry.options.method),
-               to_string(entry.options.observer), entry.label, 1e3 * median(entry.seconds), entry.counters.evaluations,
-               entry.axis_drift_error / entry.drift_largest, entry.attitude_error);
+  const BenchReport report = bench(scenario, standard_contenders(scenario), options);
+  const CertifiedReference& reference = report.reference;
+  fmt::print("{}, {:g} s, {} checkpoints, {} repetitions, one core.\n", report.scenario, report.duration_s, options.checkpoints,
+             options.repetitions);
+  fmt::print("Reference: {}, against {}: axis to {:.1e}, attitude to {:.1e}, drift to {:.1e} rad.\n\n", reference.source,
+             reference.witness, reference.error.axis, reference.error.attitude.value_or(0), reference.error.drift.value_or(0));
+  print_equal_error(report);
+  print_drift(report);
 }
