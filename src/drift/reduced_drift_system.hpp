@@ -42,13 +42,15 @@ class ReducedDriftSystem {
   }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
-    const ReducedMotion<T> reference = load_reference(x);
+    const AxisMotion<T> reference = load_reference(x);
     const Deviation<T> deviation = load_deviation(x);
     const T epsilon = model_.epsilon;
     const Vec3<T>& g_L = model_.apparent_gravity_L;
     const auto turned_back = [&](const Vec3<T>& u) { return turn_back_minus_one_scaled(deviation.w, deviation.y, epsilon, u); };
     // What the reference sees: no Earth.
-    store_reference(reduced_equation(top_, reference, Vec3<T>(Vec3<T>::Zero()), g_L, spin_momentum_), dxdt);
+    const Vec3<T> no_Earth = Vec3<T>::Zero();
+    store_reference(axis_equation(top_, reference, no_Earth, g_L), dxdt);
+    store(spinless_frame_equation(top_, reference, load(x, 6), no_Earth, spin_momentum_), dxdt, 6);
 
     const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
     Vec3<T> d = v, Dg = turned_back(g_L);
@@ -69,7 +71,8 @@ class ReducedDriftSystem {
   State initial_state() const {
     const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
     State x;
-    store_reference({R_LB.col(top_.axis), times(R_LB, Vec3<T>(model_.I_BP_B * w_XB_B_)), R_LB.col((top_.axis + 1) % 3)}, x);
+    store_reference({R_LB.col(top_.axis), times(R_LB, Vec3<T>(model_.I_BP_B * w_XB_B_))}, x);
+    store(R_LB.col((top_.axis + 1) % 3), x, 6);
     x[9] = T(1);
     store(Vec3<T>(Vec3<T>::Zero()), x, 10);
     store(times(R_LB, initial_momentum_deviation_B()), x, 13);
@@ -77,7 +80,7 @@ class ReducedDriftSystem {
   }
 
   /// Called after every step, so that attitudes are continuous.
-  void follow(const State& x) { frame_.follow(load_reference(x)); }
+  void follow(const State& x) { frame_.follow(load(x, 0), load(x, 6)); }
   /// Where body axis 3 is not the one of symmetry it goes round with the spin, and its angles must be seen often enough; 0
   /// where no step is too long.
   T largest_step() const {
@@ -87,10 +90,10 @@ class ReducedDriftSystem {
 
   /// The variables that all observers share, of the state last followed; rates in natural units, `t_s` left to the caller.
   DriftState<T> shared_state(const State& x, T t) const {
-    const ReducedMotion<T> reference = load_reference(x);
+    const AxisMotion<T> reference = load_reference(x);
     const Deviation<T> deviation = load_deviation(x);
     const T epsilon = model_.epsilon;
-    DriftState<T> s = seen_from_laboratory<O>(model_, frame_.attitude(reference, t), deviation, t);
+    DriftState<T> s = seen_from_laboratory<O>(model_, frame_.attitude(reference.n, load(x, 6), t), deviation, t);
     const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
     s.ref_w_LB_B = top_.inverse_I1 * transposed_times(R_ref, reference.L);
     s.ref_w_LB_B[top_.axis] = w_XB_B_[top_.axis];
@@ -103,16 +106,16 @@ class ReducedDriftSystem {
   /// The part of it that the drift is measured from. A turn of both bodies about axis 3 changes none of its angles, and is left
   /// out.
   DriftState<T> deviation_state(const State& x, T t) const {
-    const ReducedMotion<T> reference = load_reference(x);
-    const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(reference) : frame_.attitude(reference, t);
+    const Vec3<T> n = load(x, 0), a = load(x, 6);
+    const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(n, a) : frame_.attitude(n, a, t);
     return seen_from_laboratory<O>(model_, ref_q_LF, load_deviation(x), t);
   }
 
  private:
   static Vec3<T> load(const State& x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
   static void store(const Vec3<T>& v, State& x, std::size_t at) { x[at] = v[0], x[at + 1] = v[1], x[at + 2] = v[2]; }
-  static ReducedMotion<T> load_reference(const State& x) { return {load(x, 0), load(x, 3), load(x, 6)}; }
-  static void store_reference(const ReducedMotion<T>& m, State& x) { store(m.n, x, 0), store(m.L, x, 3), store(m.a, x, 6); }
+  static AxisMotion<T> load_reference(const State& x) { return {load(x, 0), load(x, 3)}; }
+  static void store_reference(const AxisMotion<T>& m, State& x) { store(m.n, x, 0), store(m.L, x, 3); }
   static Deviation<T> load_deviation(const State& x) { return {x[9], load(x, 10), load(x, 13)}; }
 
   /// Theta (w_IB_rot - w_IB_ref) / epsilon at release.

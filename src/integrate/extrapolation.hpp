@@ -15,13 +15,14 @@
 
 namespace earthtop {
 
-template <class T, std::size_t N, std::size_t G>
+template <class T, class System>
 class Extrapolation {
  public:
+  static constexpr std::size_t N = System::kSize;
   using State = std::array<T, N>;
   static constexpr int kColumns = 16;  ///< order 32 at most
 
-  Extrapolation(T relative_tolerance, const GroupScales<T, N, G>& scales)
+  Extrapolation(T relative_tolerance, const GroupScales<T, System>& scales)
       : tolerance_(relative_tolerance), scales_(&scales), limit_(least_column()) {
     // High columns take the result from differences of large terms: none whose round-off would pass for an error.
     const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
@@ -31,8 +32,8 @@ class Extrapolation {
   }
 
   /// @param system  x, dxdt, t -> void   @param dt  the step to try; afterwards the one to try next
-  template <class System>
-  boost::numeric::odeint::controlled_step_result try_step(const System& system, State& x, T& t, T& dt) {
+  template <class RightHandSide>
+  boost::numeric::odeint::controlled_step_result try_step(const RightHandSide& system, State& x, T& t, T& dt) {
     // Shorter than proposed: the caller lands on an output time. Such a step says little of the best column for a long one.
     const bool cut_short = dt < T(0.99) * proposed_.step;
     const int last = std::min(target_ + 1, limit_);
@@ -91,8 +92,8 @@ class Extrapolation {
   }
 
   /// The midpoint rule in 2 j substeps, and the columns 1 to j of this line; column k replaces that of the line before.
-  template <class System>
-  void add_line(const System& system, const State& x, T t, T dt, int j) {
+  template <class RightHandSide>
+  void add_line(const RightHandSide& system, const State& x, T t, T dt, int j) {
     const int substeps = 2 * j;
     const T h = dt / T(substeps);
     State before = x, now;
@@ -121,7 +122,7 @@ class Extrapolation {
   T line_error(int j, T dt) const {
     State difference;
     for (std::size_t i = 0; i < N; ++i) difference[i] = line_[j - 1][i] - line_[j - 2][i];
-    return largest_group_error(*scales_, tolerance_, slope_, difference, dt);
+    return scales_->largest_error(tolerance_, slope_, difference, dt);
   }
 
   /// The error of column j grows with the power 2 j - 1 of the step. Safety factors: section II.9, eq. (9.28) and thereabouts.
@@ -154,7 +155,7 @@ class Extrapolation {
   }
 
   T tolerance_;
-  const GroupScales<T, N, G>* scales_;
+  const GroupScales<T, System>* scales_;
   int limit_;
   int target_ = 0;
   Proposal proposed_;

@@ -21,10 +21,10 @@ struct ComponentGroup {
 };
 
 template <class T, std::size_t N>
-T group_size(const std::array<T, N>& x, const ComponentGroup& group) {
+T squared_size(const std::array<T, N>& x, const ComponentGroup& group) {
   T sum = T(0);
   for (std::size_t i = group.begin; i < group.begin + group.count; ++i) sum += x[i] * x[i];
-  return real::sqrt(sum);
+  return sum;
 }
 
 template <class T, std::size_t N>
@@ -34,55 +34,51 @@ bool all_finite(const std::array<T, N>& x) {
   return true;
 }
 
-/// The largest size each group has had.
-template <class T, std::size_t N, std::size_t G>
+/// The largest size each group has had, squared. The groups are the system's and known at compile time: no loop is left.
+template <class T, class System>
 class GroupScales {
  public:
-  explicit GroupScales(const std::array<ComponentGroup, G>& groups) : groups_(groups) {
-    for (std::size_t g = 0; g < G; ++g) scales_[g] = T(groups[g].least_scale);
+  using State = std::array<T, System::kSize>;
+  static constexpr auto kGroups = System::groups();
+
+  GroupScales() {
+    for (std::size_t g = 0; g < kGroups.size(); ++g) squares_[g] = T(kGroups[g].least_scale) * T(kGroups[g].least_scale);
   }
-  void include(const std::array<T, N>& x) {
-    for (std::size_t g = 0; g < G; ++g) scales_[g] = std::max(scales_[g], group_size(x, groups_[g]));
+  void include(const State& x) {
+    for (std::size_t g = 0; g < kGroups.size(); ++g) squares_[g] = std::max(squares_[g], squared_size(x, kGroups[g]));
   }
-  const std::array<ComponentGroup, G>& groups() const { return groups_; }
-  T scale(std::size_t g) const { return scales_[g]; }
+  /// The largest group error over its tolerance; an error that is not finite counts as a huge one, so that a NaN is rejected
+  /// (odeint itself would accept it).
+  T largest_error(T relative_tolerance, const State& dxdt_old, const State& x_err, T dt) const {
+    T largest = T(0);
+    for (std::size_t g = 0; g < kGroups.size(); ++g) {
+      const T square = std::max(squares_[g], T(dt * dt * squared_size(dxdt_old, kGroups[g])));
+      const T ratio = squared_size(x_err, kGroups[g]) / square;
+      if (!(ratio <= T(1e30))) return T(1e30);
+      largest = std::max(largest, ratio);
+    }
+    return std::min(T(real::sqrt(largest) / relative_tolerance), T(1e30));
+  }
 
  private:
-  std::array<ComponentGroup, G> groups_;
-  std::array<T, G> scales_;
+  std::array<T, kGroups.size()> squares_;
 };
 
-/// The largest group error over its tolerance; an error that is not finite counts as a huge one, so that a NaN is rejected
-/// (odeint itself would accept it).
-template <class T, std::size_t N, std::size_t G, class Time>
-T largest_group_error(const GroupScales<T, N, G>& scales, T relative_tolerance, const std::array<T, N>& dxdt_old,
-                      const std::array<T, N>& x_err, Time dt) {
-  T largest = T(0);
-  for (std::size_t g = 0; g < G; ++g) {
-    const ComponentGroup& group = scales.groups()[g];
-    const T size = std::max(scales.scale(g), T(real::abs(dt) * group_size(dxdt_old, group)));
-    const T ratio = group_size(x_err, group) / (relative_tolerance * size);
-    if (!(ratio <= T(1e30))) return T(1e30);
-    largest = std::max(largest, ratio);
-  }
-  return largest;
-}
-
 /// odeint ErrorChecker.
-template <class T, std::size_t N, std::size_t G, class Algebra>
+template <class T, class System, class Algebra>
 class GroupErrorChecker {
  public:
-  GroupErrorChecker(T relative_tolerance, const GroupScales<T, N, G>& scales)
+  GroupErrorChecker(T relative_tolerance, const GroupScales<T, System>& scales)
       : tolerance_(relative_tolerance), scales_(&scales) {}
 
   template <class State, class Deriv, class Err, class Time>
   T error(Algebra&, const State&, const Deriv& dxdt_old, Err& x_err, Time dt) const {
-    return largest_group_error(*scales_, tolerance_, dxdt_old, x_err, dt);
+    return scales_->largest_error(tolerance_, dxdt_old, x_err, dt);
   }
 
  private:
   T tolerance_;
-  const GroupScales<T, N, G>* scales_;
+  const GroupScales<T, System>* scales_;
 };
 
 /// odeint StepAdjuster for every scalar: the factor is found in double.

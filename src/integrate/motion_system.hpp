@@ -88,6 +88,9 @@ class ReducedMotionSystem {
         w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
         W_B_(problem.release.X == RatesRelativeTo::inertial ? Vec3<T>(Vec3<T>::Zero())
                                                             : Vec3<T>(R_LB_.transpose() * model_.W_IL_L)),
+        W_L_(model_.W_IL_L),
+        gravity_L_(model_.apparent_gravity_L),
+        spin_momentum_(top_.I3 * (w_XB_B_[top_.axis] + W_B_[top_.axis])),
         frame_(top_.axis, problem.release.q_LB, w_XB_B_[top_.axis], W_B_[top_.axis]) {}
 
   static constexpr auto groups() {
@@ -99,52 +102,48 @@ class ReducedMotionSystem {
   }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
-    const T spin_momentum = top_.I3 * (w_XB_B_[top_.axis] + W_B_[top_.axis]);
-    if constexpr (O == Observer::laboratory) {
-      store(reduced_equation(top_, load(x), model_.W_IL_L, model_.apparent_gravity_L, spin_momentum), dxdt);
-    } else {
-      const Vec3<T> gravity_N = times(rotation_matrix(turn(t)), model_.apparent_gravity_L);
-      store(reduced_equation(top_, load(x), Vec3<T>(Vec3<T>::Zero()), gravity_N, spin_momentum), dxdt);
+    Vec3<T> W_A = W_L_, gravity_A = gravity_L_;
+    if constexpr (O == Observer::inertial) {
+      W_A = Vec3<T>::Zero();
+      gravity_A = times(rotation_matrix(turn(t)), gravity_L_);
     }
+    const AxisMotion<T> motion{load(x, 0), load(x, 3)};
+    const AxisMotion<T> rate = axis_equation(top_, motion, W_A, gravity_A);
+    store(rate.n, dxdt, 0), store(rate.L, dxdt, 3);
+    if constexpr (kAttitude) store(spinless_frame_equation(top_, motion, load(x, 6), W_A, spin_momentum_), dxdt, 6);
   }
 
   State initial_state() const {
     State x;
-    const Vec3<T> w_IB_B = w_XB_B_ + W_B_;
-    store({R_LB_.col(top_.axis), times(R_LB_, Vec3<T>(model_.I_BP_B * w_IB_B)), R_LB_.col((top_.axis + 1) % 3)}, x);
+    store(R_LB_.col(top_.axis), x, 0);
+    store(times(R_LB_, Vec3<T>(model_.I_BP_B * Vec3<T>(w_XB_B_ + W_B_))), x, 3);
+    if constexpr (kAttitude) store(R_LB_.col((top_.axis + 1) % 3), x, 6);
     return x;
   }
 
   void follow(const State& x) {
-    if constexpr (kAttitude) frame_.follow(load(x));
+    if constexpr (kAttitude) frame_.follow(load(x, 0), load(x, 6));
   }
   MotionSample<T> sample(const State& x, T t) const {
     MotionSample<T> s;
-    ReducedMotion<T> m = load(x);
-    if constexpr (!kAttitude) m.a = any_perpendicular(m.n);
-    const Quaternion<T> q_AB = frame_.attitude(m, t);
+    const Vec3<T> n = load(x, 0);
+    Vec3<T> a;
+    if constexpr (kAttitude)
+      a = load(x, 6);
+    else
+      a = real::abs(n[2]) < T(0.7) ? Vec3<T>(-n[1], n[0], T(0)) : Vec3<T>(T(0), -n[2], n[1]);  // any that is across n
+    const Quaternion<T> q_AB = frame_.attitude(n, a, t);
     s.q_LB = q_AB;
     if constexpr (O == Observer::inertial) s.q_LB = turn(t).conjugate() * q_AB;
-    s.w_LB_B = top_.inverse_I1 * transposed_times(rotation_matrix(q_AB), m.L);
+    s.w_LB_B = top_.inverse_I1 * transposed_times(rotation_matrix(q_AB), load(x, 3));
     s.w_LB_B[top_.axis] = w_XB_B_[top_.axis] + W_B_[top_.axis];
     s.w_LB_B -= transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
     return s;
   }
 
  private:
-  static ReducedMotion<T> load(const State& x) {
-    ReducedMotion<T> m{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, Vec3<T>::Zero()};
-    if constexpr (kAttitude) m.a = {x[6], x[7], x[8]};
-    return m;
-  }
-  static void store(const ReducedMotion<T>& m, State& x) {
-    for (std::size_t i = 0; i < 3; ++i) x[i] = m.n[static_cast<int>(i)], x[3 + i] = m.L[static_cast<int>(i)];
-    if constexpr (kAttitude)
-      for (std::size_t i = 0; i < 3; ++i) x[6 + i] = m.a[static_cast<int>(i)];
-  }
-  static Vec3<T> any_perpendicular(const Vec3<T>& n) {
-    return real::abs(n[2]) < T(0.7) ? Vec3<T>(-n[1], n[0], T(0)) : Vec3<T>(T(0), -n[2], n[1]);
-  }
+  static Vec3<T> load(const State& x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
+  static void store(const Vec3<T>& v, State& x, std::size_t at) { x[at] = v[0], x[at + 1] = v[1], x[at + 2] = v[2]; }
   Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }
 
   const Model<T>& model_;
@@ -152,6 +151,8 @@ class ReducedMotionSystem {
   Mat3<T> R_LB_;
   Vec3<T> w_XB_B_;  ///< rates as released, and what makes them inertial ones
   Vec3<T> W_B_;
+  Vec3<T> W_L_, gravity_L_;  ///< the model's, at hand
+  T spin_momentum_;          ///< L.n
   SpinlessFrame<T> frame_;
 };
 

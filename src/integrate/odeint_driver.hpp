@@ -68,10 +68,9 @@ class Driver {
  public:
   static constexpr std::size_t N = System::kSize;
   using State = std::array<T, N>;
-  static constexpr std::size_t G = std::tuple_size_v<decltype(System::groups())>;
 
   Driver(System& system, const DriveOptions<T>& options, OnStep& on_step, OnRow& on_row)
-      : system_(system), options_(options), on_step_(on_step), on_row_(on_row), scales_(System::groups()) {}
+      : system_(system), options_(options), on_step_(on_step), on_row_(on_row) {}
 
   RunStatus run(State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
@@ -82,7 +81,7 @@ class Driver {
     const Method method = options_.method;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
     if (method == Method::extrapolation) {
-      Extrapolation<T, N, G> stepper(options_.relative_tolerance, scales_);
+      Extrapolation<T, System> stepper(options_.relative_tolerance, scales_);
       return run_controlled(stepper, x, times);
     }
     if constexpr (!std::is_same_v<T, float128>) {
@@ -113,7 +112,7 @@ class Driver {
   template <class ErrorStepper>
   RunStatus run_embedded(State& x, std::span<const T> times) {
     using Algebra = typename ErrorStepper::algebra_type;
-    using Checker = GroupErrorChecker<T, N, G, Algebra>;
+    using Checker = GroupErrorChecker<T, System, Algebra>;
     boost::numeric::odeint::controlled_runge_kutta<ErrorStepper, Checker, StepAdjuster<T>> stepper(
         Checker(options_.relative_tolerance, scales_));
     return run_controlled(stepper, x, times);
@@ -214,7 +213,7 @@ class Driver {
   const DriveOptions<T>& options_;
   OnStep& on_step_;
   OnRow& on_row_;
-  GroupScales<T, N, G> scales_;
+  GroupScales<T, System> scales_;
   StepCounters counters_;
 };
 

@@ -20,10 +20,10 @@ struct ReducedTop {
   T mass_moment = T(0);    ///< m l, signed along the axis
 };
 
-/// Axis, momentum and the first vector of the frame without inertial spin, or their time derivatives.
+/// Axis and inertial angular momentum, or their time derivatives.
 template <class T>
-struct ReducedMotion {
-  Vec3<T> n, L, a;
+struct AxisMotion {
+  Vec3<T> n, L;
 };
 
 /// Whether a model is a symmetric top under nothing but gravity and the Earth's rotation.
@@ -46,13 +46,17 @@ Vec3<T> mass_moment_along(const ReducedTop<T>& top, const Vec3<T>& n) {
   return (top.mass_moment * (T(3) - n.dot(n)) / T(2)) * n;
 }
 
-/// @param W_A  rate of the axes A   @param field_A  apparent gravity in A   @param spin_momentum  L.n = I3 w3, as released
+/// dn/dt and dL/dt. @param W_A  rate of the axes A   @param field_A  apparent gravity in A
 template <class T>
-ReducedMotion<T> reduced_equation(const ReducedTop<T>& top, const ReducedMotion<T>& x, const Vec3<T>& W_A,
-                                  const Vec3<T>& field_A, T spin_momentum) {
-  const Vec3<T> rate_A = top.inverse_I1 * x.L - W_A;
-  return {rate_A.cross(x.n), field_torque(mass_moment_along(top, x.n), field_A) - W_A.cross(x.L),
-          Vec3<T>(rate_A - (top.inverse_I1 * spin_momentum) * x.n).cross(x.a)};
+AxisMotion<T> axis_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& W_A, const Vec3<T>& field_A) {
+  return {Vec3<T>(top.inverse_I1 * x.L - W_A).cross(x.n), field_torque(mass_moment_along(top, x.n), field_A) - W_A.cross(x.L)};
+}
+
+/// da/dt for a vector a of the frame without inertial spin. @param spin_momentum  L.n = I3 w3, as released
+template <class T>
+Vec3<T> spinless_frame_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& a, const Vec3<T>& W_A,
+                                T spin_momentum) {
+  return Vec3<T>(top.inverse_I1 * (x.L - spin_momentum * x.n) - W_A).cross(a);
 }
 
 /// Rebuilds the attitude of a reduced motion: the frame (a, n x a, n), and the turn by the spin, which is exact.
@@ -70,15 +74,16 @@ class SpinlessFrame {
 
   /// To be called after every step: keeps the sign of the quaternions continuous. Cheap, as long as the frame has turned by
   /// less than 60 degrees.
-  void follow(const ReducedMotion<T>& x) {
-    if (n_.dot(x.n) > T(0.5) && a_.dot(x.a) > T(0.5)) return;
-    q_AF_ = frame(x);
-    n_ = x.n, a_ = x.a;
+  void follow(const Vec3<T>& n, const Vec3<T>& a) {
+    if (n_.dot(n) > T(0.5) && a_.dot(a) > T(0.5)) return;
+    q_AF_ = frame(n, a);
+    n_ = n, a_ = a;
   }
   /// Attitude q_AF of the frame that does not spin: that of the body before any turn about the axis.
-  Quaternion<T> frame(const ReducedMotion<T>& x) const {
-    const Vec3<T> n = x.n / norm(x.n);
-    const Vec3<T> across = x.a - x.a.dot(n) * n;
+  /// @param n_A, a_A  nearly orthonormal; made so here
+  Quaternion<T> frame(const Vec3<T>& n_A, const Vec3<T>& a_A) const {
+    const Vec3<T> n = n_A / norm(n_A);
+    const Vec3<T> across = a_A - a_A.dot(n) * n;
     const Vec3<T> a = across / norm(across);
     Mat3<T> R_AF;
     R_AF.col(axis_) = n;
@@ -87,9 +92,9 @@ class SpinlessFrame {
     const Quaternion<T> q = quaternion_of(R_AF);
     return q.w * q_AF_.w + q.v.dot(q_AF_.v) < T(0) ? Quaternion<T>{-q.w, -q.v} : q;
   }
-  /// The body's attitude q_AB in the motion x at time t.
-  Quaternion<T> attitude(const ReducedMotion<T>& x, T t) const {
-    const Quaternion<T> q_AB = frame(x) * steady_turn(axis_, w3_, t);
+  /// The body's attitude q_AB at time t.
+  Quaternion<T> attitude(const Vec3<T>& n, const Vec3<T>& a, T t) const {
+    const Quaternion<T> q_AB = frame(n, a) * steady_turn(axis_, w3_, t);
     return w3_rest_ == T(0) ? q_AB : q_AB * steady_turn(axis_, w3_rest_, t);
   }
 
