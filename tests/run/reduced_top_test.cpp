@@ -162,6 +162,19 @@ TEST(ReducedTop, CostDoesNotKnowTheSpin) {
   EXPECT_NEAR(fast, slow, 0.1 * slow);
 }
 
+// What is said beforehand of the cost of a scene knows the form: within a factor of four, and not refused for its spin.
+TEST(ReducedTop, TheEstimateOfStepsDoesNotKnowTheSpinEither) {
+  Scenario s = toy_top();
+  testing::set_principal(s.body, 1.2e-4, 1.2e-4, 4e-8);
+  s.release.spin_rad_s = 200'000;
+  s.duration_s = 5;
+  const double taken = static_cast<double>(run(s).solution.counters.accepted);
+  EXPECT_LT(estimated_steps(s), 4 * taken);
+  EXPECT_GT(estimated_steps(s), taken / 4);
+  s.numerics.form = ModelForm::general;
+  EXPECT_GT(estimated_steps(s), 100 * taken);
+}
+
 // Half a turn's quaternion after 3.6e9 rad: as exact as rate and time.
 TEST(SteadyTurn, LosesNothingToManyTurns) {
   testing::Random random(7);

@@ -23,11 +23,6 @@ enum class ModelForm { automatic, general, reduced };
 
 std::string_view to_string(Observer observer);
 std::string_view to_string(Method method);
-std::string_view to_string(Precision precision);
-
-/// Automatic, rkf78 and extrapolation in every precision, bulirsch_stoer in double and long double, dopri5 and abm8 in double.
-bool is_built(Method method, Precision precision);
-
 std::string_view to_string(ModelForm form);
 std::string_view to_string(Precision precision);
 
