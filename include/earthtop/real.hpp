@@ -23,6 +23,9 @@ float128 atan2q(float128, float128) noexcept;
 float128 fmodq(float128, float128) noexcept;
 float128 powq(float128, float128) noexcept;
 float128 logq(float128) noexcept;
+float128 expq(float128) noexcept;
+float128 expm1q(float128) noexcept;
+float128 rintq(float128) noexcept;
 float128 scalbnq(float128, int) noexcept;
 float128 frexpq(float128, int*) noexcept;
 int finiteq(float128) noexcept;
@@ -33,11 +36,14 @@ namespace real {
 
 using std::atan2;
 using std::cos;
+using std::exp;
+using std::expm1;
 using std::fma;
 using std::fmod;
 using std::isfinite;
 using std::log;
 using std::pow;
+using std::rint;
 using std::round;
 using std::sin;
 using std::sqrt;
@@ -48,11 +54,14 @@ constexpr T abs(T x) {
 }
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
+inline float128 exp(float128 x) { return expq(x); }
+inline float128 expm1(float128 x) { return expm1q(x); }
 inline float128 fma(float128 x, float128 y, float128 z) { return fmaq(x, y, z); }
 inline float128 fmod(float128 x, float128 y) { return fmodq(x, y); }
 inline bool isfinite(float128 x) { return finiteq(x) != 0; }
 inline float128 log(float128 x) { return logq(x); }
 inline float128 pow(float128 x, float128 y) { return powq(x, y); }
+inline float128 rint(float128 x) { return rintq(x); }
 inline float128 round(float128 x) { return roundq(x); }
 inline float128 sin(float128 x) { return sinq(x); }
 inline float128 sqrt(float128 x) { return sqrtq(x); }
