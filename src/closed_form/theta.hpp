@@ -10,9 +10,12 @@
 
 namespace earthtop::elliptic {
 
-/// Terms n = 0, 1, ... of a theta series that count: the n-th is at most exp(-pi n^2) of the first.
+/// Terms n = 0, 1, ... of a theta series that count: the n-th is at most exp(-pi (n^2 - n)) of the first, at the end of the
+/// hyperbola.
 template <class T>
-inline constexpr int kThetaTerms = std::is_same_v<T, float128> ? 6 : 4;
+inline constexpr int kThetaTerms = std::is_same_v<T, float128>      ? 6
+                                   : std::is_same_v<T, long double> ? 5
+                                                                    : 4;
 
 /// The nome of a parameter m <= 1/2, relative error a few eps down to m = 0: Weierstrass's series in
 /// (1 - sqrt k') / (1 + sqrt k') / 2 (Whittaker & Watson 21.8).
