@@ -1,0 +1,175 @@
+/// The nutation of the heavy symmetric top: the cubic of u = cos(tilt), its roots, and every difference that the closed form
+/// needs of them, none formed by subtracting nearly equal numbers.
+///
+/// Everything is per I1: mu = |m g l| / I1, beta = I3 w3 / I1, c = (angular momentum across the axis)_z / I1 = b - beta u,
+/// P = |axis rate|^2, b = L_z / I1. In a top whose centre of mass lies below the pivot u and beta change sign, so that mu >= 0:
+///
+///   (du/dt)^2 = f(u) = (1 - u^2) P(u) - c(u)^2 = 2 mu (u - u1)(u2 - u)(u3 - u),   P(u) = P0 - 2 mu (u - u0)
+///
+/// -1 <= u1 <= u2 <= 1 <= u3, and P vanishes between u2 and u3 too. Three expansions share the work: about the present u0,
+/// which lies in [u1, u2]; about u = 1 and about the zero of P, both in [u2, u3]. In each the root outside the interval is
+/// found first, by Newton's method from a side where it converges monotonically; what is left is a quadratic whose roots differ
+/// in sign. Multiples 2 mu u3 replace u3, which goes to infinity with mu -> 0.
+#pragma once
+
+#include "closed_form/complex.hpp"
+
+namespace earthtop {
+
+/// The data of the nutation at one instant, in a frame where mu >= 0.
+template <class T>
+struct NutationData {
+  T mu, beta;
+  T u0, top, bottom;  ///< u, 1 - u and 1 + u, each to full relative accuracy
+  T c0, rate0, P0;    ///< c, du/dt and P at u0
+};
+
+/// @param A, B  halves of the unit quaternion, w + i z and x + i y   @param Omega  w1 + i w2
+template <class T>
+NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T>& B, const Complex<T>& Omega) {
+  const bool flipped = mu < T(0);
+  const T up = flipped ? T(-1) : T(1);
+  const Complex<T> moment = conj(Omega) * (conj(A) * B);  // c - i du/dt = conj(Omega) Z, Z = 2 i conj(A) B: Up in body axes
+  NutationData<T> d;
+  d.mu = up * mu;
+  d.beta = up * beta;
+  d.c0 = T(-2) * moment.im;
+  d.rate0 = up * T(-2) * moment.re;
+  d.P0 = norm2(Omega);
+  d.top = T(2) * norm2(flipped ? A : B);
+  d.bottom = T(2) * norm2(flipped ? B : A);
+  d.u0 = d.top < d.bottom ? T(1) - d.top : d.bottom - T(1);
+  return d;
+}
+
+template <class T>
+struct NutationRoots {
+  T s1, s2;      ///< u1 - u0 <= 0 <= u2 - u0
+  T width;       ///< u2 - u1
+  T gap;         ///< 2 mu (u3 - u2)
+  T span;        ///< 2 mu (u3 - u1)
+  T beyond;      ///< 2 mu (u3 - u0)
+  T top1, top2;  ///< 1 - u1, 1 - u2
+  T top3;        ///< 2 mu (u3 - 1)
+  T bottom1;     ///< 1 + u1
+  T bottom2;     ///< 1 + u2
+  T bottom3;     ///< 2 mu (u3 + 1)
+  T P1, P2;      ///< P(u1), P(u2)
+  T P3;          ///< -P(u3)
+  T at_top;      ///< c(1) = b - beta
+  T at_bottom;   ///< c(-1) = b + beta
+  T at_rest;     ///< 2 mu c at the zero of P: 2 mu c0 - beta P0
+  T top_energy;  ///< P(1)
+  T span_loss;   ///< relative error of `span` in eps: the terms that it is the sum of, over it
+  T gap_terms;   ///< size of the terms that `gap` is the sum of
+};
+
+/// A root of y^3 + a y^2 + b y + c by Newton's method from y, where the iteration is monotonic.
+template <class T>
+T newton_root(T y, T a, T b, T c) {
+  for (int step = 0; step < 64; ++step) {
+    const T value = c + y * (b + y * (a + y)), slope = b + y * (T(2) * a + T(3) * y);
+    if (value == T(0) || slope == T(0)) break;
+    const T change = value / slope;
+    y -= change;
+    if (!(real::abs(change) > T(2) * real::epsilon<T>() * real::abs(y))) break;
+  }
+  return y;
+}
+
+/// The two roots of x^2 - sum x - product_size, product_size >= 0: one on either side of 0.
+template <class T>
+struct SplitRoots {
+  T above, below_size;  ///< the positive root and minus the negative one
+  T difference;
+};
+template <class T>
+SplitRoots<T> split_roots(T sum, T product_size) {
+  const T difference = real::sqrt(sum * sum + T(4) * product_size);
+  const T larger = (real::abs(sum) + difference) / T(2);
+  const T smaller = larger > T(0) ? product_size / larger : T(0);
+  return sum > T(0) ? SplitRoots<T>{larger, smaller, difference} : SplitRoots<T>{smaller, larger, difference};
+}
+
+template <class T>
+T not_negative(T x) {
+  return x > T(0) ? x : T(0);
+}
+template <class T>
+T ratio(T x, T y) {
+  return y > T(0) ? x / y : T(0);
+}
+
+template <class T>
+NutationRoots<T> nutation_roots(const NutationData<T>& d) {
+  NutationRoots<T> r;
+  const T twice = T(2) * d.mu;
+  const T f0 = d.rate0 * d.rate0;
+  const T f1 = T(2) * (d.c0 * d.beta - d.u0 * d.P0 - d.mu * d.top * d.bottom);
+  const T f2 = -(d.P0 - T(2) * twice * d.u0 + d.beta * d.beta);
+  r.at_top = d.c0 - d.beta * d.top;
+  r.at_bottom = d.c0 + d.beta * d.bottom;
+  r.at_rest = twice * d.c0 - d.beta * d.P0;
+  r.top_energy = d.P0 - twice * d.top;
+
+  // y = 2 mu (u - u0): the monic cubic y^3 + f2 y^2 + 2 mu f1 y + 4 mu^2 f0. The value at the mean of its roots tells which
+  // root stands apart; the bound with a double root is where Newton starts.
+  const T linear = twice * f1, constant = twice * twice * f0;
+  const T mean = -f2 / T(3), radius = real::sqrt(not_negative<T>(f2 * f2 - T(3) * linear)) / T(3);
+  const bool low_apart = constant + mean * (linear + mean * (f2 + mean)) > T(0);
+  if (low_apart) {
+    r.s1 = newton_root<T>(mean - T(2) * radius, f2, linear, constant) / twice;
+    if (!(r.s1 < T(0))) r.s1 = T(0);
+  } else {
+    r.beyond = not_negative<T>(newton_root<T>(mean + T(2) * radius, f2, linear, constant));
+    const SplitRoots<T> s = split_roots<T>(ratio<T>(f1 + twice * ratio<T>(f0, r.beyond), r.beyond), ratio<T>(f0, r.beyond));
+    r.s1 = -s.below_size;
+    r.s2 = s.above;
+    r.width = s.difference;
+  }
+  r.top1 = d.top - r.s1;
+
+  // About u = 1, in 2 mu (1 - u): the sum of the two roots left, and their product -2 mu at_top^2 / top1.
+  const T top_product = ratio<T>(r.at_top * r.at_top, r.top1);
+  const T top_sum = ratio<T>(top_product - T(2) * (r.top_energy - r.at_top * d.beta), r.top1);
+  const SplitRoots<T> top = split_roots<T>(top_sum, twice * top_product);
+  r.top3 = top.below_size;
+  r.top2 = top_sum > T(0) ? top.above / twice : ratio<T>(top_product, r.top3);
+
+  if (low_apart) {
+    r.gap = top.difference;
+    r.beyond = twice * d.top + r.top3;
+    const T from_top = not_negative<T>(d.top - r.top2);
+    r.s2 = -r.s1 > from_top ? ratio<T>(f0, -r.s1 * r.beyond) : from_top;
+    r.width = r.s2 - r.s1;
+  } else {
+    r.gap = not_negative<T>(r.beyond - twice * r.s2);
+  }
+  r.span = r.gap + twice * r.width;
+
+  r.span_loss = ratio<T>(d.P0 + T(2) * twice + d.beta * d.beta, r.span);
+  const T top_terms = ratio<T>(
+      top_product + T(2) * (d.P0 + twice * d.top + real::abs(d.beta) * (real::abs(d.c0) + real::abs(d.beta) * d.top)), r.top1);
+  r.gap_terms = low_apart ? top_terms : r.span_loss * r.span;
+
+  r.bottom2 = d.bottom + r.s2;
+  r.bottom3 = twice * d.bottom + r.beyond;
+  r.bottom1 = ratio<T>(ratio<T>(r.at_bottom * r.at_bottom, r.bottom2), r.bottom3);
+
+  if (!(r.span > T(0))) {  // nothing moves: u1 = u2 = u0, and the quotients above are 0/0
+    r.top2 = r.top1;
+    r.bottom1 = r.bottom2;
+  }
+
+  // About the zero of P, in P itself.
+  const T bottom_energy = d.P0 + twice * d.bottom;  // P(-1)
+  r.P1 = d.P0 - twice * r.s1;
+  const T rest_product = ratio<T>(r.at_rest * r.at_rest, r.P1);
+  const T rest_sum = ratio<T>(r.top_energy * bottom_energy + T(2) * r.at_rest * d.beta + rest_product, r.P1);
+  const SplitRoots<T> rest = split_roots<T>(rest_sum, rest_product);
+  r.P2 = rest.above;
+  r.P3 = rest.below_size;
+  return r;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,46 @@
+/// The scalar in which a closed form prepares its constants and counts its phases.
+#pragma once
+
+#include "earthtop/frames/rotation.hpp"
+
+namespace earthtop {
+
+namespace detail {
+template <class T>
+struct WiderScalar {
+  using type = float128;
+};
+template <>
+struct WiderScalar<double> {
+  using type = long double;
+};
+}  // namespace detail
+
+/// double -> long double -> float128 -> float128. A phase of 1e9 rad counted in it keeps every digit of T, and squares of the
+/// largest and the smallest doubles neither overflow nor underflow.
+template <class T>
+using Wider = typename detail::WiderScalar<T>::type;
+
+template <class To, class From>
+Vec3<To> converted(const Vec3<From>& v) {
+  return {static_cast<To>(v[0]), static_cast<To>(v[1]), static_cast<To>(v[2])};
+}
+template <class To, class From>
+Quaternion<To> converted(const Quaternion<From>& q) {
+  return {static_cast<To>(q.w), converted<To>(q.v)};
+}
+
+/// A phase less the nearest multiple of its period, and whether that multiple is odd.
+template <class W>
+struct ReducedPhase {
+  W phase;
+  bool odd;
+};
+template <class W>
+ReducedPhase<W> reduced_phase(W phase, W period) {
+  const W turns = real::rint(phase / period);
+  if (turns == W(0)) return {phase, false};  // an infinite period too
+  return {phase - turns * period, real::rint(turns / W(2)) != turns / W(2)};
+}
+
+}  // namespace earthtop
