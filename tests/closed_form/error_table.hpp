@@ -1,0 +1,57 @@
+/// Errors of a closed form in double over random motions, measured against the same closed form at 113 bits.
+#pragma once
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "earthtop/closed_form/state.hpp"
+
+namespace earthtop::test {
+
+/// One motion at one instant.
+struct Measure {
+  double error = 0;       ///< angle between double and float128 attitudes (rad)
+  double rate_error = 0;  ///< difference of the rates (rad/s)
+  double phase = 0;       ///< angle swept: spin + nutation + precession (rad)
+  double statement = 0;   ///< the closed form's own bound of `error`
+  double rate_statement = 0;
+  std::function<double()> kappa;  ///< largest growth of a one-ulp change of an input, in extended precision; costly
+  std::function<std::string()> describe;
+};
+
+/// A regime: how to draw and measure one random motion of it.
+struct Regime {
+  std::string name;
+  std::function<Measure(std::mt19937_64&)> sample;
+};
+
+/// What the closed forms promise: 1e-13 + 4 eps x (phase swept) + 4 eps x kappa (rad).
+inline double promised_error(double phase, double kappa) {
+  return 1e-13 + 4 * real::epsilon<double>() * phase + 4 * real::epsilon<double>() * kappa;
+}
+
+/// error / promised_error; kappa is computed only where the bound is nearly used up without it.
+inline double used_part(const Measure& m) {
+  const double without = m.error / promised_error(m.phase, 0);
+  return without < 0.1 ? without : m.error / promised_error(m.phase, m.kappa());
+}
+
+template <class T>
+Quaternion<float128> wide(const Quaternion<T>& q) {
+  return {float128(q.w), {float128(q.v[0]), float128(q.v[1]), float128(q.v[2])}};
+}
+template <class T>
+Vec3<float128> wide(const Vec3<T>& v) {
+  return {float128(v[0]), float128(v[1]), float128(v[2])};
+}
+/// The angle between two attitudes (rad).
+inline double angle_between(const Quaternion<float128>& p, const Quaternion<float128>& q) {
+  const Quaternion<float128> turn = p.conjugate() * q;
+  return static_cast<double>(2 * real::atan2(norm<float128>(turn.v), real::abs(turn.w)));
+}
+
+std::vector<Regime> lagrange_regimes();
+
+}  // namespace earthtop::test
