@@ -1,0 +1,52 @@
+/// Principal moments and axes of a symmetric tensor, by Jacobi's rotations.
+#pragma once
+
+#include "earthtop/frames/rotation.hpp"
+
+namespace earthtop {
+
+template <class T>
+struct PrincipalAxes {
+  Vec3<T> moments;
+  Quaternion<T> q_BP;  ///< from the principal axes P to the axes B of the tensor
+};
+
+/// Errors: a few eps of the largest moment in the moments; a tensor without products keeps its diagonal exactly and q_BP = 1.
+/// Only the lower triangle is read.
+template <class T>
+PrincipalAxes<T> principal_axes(const Mat3<T>& tensor_B) {
+  Vec3<T> diagonal = tensor_B.diagonal();
+  Vec3<T> product(tensor_B(2, 1), tensor_B(2, 0), tensor_B(1, 0));  // product[k] couples the two axes other than k
+  Quaternion<T> q_BP;
+  // Convergence is quadratic: at most a dozen sweeps even at 113 bits.
+  for (int sweep = 0; sweep < 40; ++sweep) {
+    bool done = true;
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const T small =
+          real::epsilon<T>() * real::epsilon<T>() * real::sqrt(real::abs(diagonal[i])) * real::sqrt(real::abs(diagonal[j]));
+      if (!(real::abs(product[k]) > small)) {
+        product[k] = T(0);
+        continue;
+      }
+      done = false;
+      // The turn about axis k by the angle of tangent t that removes the product.
+      const T theta = (diagonal[j] - diagonal[i]) / (T(2) * product[k]);
+      const T t = (theta < T(0) ? T(-1) : T(1)) / (real::abs(theta) + real::sqrt(T(1) + theta * theta));
+      const T c = T(1) / real::sqrt(T(1) + t * t), s = t * c;
+      diagonal[i] -= t * product[k];
+      diagonal[j] += t * product[k];
+      product[k] = T(0);
+      const T with_i = product[j], with_j = product[i];  // couplings of axis k with i and with j
+      product[j] = c * with_i - s * with_j;
+      product[i] = s * with_i + c * with_j;
+      // New axis i = c e_i - s e_j, new axis j = s e_i + c e_j: a turn about e_k by minus the angle.
+      const T half = real::sqrt((T(1) + c) / T(2));
+      q_BP = q_BP * Quaternion<T>{half, (-s / (T(2) * half)) * Vec3<T>::Unit(k)};
+    }
+    if (done) break;
+  }
+  return {diagonal, q_BP.normalized()};
+}
+
+}  // namespace earthtop
