@@ -19,6 +19,7 @@ float128 fmaq(float128, float128, float128) noexcept;
 float128 roundq(float128) noexcept;
 float128 sinq(float128) noexcept;
 float128 cosq(float128) noexcept;
+float128 asinq(float128) noexcept;
 float128 atan2q(float128, float128) noexcept;
 float128 fmodq(float128, float128) noexcept;
 float128 powq(float128, float128) noexcept;
@@ -34,6 +35,7 @@ int finiteq(float128) noexcept;
 /// Elementary functions of one name for every scalar. Angles in rad.
 namespace real {
 
+using std::asin;
 using std::atan2;
 using std::cos;
 using std::exp;
@@ -52,6 +54,7 @@ template <class T>
 constexpr T abs(T x) {
   return x < T(0) ? -x : x;
 }
+inline float128 asin(float128 x) { return asinq(x); }
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
 inline float128 exp(float128 x) { return expq(x); }
