@@ -75,7 +75,9 @@ int main(int argc, char** argv) {
   fmt::print(
       "| regime | motions | worst error (rad) | worst error / (1e-13 + 4 eps phase + 4 eps kappa) | beyond it | "
       "worst error / statement | worst rate error / statement | statement too small |\n|---|---|---|---|---|---|---|---|\n");
-  for (const Regime& regime : lagrange_regimes()) {
+  std::vector<Regime> regimes = lagrange_regimes();
+  for (Regime& regime : free_body_regimes()) regimes.push_back(std::move(regime));
+  for (const Regime& regime : regimes) {
     const auto named = [&](const char* part) { return regime.name.find(part) != std::string::npos; };
     if (argc > 2 && std::none_of(argv + 2, argv + argc, named)) continue;
     const Row row = run(regime, count);

@@ -53,5 +53,6 @@ inline double angle_between(const Quaternion<float128>& p, const Quaternion<floa
 }
 
 std::vector<Regime> lagrange_regimes();
+std::vector<Regime> free_body_regimes();
 
 }  // namespace earthtop::test
