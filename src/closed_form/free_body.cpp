@@ -11,7 +11,7 @@ namespace {
 /// Bounds: of one evaluation apart from its phases, in eps of T (rad, and relative to the rate); of the constants of a phase
 /// and their product with the time, in eps of Wider<T>; of what decides on the side of the separatrix, in its own eps.
 constexpr int kEvaluationRounding = 16;
-constexpr int kPhaseRounding = 8;
+constexpr int kPhaseRounding = 12;
 constexpr int kSeparationRounding = 8;
 constexpr int kTensorRounding = 32;
 
@@ -56,7 +56,7 @@ struct FreeBodyMotion {
   elliptic::PrecessionTheta<T> theta;
   Vec3<T> rate_amplitude, direction;
   T largest_rate = T(0);
-  T separation_error = T(0), largest_growth = T(1);  ///< near the separatrix errors grow by exp(p t), up to 1 / separation
+  T separation_error = T(0), largest_growth = T(1);  ///< see `growth`
   Quaternion<T> q_PB;
   Mat3<T> R_BP;
 
@@ -64,6 +64,7 @@ struct FreeBodyMotion {
   void prepare_circling(const Polhode<W>& f, const Quaternion<W>& q_BQ, const Quaternion<W>& q0_NB);
   ClosedFormState<T> uniform_at(T t_s) const;
   ClosedFormState<T> circling_at(T t_s) const;
+  T growth(T elliptic_phase, T swept) const;
 };
 
 template <class T>
@@ -87,6 +88,9 @@ FreeBodyRegime FreeBodyMotion<T>::prepare(const PrincipalAxes<W>& axes, const Qu
   turn_axis_B = size > W(0) ? converted<T>(Vec3<W>(w_B / size)) : Vec3<T>(Vec3<T>::Zero());
   half_turn_rate = size / W(2);
   largest_rate = static_cast<T>(size);
+  // A tensor's three moments may differ by the rounding of what found them equal.
+  if (regime == FreeBodyRegime::spherical && axes.q_BP.v != Vec3<W>::Zero())
+    separation_error = static_cast<T>(W(kTensorRounding) * real::epsilon<W>());
   return regime;
 }
 
@@ -94,7 +98,9 @@ template <class T>
 void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W>& q_BQ, const Quaternion<W>& q0_NB) {
   const elliptic::Lattice<W> wide = elliptic::lattice<W>(f.m, f.m1);
   const W tangent = real::sqrt(f.tangent_squared);
-  const W eta = tangent * elliptic::carlson_rf<W>(W(1), W(1) + f.m * f.tangent_squared, W(1) + f.tangent_squared);
+  const W eta = tangent >= W(0) && real::isfinite(f.m * f.tangent_squared)
+                    ? tangent * elliptic::carlson_rf<W>(W(1), W(1) + f.m * f.tangent_squared, W(1) + f.tangent_squared)
+                    : W(0);
   // dpsi/dt is least where dn is largest if C is the largest moment: its periodic part falls there.
   const elliptic::PrecessionTheta<W> wide_theta(wide, eta, -f.s);
   phase_rate = f.p * wide.rate;
@@ -126,7 +132,7 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   separation_error = !given                  ? static_cast<T>(W(kTensorRounding) * real::epsilon<W>())
                      : f.separation_is_exact ? T(0)
                                              : static_cast<T>(W(kSeparationRounding) * W(real::epsilon<float128>()));
-  largest_growth = static_cast<T>(W(1) / f.separation);
+  largest_growth = static_cast<T>(given ? W(1) / f.separation : f.condition);
 }
 
 template <class T>
@@ -137,9 +143,21 @@ ClosedFormState<T> FreeBodyMotion<T>::uniform_at(T t_s) const {
   ClosedFormState<T> x;
   x.q_NB = scaled_to_unit(product(q_NM, Quaternion<T>{c, Vec3<T>(s * turn_axis_B[0], s * turn_axis_B[1], s * turn_axis_B[2])}));
   x.w_NB_B = w0_B;
+  const T swept = static_cast<T>(real::abs(exact)), of_axes = separation_error * (T(1) + swept);
   x.attitude_error =
-      T(kEvaluationRounding) * real::epsilon<T>() + static_cast<T>(W(kPhaseRounding) * real::epsilon<W>() * real::abs(exact));
+      T(kEvaluationRounding) * real::epsilon<T>() + T(kPhaseRounding) * static_cast<T>(real::epsilon<W>()) * swept + of_axes;
+  x.rate_error = largest_rate * of_axes;
   return x;
+}
+
+/// What an error of 1 in the separation makes of the attitude: a shift of the elliptic argument at first and another one in
+/// each period, and neither more than an unstable motion makes of an error of its torques.
+template <class T>
+T FreeBodyMotion<T>::growth(T elliptic_phase, T swept) const {
+  if (separation_error == T(0)) return T(0);
+  const T unstable = (T(1) + swept) * real::exp(elliptic_phase);
+  return (T(1) + swept) + std::min(largest_growth, unstable) +
+         std::min(elliptic_phase * largest_growth, (T(1) + swept) * unstable);
 }
 
 template <class T>
@@ -163,10 +181,9 @@ ClosedFormState<T> FreeBodyMotion<T>::circling_at(T t_s) const {
 
   const T elliptic_phase = elliptic_rate * real::abs(t_s);
   const T swept = elliptic_phase + static_cast<T>(real::abs(secular));
-  const T growth = separation_error > T(0) ? std::min(real::exp(elliptic_phase), largest_growth) : T(0);
   const T relative = T(kEvaluationRounding) * real::epsilon<T>() +
                      T(kPhaseRounding) * static_cast<T>(real::epsilon<W>()) * swept +
-                     separation_error * growth * (T(1) + swept);
+                     separation_error * growth(elliptic_phase, swept);
   x.attitude_error = relative;
   x.rate_error = largest_rate * relative;
   return x;

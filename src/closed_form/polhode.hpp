@@ -57,6 +57,7 @@ struct Polhode {
   W momentum_rate = W(0);    ///< dpsi/dt where dn = 1 (rad/s)
   W separation = W(1);       ///< |L^2 - 2 T B| over the sum of the sizes of its two terms
   bool separation_is_exact = true;
+  W condition = W(1);  ///< relative change of p and of L^2 - 2 T B that a relative change of tensor and rate makes, at most
 };
 
 /// I |I - B| w^2, what decides on the axis that a rate circles: L^2 - 2 T B = C (C - B) w3^2 + A (A - B) w1^2 is the one
@@ -119,13 +120,18 @@ Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
     f.m = BA * a / (CB * b);
     f.m1 = CA * static_cast<W>(real::abs(difference)) / (CB * b);
     f.tangent_squared = A * CB / (C * BA);
+    const W largest = moments[high], size = norm(w), of_1 = A * BA * w[0] * w[0], of_3 = C * CB * w[2] * w[2];
+    f.condition =
+        largest / CB + f.m * largest / BA +
+        (of_3 * largest / CB + of_1 * largest / BA + size * (C * CB * w[2] + A * BA * w[0])) / ((of_1 + of_3) * f.separation);
   }
   f.momentum_rate = (twice_T + L * f.rate_amplitude[2]) / (L + C * f.rate_amplitude[2]);
   // cn >= 0 because w1 >= 0: u0 lies in the first quarter period on either side.
   const W sn = f.rate_amplitude[1] > W(0) ? f.s * w[1] / f.rate_amplitude[1] : W(0);
   const W cn = f.rate_amplitude[0] > W(0) ? w[0] / f.rate_amplitude[0] : W(1);
   const W dn = f.rate_amplitude[2] > W(0) ? w[2] / f.rate_amplitude[2] : W(1);
-  f.u0 = sn == W(0) ? W(0) : sn * elliptic::carlson_rf<W>(cn * cn, dn * dn, W(1));
+  // The test leaves out what is not a number, for which the integral's duplication would never end.
+  if (real::abs(sn) > W(0) && cn * cn + dn * dn > W(0)) f.u0 = sn * elliptic::carlson_rf<W>(cn * cn, dn * dn, W(1));
   return f;
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// Bounds: of one evaluation apart from its phases, in eps of T; of a phase, in eps of Wider<T>.
 constexpr int kEvaluationRounding = 16;
-constexpr int kPhaseRounding = 8;
+constexpr int kPhaseRounding = 12;
 
 template <class T>
 struct CosSin {

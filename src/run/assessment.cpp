@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
 #include "run/setup.hpp"
 
@@ -115,7 +116,7 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
       const double t = rows.back().t_s;
       theory.push_back({"free_gyro_axis_drift",
                         "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)", "rad",
-                        2 * std::asin(sine * std::abs(std::sin(Omega * t / 2))), drift.axis_final_rad});
+                        balanced_gyroscope_drift(sine, Omega, t), drift.axis_final_rad});
     }
     return theory;
   }

@@ -162,6 +162,36 @@ TEST(FreeBody, UnstableAxisStays) {
   EXPECT_EQ(state.q_NB.v[2], 0);
 }
 
+TEST(FreeBody, WhatIsNoBodyGivesNaN) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, -1.0})
+    for (int i = 0; i < 3; ++i) {
+      Vec3<double> I(1, 2, 3), w(1, 2, 0.5);
+      I[i] = bad;
+      EXPECT_FALSE(std::isfinite(FreeBody<double>(I, Quaternion<double>{}, w).at(1).q_NB.w)) << bad << " " << i;
+      if (bad == -1) continue;
+      w[i] = bad;
+      EXPECT_FALSE(std::isfinite(FreeBody<double>(Vec3<double>(1, 2, 3), Quaternion<double>{}, w).at(1).q_NB.w)) << bad;
+    }
+  EXPECT_FALSE(
+      std::isfinite(FreeBody<double>(Vec3<double>(1, 2, 3), Quaternion<double>{}, Vec3<double>(1, 1, 1)).at(nan).q_NB.w));
+}
+
+// Rates of any size, the least and the largest numbers included.
+TEST(FreeBody, EveryScaleOfRates) {
+  const Vec3<double> I(1, 2, 3), w(0.5, 1, -0.25);
+  const Quaternion<double> q0{0.5, Vec3<double>(0.5, 0.5, -0.5)};
+  const auto expected = FreeBody<double>(I, q0, w).at(3);
+  for (const int exponent : {-1020, -600, 600, 1020}) {
+    const double scale = std::ldexp(1.0, exponent);
+    const auto scaled = FreeBody<double>(I, q0, Vec3<double>(scale * w)).at(3 / scale);
+    EXPECT_LT((scaled.q_NB.v - expected.q_NB.v).norm(), 4 * real::epsilon<double>());
+    EXPECT_LT((scaled.w_NB_B / scale - expected.w_NB_B).norm(), 8 * real::epsilon<double>());
+    const auto heavy = FreeBody<double>(Vec3<double>(std::ldexp(1.0, exponent) * I), q0, w).at(3);
+    EXPECT_LT((heavy.q_NB.v - expected.q_NB.v).norm(), 4 * real::epsilon<double>());
+  }
+}
+
 // H10: from a seed e about the other two axes the body flips after about ln(1/e)/s.
 TEST(FreeBody, DzhanibekovFlips) {
   for (const auto& [seed, flip_s] : {std::pair{1e-16, 66.8}, {1e-12, 50.8}, {1e-8, 34.9}, {1e-4, 18.9}}) {

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "collection/shipped.hpp"
+#include "earthtop/closed_form/special_cases.hpp"
 
 namespace earthtop {
 namespace {
@@ -41,11 +42,12 @@ TEST(ClosedForms, FreeGyroAndPoleDriftByTheEarthsTurn) {
 // point both motions stand at their full amplitude.
 TEST(ClosedForms, FoucaultPendulum) {
   const ClosedForm form("foucault-pendulum");
-  const Real I1 = form.body().I_BP_B(0, 0), I3 = form.body().I_BP_B(2, 2);
-  const Real periods = form.t() * std::sqrt(-form.mgl() / I1) / (2 * real::pi<Real>());
+  const SymmetricTop<Real> top{form.body().I_BP_B(0, 0), form.body().I_BP_B(2, 2), form.mgl()};
+  const Real periods = form.t() * std::sqrt(-top.mgl / top.I1) / (2 * real::pi<Real>());
   EXPECT_NEAR(static_cast<double>(periods), 300, 1e-4);
-  const Real turned = form.earth() * form.latitude().sin * (1 - I3 / (2 * I1)) * form.t();
   const Real amplitude = sin_cos_degrees<Real>(form.scenario.release.tilt_deg).sin;
+  const Vec3<Real> W_L = form.earth() * celestial_axis_L<Real>(form.scenario.site);
+  const Real turned = -foucault_rate<Real>(top, amplitude, W_L).value * form.t();
   form.expect_stated(2 * std::asin(amplitude * std::sin(turned / 2)));
 }
 

@@ -32,8 +32,9 @@ struct FreeBodyMotion;
 /// a theta function of complex argument follows from the zeros of L + C w3 in complex time; the solution by theta functions is
 /// Jacobi's, the momentum frame M that of R. van Zon and J. Schofield, J. Comput. Phys. 225 (2007) 145.
 ///
-/// Moments must be finite and positive; the triangle inequality is not needed. The given numbers count as exact, and the
-/// statements of error hold for them.
+/// Moments must be finite and positive, the triangle inequality is not needed; anything else gives NaN. The given numbers count
+/// as exact, and the statements of error hold for them, as long as moments squared times rates squared stay within the range of
+/// long double (for T = double: always) or float128.
 template <class T>
 class FreeBody {
  public:
