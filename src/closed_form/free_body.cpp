@@ -88,9 +88,15 @@ FreeBodyRegime FreeBodyMotion<T>::prepare(const PrincipalAxes<W>& axes, const Qu
   turn_axis_B = size > W(0) ? converted<T>(Vec3<W>(w_B / size)) : Vec3<T>(Vec3<T>::Zero());
   half_turn_rate = size / W(2);
   largest_rate = static_cast<T>(size);
-  // A tensor's three moments may differ by the rounding of what found them equal.
-  if (regime == FreeBodyRegime::spherical && axes.q_BP.v != Vec3<W>::Zero())
-    separation_error = static_cast<T>(W(kTensorRounding) * real::epsilon<W>());
+  if (axes.q_BP.v != Vec3<W>::Zero() && regime != FreeBodyRegime::at_rest) {
+    // What found a tensor's moments equal, or the rate along one of its axes, has rounded; about the middle axis that grows.
+    const int i = w_Q[0] != W(0) ? 0 : w_Q[1] != W(0) ? 1 : 2;
+    const W I1 = I[i], I2 = I[(i + 1) % 3], I3 = I[(i + 2) % 3], square = (I2 - I1) * (I1 - I3) / (I2 * I3);
+    const W largest = std::max(I1, std::max(I2, I3)), least = std::min(I1, std::min(I2, I3));
+    const W gap = std::min(real::abs(I1 - I2), real::abs(I1 - I3)), of_axis = gap > W(0) ? largest / gap : W(1);
+    separation_error = static_cast<T>(W(kTensorRounding) * real::epsilon<W>() * largest / least * of_axis);
+    if (regime == FreeBodyRegime::principal_axis && square > W(0)) elliptic_rate = static_cast<T>(size * real::sqrt(square));
+  }
   return regime;
 }
 
@@ -129,9 +135,10 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   largest_rate = static_cast<T>(norm(f.rate_amplitude));
   // Given moments are exact, those of a tensor are not.
   const bool given = q_BQ.v == Vec3<W>::Zero();
-  separation_error = !given                  ? static_cast<T>(W(kTensorRounding) * real::epsilon<W>())
-                     : f.separation_is_exact ? T(0)
-                                             : static_cast<T>(W(kSeparationRounding) * W(real::epsilon<float128>()));
+  const W eps = real::epsilon<W>(), eps_of_term = static_cast<W>(real::epsilon<float128>());
+  separation_error = static_cast<T>(!given                  ? W(kTensorRounding) * eps * f.largest_ratio
+                                    : f.separation_is_exact ? W(0)
+                                                            : W(kSeparationRounding) * eps_of_term);
   largest_growth = static_cast<T>(given ? W(1) / f.separation : f.condition);
 }
 
@@ -143,9 +150,11 @@ ClosedFormState<T> FreeBodyMotion<T>::uniform_at(T t_s) const {
   ClosedFormState<T> x;
   x.q_NB = scaled_to_unit(product(q_NM, Quaternion<T>{c, Vec3<T>(s * turn_axis_B[0], s * turn_axis_B[1], s * turn_axis_B[2])}));
   x.w_NB_B = w0_B;
-  const T swept = static_cast<T>(real::abs(exact)), of_axes = separation_error * (T(1) + swept);
-  x.attitude_error =
+  const T swept = static_cast<T>(real::abs(exact));
+  const T of_axes = separation_error * (T(1) + swept) * real::exp(elliptic_rate * real::abs(t_s));
+  const T error =
       T(kEvaluationRounding) * real::epsilon<T>() + T(kPhaseRounding) * static_cast<T>(real::epsilon<W>()) * swept + of_axes;
+  x.attitude_error = std::min(error, real::pi<T>());
   x.rate_error = largest_rate * of_axes;
   return x;
 }
@@ -184,7 +193,7 @@ ClosedFormState<T> FreeBodyMotion<T>::circling_at(T t_s) const {
   const T relative = T(kEvaluationRounding) * real::epsilon<T>() +
                      T(kPhaseRounding) * static_cast<T>(real::epsilon<W>()) * swept +
                      separation_error * growth(elliptic_phase, swept);
-  x.attitude_error = relative;
+  x.attitude_error = std::min(relative, real::pi<T>());
   x.rate_error = largest_rate * relative;
   return x;
 }

@@ -57,7 +57,8 @@ struct Polhode {
   W momentum_rate = W(0);    ///< dpsi/dt where dn = 1 (rad/s)
   W separation = W(1);       ///< |L^2 - 2 T B| over the sum of the sizes of its two terms
   bool separation_is_exact = true;
-  W condition = W(1);  ///< relative change of p and of L^2 - 2 T B that a relative change of tensor and rate makes, at most
+  W largest_ratio = W(1);  ///< of two moments
+  W condition = W(1);      ///< relative change of p and of L^2 - 2 T B that a relative change of tensor and rate makes, at most
 };
 
 /// I |I - B| w^2, what decides on the axis that a rate circles: L^2 - 2 T B = C (C - B) w3^2 + A (A - B) w1^2 is the one
@@ -106,6 +107,7 @@ Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
   f.from_body = {{axis1, middle, axis3}, {sign1, parity * sign1 * sign3, sign3}};
 
   const Vec3<W> w = f.from_body(w0_B);
+  f.largest_ratio = moments[high] / moments[low];
   const W A = moments[axis1], B = moments[middle], C = moments[axis3];
   const W CA = real::abs(C - A), CB = real::abs(C - B), BA = real::abs(B - A);
   f.s = C > B ? W(1) : W(-1);
@@ -120,10 +122,10 @@ Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
     f.m = BA * a / (CB * b);
     f.m1 = CA * static_cast<W>(real::abs(difference)) / (CB * b);
     f.tangent_squared = A * CB / (C * BA);
-    const W largest = moments[high], size = norm(w), of_1 = A * BA * w[0] * w[0], of_3 = C * CB * w[2] * w[2];
-    f.condition =
-        largest / CB + f.m * largest / BA +
-        (of_3 * largest / CB + of_1 * largest / BA + size * (C * CB * w[2] + A * BA * w[0])) / ((of_1 + of_3) * f.separation);
+    // The axes found for a tensor turn by eps largest / difference, the rate's components with them.
+    const W of_1 = A * BA * w[0] * w[0], of_3 = C * CB * w[2] * w[2], to_1 = moments[high] / BA, to_3 = moments[high] / CB;
+    const W of_rate = norm(w) * (to_1 + to_3) * (A * BA * w[0] + C * CB * w[2]);
+    f.condition = to_3 + f.m * to_1 + (of_3 * to_3 + of_1 * to_1 + of_rate) / ((of_1 + of_3) * f.separation);
   }
   f.momentum_rate = (twice_T + L * f.rate_amplitude[2]) / (L + C * f.rate_amplitude[2]);
   // cn >= 0 because w1 >= 0: u0 lies in the first quarter period on either side.

@@ -154,15 +154,20 @@ FreeBodyCase long_runs(Engine& g) {  // up to an hour at 1e6 rad/s
 }
 FreeBodyCase tensor(Engine& g) {
   FreeBodyCase c;
-  switch (g() % 4) {
+  switch (g() % 7) {
     case 0: c = nearly_symmetric(g); break;
     case 1: c = nearly_spherical(g); break;
+    case 2: c = near_separatrix(g); break;
+    case 3: c = near_unstable_axis(g); break;
+    case 4: c = needle(g); break;
+    case 5: c = principal_axis(g); break;
     default: c = asymmetric(g); break;
   }
   std::normal_distribution<double> normal;
   const Mat3<double> R = rotation_matrix(Quaternion<double>{normal(g), {normal(g), normal(g), normal(g)}});
   const Mat3<double> I = turned_tensor<double>(R, Mat3<double>(c.moments.asDiagonal()));
   c.moments = I.diagonal();
+  c.w0_NB_B = times<double>(R, c.w0_NB_B);
   c.products = {I(2, 1), I(2, 0), I(1, 0)};
   return c;
 }
