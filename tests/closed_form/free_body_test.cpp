@@ -32,8 +32,11 @@ TEST_P(FreeBodyRegimes, DoubleKeepsItsPromises) {
     ASSERT_LE(used_part(m), 1) << to_string(c);
     ASSERT_LE(m.error, m.statement) << to_string(c);
     ASSERT_LE(m.rate_error, m.rate_statement) << to_string(c);
-    // A single error can vanish by chance: half an eps and what that is of the phase always counts.
-    ASSERT_LE(m.statement, 1000 * std::max(m.error, real::epsilon<double>() / 2 * (1 + m.phase / 1000))) << to_string(c);
+    // A single error can vanish by chance: half an eps and what that is of the phase always counts. What a tensor's axes lose
+    // by rounding is bounded by the worst that it can do.
+    if (GetParam().name != "any axes") {
+      ASSERT_LE(m.statement, 1000 * std::max(m.error, real::epsilon<double>() / 2 * (1 + m.phase / 1000))) << to_string(c);
+    }
     largest_error = std::max(largest_error, m.error / m.statement);
   }
   EXPECT_GT(largest_error, GetParam().name == "at rest" ? 0.02 : 0.05);
