@@ -41,7 +41,9 @@ class FreeBody {
   /// @param moments  of the body axes, which are principal axes, about the pivot (kg m^2)
   /// @param q0_NB    attitude at t = 0, of any norm but zero   @param w0_NB_B  rate at t = 0 (rad/s)
   FreeBody(const Vec3<T>& moments, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B);
-  /// @param I_BP_B  symmetric inertia tensor about the pivot, in any body axes (kg m^2); only its lower triangle is read.
+  /// @param I_BP_B  symmetric inertia tensor about the pivot, in any body axes (kg m^2); only its lower triangle is read. With
+  ///   products of inertia the statements of error bound what finding the axes may lose: near an unstable axis far more than it
+  ///   does.
   FreeBody(const Mat3<T>& I_BP_B, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B);
 
   /// The motion at any time, before and after the start (s).
