@@ -33,7 +33,6 @@ class ReducedDriftSystem {
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
         release_(release),
         frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {
-    spin_momentum_ = top_.I3 * w_XB_B_[top_.axis];
     spin_deviation_ = (T(1) / top_.I3 - top_.inverse_I1) * initial_momentum_deviation_B()[top_.axis];
   }
 
@@ -50,7 +49,7 @@ class ReducedDriftSystem {
     // What the reference sees: no Earth.
     const Vec3<T> no_Earth = Vec3<T>::Zero();
     store_reference(axis_equation(top_, reference, no_Earth, g_L), dxdt);
-    store(spinless_frame_equation(top_, reference, load(x, 6), no_Earth, spin_momentum_), dxdt, 6);
+    store(spinless_frame_equation(top_, reference, load(x, 6), no_Earth), dxdt, 6);
 
     const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
     Vec3<T> d = v, Dg = turned_back(g_L);
@@ -127,7 +126,6 @@ class ReducedDriftSystem {
   ReducedTop<T> top_;
   Vec3<T> w_XB_B_;
   const Release<T>& release_;
-  T spin_momentum_ = T(0);   ///< L.n of the reference
   T spin_deviation_ = T(0);  ///< (1/I3 - 1/I1) P.n
   SpinlessFrame<T> frame_;   ///< of the reference
 };

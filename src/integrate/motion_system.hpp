@@ -90,7 +90,6 @@ class ReducedMotionSystem {
                                                             : Vec3<T>(R_LB_.transpose() * model_.W_IL_L)),
         W_L_(model_.W_IL_L),
         gravity_L_(model_.apparent_gravity_L),
-        spin_momentum_(top_.I3 * (w_XB_B_[top_.axis] + W_B_[top_.axis])),
         frame_(top_.axis, problem.release.q_LB, w_XB_B_[top_.axis], W_B_[top_.axis]) {}
 
   static constexpr auto groups() {
@@ -110,7 +109,7 @@ class ReducedMotionSystem {
     const AxisMotion<T> motion{load(x, 0), load(x, 3)};
     const AxisMotion<T> rate = axis_equation(top_, motion, W_A, gravity_A);
     store(rate.n, dxdt, 0), store(rate.L, dxdt, 3);
-    if constexpr (kAttitude) store(spinless_frame_equation(top_, motion, load(x, 6), W_A, spin_momentum_), dxdt, 6);
+    if constexpr (kAttitude) store(spinless_frame_equation(top_, motion, load(x, 6), W_A), dxdt, 6);
   }
 
   State initial_state() const {
@@ -152,7 +151,6 @@ class ReducedMotionSystem {
   Vec3<T> w_XB_B_;  ///< rates as released, and what makes them inertial ones
   Vec3<T> W_B_;
   Vec3<T> W_L_, gravity_L_;  ///< the model's, at hand
-  T spin_momentum_;          ///< L.n
   SpinlessFrame<T> frame_;
 };
 

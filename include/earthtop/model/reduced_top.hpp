@@ -1,7 +1,7 @@
 /// The symmetric top without its spin: axis n and inertial angular momentum L about the pivot, in axes A (laboratory or
 /// inertial), and a frame carried along n that has no inertial rate along it.
 ///
-///   dn/dt = L x n / I1 - W x n ,  dL/dt = m l n x g - W x L ,  da/dt = ((L - (L.n) n)/I1 - W) x a
+///   dn/dt = L x n / I1 - W x n ,  dL/dt = m l n x g - W x L ,  da/dt = (n x (L x n) / I1 - W) x a
 ///
 /// with W = 0 in inertial axes. L.n = I3 w3 and |n| are conserved; the spin w3 appears in no rate, so that steps follow the
 /// nutation. The attitude is the frame (a, n x a, n) turned by w3 t about n.
@@ -52,11 +52,11 @@ AxisMotion<T> axis_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, co
   return {Vec3<T>(top.inverse_I1 * x.L - W_A).cross(x.n), field_torque(mass_moment_along(top, x.n), field_A) - W_A.cross(x.L)};
 }
 
-/// da/dt for a vector a of the frame without inertial spin. @param spin_momentum  L.n = I3 w3, as released
+/// da/dt for a vector a of the frame without inertial spin: it turns at n x (dn/dt in inertial space), less W. The double cross
+/// product has no part along n whatever the errors of n and L; (L - (L.n) n) / I1 would leave the difference of two spins.
 template <class T>
-Vec3<T> spinless_frame_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& a, const Vec3<T>& W_A,
-                                T spin_momentum) {
-  return Vec3<T>(top.inverse_I1 * (x.L - spin_momentum * x.n) - W_A).cross(a);
+Vec3<T> spinless_frame_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& a, const Vec3<T>& W_A) {
+  return Vec3<T>(top.inverse_I1 * x.n.cross(x.L.cross(x.n)) - W_A).cross(a);
 }
 
 /// Rebuilds the attitude of a reduced motion: the frame (a, n x a, n), and the turn by the spin, which is exact.
