@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "bench/errors.hpp"
+#include "bench/exact_motion.hpp"
 #include "run/setup.hpp"
 
 namespace earthtop {
@@ -41,6 +42,16 @@ void note(const Trajectory& trajectory, Racer& racer) {
 /// Computes once and notes what came out, then once more without noting whenever called.
 template <class T>
 void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, Racer& racer) {
+  if (contender.workload == Workload::closed_form) {
+    const ExactMotion<T> motion = exact_motion<T>(scenario);
+    if (!motion) throw std::invalid_argument("bench: this scene has no closed form");
+    for (const double t : times_s) racer.checkpoints.push_back(checkpoint_of(motion(T(t))));
+    racer.counters.evaluations = static_cast<std::int64_t>(times_s.size());
+    racer.compute = [motion, times_s] {
+      for (const double t : times_s) static_cast<void>(motion(T(t)));
+    };
+    return;
+  }
   auto problem = make_problem<T>(scenario);
   problem.times_s = times_s;
   if (contender.workload == Workload::drift) {

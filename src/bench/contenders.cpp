@@ -1,6 +1,7 @@
 // Who runs: the standard contenders of a scenario, and their names.
 #include <fmt/format.h>
 
+#include "bench/exact_motion.hpp"
 #include "earthtop/bench/bench.hpp"
 #include "run/setup.hpp"
 
@@ -58,6 +59,7 @@ std::vector<Contender> standard_contenders(const Scenario& scenario) {
           contenders.push_back({workload, options, Precision::bits53});
         }
     }
+  if (exact_motion<double>(scenario)) contenders.push_back({Workload::closed_form, {}, Precision::bits53});
   return contenders;
 }
 

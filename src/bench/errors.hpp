@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "earthtop/bench/bench.hpp"
+#include "earthtop/closed_form/special_cases.hpp"
 
 namespace earthtop {
 
@@ -17,6 +18,10 @@ struct Checkpoint {
 template <class T>
 Checkpoint checkpoint_of(const MotionSample<T>& sample) {
   return {{float128(sample.q_LB.w), sample.q_LB.v.template cast<float128>()}, std::nullopt};
+}
+template <class T>
+Checkpoint checkpoint_of(const LaboratoryState<T>& state) {
+  return {{float128(state.q_LB.w), state.q_LB.v.template cast<float128>()}, std::nullopt};
 }
 template <class T>
 Checkpoint checkpoint_of(const DriftSample<T>& sample) {

@@ -74,6 +74,38 @@ TEST(Bench, TheReferenceOfAnAsymmetricBodyIsCertifiedToo) {
   EXPECT_NE(reference.source, reference.witness);
 }
 
+// Closed forms are contenders and witnesses: a top at a pole, a free body anywhere, a top on an Earth that stands still.
+TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
+  Scenario at_a_pole = testing::toy_top();
+  at_a_pole.site.latitude_deg = -90;
+  at_a_pole.rotation_rate_rad_s = 0.2;
+  Scenario free_body = testing::asymmetric_top();
+  free_body.body.center_of_mass_m = {0, 0, 0};
+  Scenario still = testing::non_rotating(testing::toy_top());
+  BenchOptions options;
+  options.repetitions = 1;
+  options.least_seconds = 1e-4;
+  options.checkpoints = 7;
+  for (Scenario scene : {at_a_pole, free_body, still})
+    for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
+      scene.release.rates_relative_to = rule;
+      scene.duration_s = 0.1;
+      std::vector<Contender> contenders{contender(Workload::closed_form, ModelForm::automatic, 0),
+                                        contender(Workload::closed_form, ModelForm::automatic, 0, Precision::bits64),
+                                        contender(Workload::motion, ModelForm::general, 1e-13)};
+      const BenchReport report = bench(scene, contenders, options);
+      EXPECT_EQ(report.reference.witness, "closed form, float128");
+      EXPECT_LT(report.reference.error.attitude.value(), 1e-17);
+      EXPECT_LT(report.reference.error.drift.value_or(0), 1e-17);
+      EXPECT_LT(report.entries[0].errors.attitude.value(), 1e-13);
+      EXPECT_LT(report.entries[1].errors.attitude.value(), 1e-16);
+      EXPECT_LT(report.entries[2].errors.attitude.value(), 1e-9);
+      EXPECT_EQ(report.entries[0].counters.evaluations, 8);
+    }
+  const std::vector<Contender> none{contender(Workload::closed_form, ModelForm::automatic, 0)};
+  EXPECT_THROW(bench(testing::asymmetric_top(), none, options), std::invalid_argument);
+}
+
 TEST(Bench, CostAtAnErrorLiesOnTheLineBetweenTwoEntries) {
   std::vector<BenchEntry> entries(3);
   for (std::size_t i = 0; i < 3; ++i) {

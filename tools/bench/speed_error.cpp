@@ -35,6 +35,13 @@ void print_equal_error(const BenchReport& report) {
     while (end < entries.size() && same_family(entries[begin].contender, entries[end].contender)) ++end;
     const Contender& first = entries[begin].contender;
     if (first.workload == Workload::drift) continue;
+    if (first.workload == Workload::closed_form) {
+      const BenchEntry& entry = entries[begin];
+      fmt::print("| closed form | {:.2f} us a call | | | {:.0e} rad of axis, {:.0e} of attitude | |\n",
+                 1e6 * entry.seconds / static_cast<double>(entry.counters.evaluations), entry.errors.axis,
+                 entry.errors.attitude.value_or(0));
+      continue;
+    }
     const std::span<const BenchEntry> family(&entries[begin], end - begin);
     fmt::print("| {} | {}, {}{} | {} | {} | {} | {} |\n", to_string(first.options.method), to_string(first.options.form),
                to_string(first.options.observer), first.workload == Workload::axis ? ", axis only" : "",

@@ -66,15 +66,17 @@ struct BenchReport {
   std::vector<BenchEntry> entries;  ///< as the contenders stood
 };
 
-/// Every method at several tolerances in every form that the scene has, in double precision; `drift` workload, and `motion`.
+/// Every method at several tolerances in every form that the scene has, and the closed form where there is one, in double
+/// precision.
 std::vector<Contender> standard_contenders(const Scenario& scenario);
 
-/// Integrates the scenario in 113 bits twice, by extrapolation and by rkf78 in another observer's variables; a motion that has
-/// a closed form is held against that instead of the second.
+/// Integrates the scenario in 113 bits by extrapolation; the witness is the closed form where both motions have one, rkf78 in
+/// another observer's variables where not.
 /// @param times_s  checkpoints, from 0   @throws std::runtime_error where an integration does not complete
 CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s, double tolerance);
 
-/// @throws ScenarioError for a scene that cannot be run; std::runtime_error where the reference cannot be had.
+/// @throws ScenarioError for a scene that cannot be run; std::runtime_error where the reference cannot be had;
+/// std::invalid_argument for a contender that this scene does not have.
 BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options = {});
 
 /// Where on the line of these entries, in the logarithms of error and cost, the error is met: seconds and evaluations.
