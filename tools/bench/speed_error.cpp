@@ -1,6 +1,6 @@
 /// Speed against error of every method on a scenario, as Markdown: what a motion costs at equal error, and what a drift costs.
 ///
-/// earthtop-speed-error [SCENARIO [SECONDS [REPETITIONS]]]
+/// earthtop-speed-error [SCENARIO [SECONDS [REPETITIONS]]]   SCENARIO: a shipped one's name, or a file
 
 #include <fmt/format.h>
 
@@ -69,7 +69,9 @@ void print_drift(const BenchReport& report) {
 
 int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "toy-top";
-  Scenario scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
+  const bool is_file = name.find('.') != std::string::npos;
+  const std::string file = is_file ? name : std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json";
+  Scenario scenario = parse_scenario(read_scenario_source(file));
   if (argc > 2) scenario.duration_s = std::atof(argv[2]);
   BenchOptions options;
   if (argc > 3) options.repetitions = std::atoi(argv[3]);
