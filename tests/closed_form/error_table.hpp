@@ -1,6 +1,7 @@
 /// Errors of a closed form in double over random motions, measured against the same closed form at 113 bits.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <string>
@@ -50,6 +51,35 @@ Vec3<float128> wide(const Vec3<T>& v) {
 inline double angle_between(const Quaternion<float128>& p, const Quaternion<float128>& q) {
   const Quaternion<float128> turn = p.conjugate() * q;
   return static_cast<double>(2 * real::atan2(norm<float128>(turn.v), real::abs(turn.w)));
+}
+
+/// What double says of a motion against what 113 bits say; the phase and the description are the caller's.
+/// @param changed  the state in 113 bits with one of the inputs 0, 1, ... changed by one ulp of double
+template <class Changed>
+Measure measure_against(const ClosedFormState<double>& state, const ClosedFormState<float128>& exact, int inputs,
+                        Changed changed) {
+  Measure m;
+  m.error = angle_between(wide(state.q_NB), exact.q_NB);
+  m.rate_error = static_cast<double>(norm<float128>(wide(state.w_NB_B) - exact.w_NB_B));
+  m.statement = state.attitude_error;
+  m.rate_statement = state.rate_error;
+  m.kappa = [exact, inputs, changed] {
+    double largest = 0;
+    for (int input = 0; input < inputs; ++input)
+      largest = std::max(largest, angle_between(changed(input).q_NB, exact.q_NB) / real::epsilon<double>());
+    return largest;
+  };
+  return m;
+}
+
+/// The regimes of a list of generators, each with a name and a `draw` of what `measure` takes.
+template <class Generators>
+std::vector<Regime> regimes_of(const std::string& body, const Generators& generators) {
+  std::vector<Regime> regimes;
+  for (const auto& generator : generators)
+    regimes.push_back(
+        {body + ": " + generator.name, [draw = generator.draw](std::mt19937_64& engine) { return measure(draw(engine)); }});
+  return regimes;
 }
 
 std::vector<Regime> lagrange_regimes();

@@ -216,23 +216,13 @@ ClosedFormState<float128> wide_state(const FreeBodyCase& c, int changed = -1) {
 Measure measure(const FreeBodyCase& c) {
   const ClosedFormState<double> state = free_body<double>(c).at(c.t_s);
   const ClosedFormState<float128> exact = wide_state(c);
-  Measure m;
-  m.error = angle_between(wide(state.q_NB), exact.q_NB);
-  m.rate_error = static_cast<double>(norm<float128>(wide(state.w_NB_B) - exact.w_NB_B));
+  Measure m = measure_against(state, exact, 14, [c](int input) { return wide_state(c, input); });
   // The angle about L alone: its rate is 2 T / L. The motion in the body would add to it.
   Mat3<double> I;
   I << c.moments[0], c.products[2], c.products[1], c.products[2], c.moments[1], c.products[0], c.products[1], c.products[0],
       c.moments[2];
   const Vec3<double> L = I * c.w0_NB_B;
   m.phase = norm(L) > 0 ? std::abs(L.dot(c.w0_NB_B) / norm(L) * c.t_s) : 0;
-  m.statement = state.attitude_error;
-  m.rate_statement = state.rate_error;
-  m.kappa = [c, exact] {
-    double largest = 0;
-    for (int changed = 0; changed <= 13; ++changed)
-      largest = std::max(largest, angle_between(wide_state(c, changed).q_NB, exact.q_NB) / real::epsilon<double>());
-    return largest;
-  };
   m.describe = [c] { return to_string(c); };
   return m;
 }
@@ -243,12 +233,6 @@ std::string to_string(const FreeBodyCase& c) {
                      c.q0_NB.v[0], c.q0_NB.v[1], c.q0_NB.v[2], c.w0_NB_B[0], c.w0_NB_B[1], c.w0_NB_B[2], c.t_s);
 }
 
-std::vector<Regime> free_body_regimes() {
-  std::vector<Regime> regimes;
-  for (const FreeBodyGenerator& generator : free_body_generators())
-    regimes.push_back(
-        {"Free body: " + generator.name, [draw = generator.draw](std::mt19937_64& engine) { return measure(draw(engine)); }});
-  return regimes;
-}
+std::vector<Regime> free_body_regimes() { return regimes_of("Free body", free_body_generators()); }
 
 }  // namespace earthtop::test

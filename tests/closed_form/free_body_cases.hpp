@@ -41,6 +41,5 @@ FreeBody<T> free_body(const FreeBodyCase& c) {
 
 Measure measure(const FreeBodyCase& c);
 std::string to_string(const FreeBodyCase& c);
-std::vector<Regime> free_body_regimes();
 
 }  // namespace earthtop::test

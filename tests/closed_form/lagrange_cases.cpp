@@ -328,19 +328,9 @@ Measure measure(const LagrangeCase& c) {
   const LagrangeTop<double> top(c.top, c.q0_NB, c.w0_NB_B);
   const ClosedFormState<double> state = top.at(c.t_s);
   const ClosedFormState<float128> exact = wide_state(c);
-  Measure m;
-  m.error = angle_between(wide(state.q_NB), exact.q_NB);
-  m.rate_error = static_cast<double>(norm<float128>(wide(state.w_NB_B) - exact.w_NB_B));
+  Measure m = measure_against(state, exact, 11, [c](int input) { return wide_state(c, input); });
   const double t = std::abs(c.t_s), period = top.nutation_period_s();
   m.phase = std::abs(c.w0_NB_B[2]) * t + (std::isfinite(period) ? 2 * 3.141592653589793 * t / period : 0);
-  m.statement = state.attitude_error;
-  m.rate_statement = state.rate_error;
-  m.kappa = [c, exact] {
-    double largest = 0;
-    for (int input = 0; input <= 10; ++input)
-      largest = std::max(largest, angle_between(wide_state(c, input).q_NB, exact.q_NB) / real::epsilon<double>());
-    return largest;
-  };
   m.describe = [c] { return to_string(c); };
   return m;
 }
@@ -351,12 +341,6 @@ std::string to_string(const LagrangeCase& c) {
                      c.t_s);
 }
 
-std::vector<Regime> lagrange_regimes() {
-  std::vector<Regime> regimes;
-  for (const LagrangeGenerator& generator : lagrange_generators())
-    regimes.push_back(
-        {"Lagrange: " + generator.name, [draw = generator.draw](std::mt19937_64& engine) { return measure(draw(engine)); }});
-  return regimes;
-}
+std::vector<Regime> lagrange_regimes() { return regimes_of("Lagrange", lagrange_generators()); }
 
 }  // namespace earthtop::test
