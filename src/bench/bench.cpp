@@ -59,9 +59,8 @@ void prepare(const Contender& contender, const Scenario& scenario, const std::ve
     racer.compute = [problem, options = contender.options] { integrate_drift(problem, options); };
   } else {
     const MotionSought sought = contender.workload == Workload::axis ? MotionSought::symmetry_axis : MotionSought::attitude;
-    const MotionProblem<T> motion = problem;
-    note(integrate_motion(motion, contender.options, sought), racer);
-    racer.compute = [motion, sought, options = contender.options] { integrate_motion(motion, options, sought); };
+    note(integrate_motion<T>(problem, contender.options, sought), racer);
+    racer.compute = [problem, sought, options = contender.options] { integrate_motion<T>(problem, options, sought); };
   }
 }
 

@@ -199,6 +199,8 @@ FirstOrder<T> foucault_rate(const SymmetricTop<T>& top, T amplitude, const Vec3<
   return {-W_IL_L[2] * (T(1) - share), up * a * a + level * a * (share + a * a) + size * slow * slow / a};
 }
 
+// T is a type, which parentheses would break.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define EARTHTOP_INSTANTIATE(T)                                                                     \
   template std::optional<PrecessionRates<T>> steady_precession_rates(const SymmetricTop<T>&, T, T); \
   template ClosedFormState<T> steady_precession(const Quaternion<T>&, T, T, T);                     \
@@ -215,5 +217,6 @@ EARTHTOP_INSTANTIATE(double)
 EARTHTOP_INSTANTIATE(long double)
 EARTHTOP_INSTANTIATE(float128)
 #undef EARTHTOP_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace earthtop

@@ -83,9 +83,13 @@ std::string rounded_decimal(float128 value) {
     if (count > 1) text.insert(1, 1, '.');
     return fmt::format("{}e{}{:02}", text, leading < 0 ? '-' : '+', leading < 0 ? -leading : leading);
   }
-  if (leading < 0) return fmt::format("0.{}{}", std::string(static_cast<std::size_t>(-leading - 1), '0'), text);
-  if (count <= leading + 1) return text + std::string(static_cast<std::size_t>(leading + 1 - count), '0');
-  return text.insert(static_cast<std::size_t>(leading + 1), 1, '.');
+  if (leading < 0) {
+    const int zeros = -leading - 1;
+    return fmt::format("0.{}{}", std::string(static_cast<std::size_t>(zeros), '0'), text);
+  }
+  if (const int zeros = leading + 1 - count; zeros >= 0) return text + std::string(static_cast<std::size_t>(zeros), '0');
+  const int whole = leading + 1;
+  return text.insert(static_cast<std::size_t>(whole), 1, '.');
 }
 
 template <class T>
