@@ -19,29 +19,27 @@ namespace {
 
 std::atomic<bool> stop_asked = false;
 
-/// The second integration, in another observer's equations, of the same form. In double it is rkf78; ten times coarser where
-/// the rows come from rkf78 too, finer than the rows otherwise. In extended precision it is the unrelated method of rkf78 and
-/// extrapolation, but in float128 always extrapolation: rkf78 would take ten times as long as both runs at the usual
-/// tolerances. Where the rows come from extrapolation too, ten times coarser.
+/// The second integration: in another observer's equations, of the same form, and by another method wherever one is affordable.
+/// Two runs of one method make the same error where output times, not the tolerance, cut their steps: their distance then says
+/// nothing. extrapolation stands against rkf78, ten times coarser, so that its error is the larger one; rkf78 against all
+/// others. Only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself, at
+/// a thousandth of the tolerance where the digits allow it.
 IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision) {
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
   second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
-  const double coarser = std::min(10 * first.relative_tolerance, 0.1);
-  if (precision != Precision::bits53) {
-    const bool extrapolates = precision == Precision::bits113 || first.method == Method::rkf78;
-    second.method = extrapolates ? Method::extrapolation : Method::rkf78;
-    if (first.method == second.method) second.relative_tolerance = coarser;
-    return second;
-  }
-  second.method = Method::rkf78;
-  if (first.method == Method::rkf78)
-    second.relative_tolerance = coarser;
+  second.method = first.method == Method::rkf78 || precision == Precision::bits113 ? Method::extrapolation : Method::rkf78;
+  const double asked = first.relative_tolerance, coarser = std::min(10 * asked, 0.1);
+  const double finer = std::max(asked / 1000, least_tolerance(precision));
+  if (first.method == second.method)
+    second.relative_tolerance = finer < asked / 30 ? finer : coarser;
+  else if (first.method == Method::rkf78)
+    second.relative_tolerance = precision == Precision::bits53 ? coarser : asked;
   else if (first.method == Method::abm8)
     second.relative_tolerance = 1e-13;
-  else
-    second.relative_tolerance = std::max(1e-13, std::min(0.1 * first.relative_tolerance, 1e-10));
+  else if (precision == Precision::bits53)
+    second.relative_tolerance = std::max(1e-13, std::min(0.1 * asked, 1e-10));
   return second;
 }
 

@@ -35,8 +35,8 @@ struct BenchErrors {
   std::optional<double> drift;     ///< of the axis drift
 };
 
-/// The rotating motion and its drift at the checkpoints in 113 bits, from two sources that have nothing in common but the
-/// scenario, and how far these two are apart: the error stated is that distance.
+/// The rotating motion and its drift at the checkpoints in 113 bits. The witness comes from other equations by another method,
+/// or from a closed form; the error stated is three times the largest distance between the two.
 struct CertifiedReference {
   std::vector<DriftSample<float128>> samples;
   std::string source, witness;  ///< in words: what the samples come from, and what was held against them
@@ -70,8 +70,8 @@ struct BenchReport {
 /// precision.
 std::vector<Contender> standard_contenders(const Scenario& scenario);
 
-/// Integrates the scenario in 113 bits by extrapolation; the witness is the closed form where both motions have one, rkf78 in
-/// another observer's variables where not.
+/// Integrates the scenario in 113 bits by extrapolation of the general model; the witness is the closed form where both motions
+/// have one, rkf78 in another observer's variables where not, without the spin where the scene allows it.
 /// @param times_s  checkpoints, from 0   @throws std::runtime_error where an integration does not complete
 CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s, double tolerance);
 
