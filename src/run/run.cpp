@@ -21,25 +21,20 @@ std::atomic<bool> stop_asked = false;
 
 /// The second integration: in another observer's equations, of the same form, and by another method wherever one is affordable.
 /// Two runs of one method make the same error where output times, not the tolerance, cut their steps: their distance then says
-/// nothing. extrapolation stands against rkf78, ten times coarser, so that its error is the larger one; rkf78 against all
-/// others. Only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself, at
-/// a thousandth of the tolerance where the digits allow it.
+/// nothing. extrapolation stands against rkf78, rkf78 against all others; only in float128, where rkf78 would take ten times as
+/// long as both runs, does extrapolation stand against itself. The tolerance is a hundredth, so that the distance is the error
+/// of the rows; where the digits do not allow that ten times as large, so that it is more.
 IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision) {
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
   second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
   second.method = first.method == Method::rkf78 || precision == Precision::bits113 ? Method::extrapolation : Method::rkf78;
-  const double asked = first.relative_tolerance, coarser = std::min(10 * asked, 0.1);
-  const double finer = std::max(asked / 1000, least_tolerance(precision));
-  if (first.method == second.method)
-    second.relative_tolerance = finer < asked / 30 ? finer : coarser;
-  else if (first.method == Method::rkf78)
-    second.relative_tolerance = precision == Precision::bits53 ? coarser : asked;
-  else if (first.method == Method::abm8)
-    second.relative_tolerance = 1e-13;
-  else if (precision == Precision::bits53)
-    second.relative_tolerance = std::max(1e-13, std::min(0.1 * asked, 1e-10));
+  const double asked = first.relative_tolerance;
+  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);  // of doubles, round-off
+  const double finer = std::max(asked / 100, least);
+  second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
+  if (first.method == Method::abm8) second.relative_tolerance = least;
   return second;
 }
 

@@ -79,6 +79,41 @@ TEST(Observers, AgreeWithinTheirBounds) {
   }
 }
 
+// Output times that cut every step make the rows better than their tolerance, and two runs of one method equally wrong: the
+// bound has to hold all the same.
+TEST(Bounds, HoldWhereOutputTimesCutTheSteps) {
+  const auto cut = [](const char* name, double duration, double step, Method method, double tolerance) {
+    Scenario s = shipped(name);
+    s.duration_s = duration;
+    s.output_step_s = step;
+    s.numerics.method = method;
+    s.numerics.relative_tolerance = tolerance;
+    return s;
+  };
+  std::vector<Scenario> scenes{
+      cut("toy-top", 0.5, 0.02, Method::rkf78, 1e-3),       cut("toy-top", 0.5, 0.01, Method::rkf78, 1e-5),
+      cut("toy-top", 0.5, 0.005, Method::rkf78, 1e-9),      cut("foucault-pendulum", 20, 0.15, Method::automatic, 1e-9),
+      cut("cusped-top", 2, 0.015, Method::automatic, 1e-9), cut("toy-top", 0.2, 0.005, Method::extrapolation, 1e-6)};
+  scenes.push_back(scenes[1]);
+  scenes.back().numerics.form = ModelForm::general;
+  for (const Scenario& scene : scenes) {
+    SCOPED_TRACE(scene.name);
+    const RunResult result = run(scene);
+    ASSERT_EQ(result.status, RunStatus::completed);
+    const auto reference = testing::reference_run(scene, Observer::body);
+    const auto comparison = testing::compare(result, reference);
+    EXPECT_GE(comparison.least_margin, 1);
+    double attitude_error = 0;
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+      const std::array<double, 4>& q = result.rows[i].q_LB;
+      const Quaternion<float128> d = Quaternion<float128>{q[0], Vec3<float128>(q[1], q[2], q[3])}.conjugate() *
+                                     reference.samples[i].state.q_LB.normalized();
+      attitude_error = std::max(attitude_error, static_cast<double>(2 * norm(d.v)));
+    }
+    EXPECT_LE(attitude_error, result.attitude_bound_rad);
+  }
+}
+
 // drift / Omega tends to a limit and is the same at every tiny rate, down to 1e-300 rad/s.
 TEST(TinyRates, DriftOverOmegaIsOneNumber) {
   for (const testing::Equations& equations : testing::kEquations)
