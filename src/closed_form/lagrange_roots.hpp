@@ -10,6 +10,13 @@
 /// which lies in [u1, u2]; about u = 1 and about the zero of P, both in [u2, u3]. In each the root outside the interval is
 /// found first, by Newton's method from a side where it converges monotonically; what is left is a quadratic whose roots differ
 /// in sign. Multiples 2 mu u3 replace u3, which goes to infinity with mu -> 0.
+///
+/// Close to u = 1, at the critical spin (beta^2 = 4 mu) and near the steady rate the three roots nearly meet, and the cubic's
+/// coefficients are small differences of large terms. There they are taken from two numbers that vanish with them,
+///
+///   V = Omega - i beta conj(A) B,   slack = 4 mu - beta^2,   G = -2 Im(conj(V) conj(A) B) = c - beta (1 - u^2)/2
+///
+/// so that a rounding of either amounts to one of the start and all three expansions see the same start.
 #pragma once
 
 #include "closed_form/complex.hpp"
@@ -22,6 +29,9 @@ struct NutationData {
   T mu, beta;
   T u0, top, bottom;  ///< u, 1 - u and 1 + u, each to full relative accuracy
   T c0, rate0, P0;    ///< c, du/dt and P at u0
+  T slack;            ///< 4 mu - beta^2
+  T V2, G;            ///< |V|^2 and G
+  bool near_top;      ///< whether V and the slack say more than Omega and mu
 };
 
 /// @param A, B  halves of the unit quaternion, w + i z and x + i y   @param Omega  w1 + i w2
@@ -29,7 +39,8 @@ template <class T>
 NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T>& B, const Complex<T>& Omega) {
   const bool flipped = mu < T(0);
   const T up = flipped ? T(-1) : T(1);
-  const Complex<T> moment = conj(Omega) * (conj(A) * B);  // c - i du/dt = conj(Omega) Z, Z = 2 i conj(A) B: Up in body axes
+  const Complex<T> Z = conj(A) * B;
+  const Complex<T> moment = conj(Omega) * Z;  // c - i du/dt = 2 i conj(Omega) Z; 2 i Z: Up in body axes
   NutationData<T> d;
   d.mu = up * mu;
   d.beta = up * beta;
@@ -39,6 +50,15 @@ NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T
   d.top = T(2) * norm2(flipped ? A : B);
   d.bottom = T(2) * norm2(flipped ? B : A);
   d.u0 = d.top < d.bottom ? T(1) - d.top : d.bottom - T(1);
+
+  d.slack = -real::fma(d.beta, d.beta, T(-4) * d.mu);
+  const Complex<T> V = Omega + Complex<T>{d.beta * Z.im, -d.beta * Z.re};
+  const Complex<T> from_steady = conj(V) * Z;
+  d.V2 = norm2(V);
+  d.G = T(-2) * from_steady.im;
+  const T terms = d.V2 + d.top * (d.P0 + real::abs(d.slack));
+  d.near_top = d.top < T(0.125) && terms < real::abs(d.c0 * d.beta) + d.P0 + d.mu * d.top;
+  if (d.near_top) d.rate0 = up * T(-2) * from_steady.re;
   return d;
 }
 
@@ -105,12 +125,25 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
   NutationRoots<T> r;
   const T twice = T(2) * d.mu;
   const T f0 = d.rate0 * d.rate0;
-  const T f1 = T(2) * (d.c0 * d.beta - d.u0 * d.P0 - d.mu * d.top * d.bottom);
-  const T f2 = -(d.P0 - T(2) * twice * d.u0 + d.beta * d.beta);
+  T f1 = T(2) * (d.c0 * d.beta - d.u0 * d.P0 - d.mu * d.top * d.bottom);
+  T f2 = -(d.P0 - T(2) * twice * d.u0 + d.beta * d.beta);
   r.at_top = d.c0 - d.beta * d.top;
   r.at_bottom = d.c0 + d.beta * d.bottom;
   r.at_rest = twice * d.c0 - d.beta * d.P0;
   r.top_energy = d.P0 - twice * d.top;
+  T top_slope = r.top_energy - r.at_top * d.beta;  // -f'(1)/2
+  T rest_slope = r.top_energy * (d.P0 + twice * d.bottom) + T(2) * r.at_rest * d.beta;
+  if (d.near_top) {
+    const T beta2 = d.beta * d.beta, lean = d.slack * d.top, bend = beta2 * d.top * d.top;
+    f1 = T(2) * (d.top * d.P0 - d.V2) - lean * d.bottom / T(2);
+    f2 = d.slack - d.P0 - T(2) * twice * d.top;
+    r.at_top = d.G - d.beta * d.top * d.top / T(2);
+    r.at_rest = d.G * (twice - beta2) + d.beta * (lean * d.bottom / T(4) - d.V2);
+    top_slope = d.V2 - lean / T(2) + bend / T(4);
+    r.top_energy = d.V2 + d.beta * d.G - lean / T(2) - bend / T(4);
+    rest_slope = r.top_energy * r.top_energy + d.V2 * (d.slack - beta2) + T(2) * d.beta * d.G * d.slack +
+                 lean * (beta2 - twice) - bend * (d.slack / T(2) + d.mu);
+  }
 
   // y = 2 mu (u - u0): the monic cubic y^3 + f2 y^2 + 2 mu f1 y + 4 mu^2 f0. The value at the mean of its roots tells which
   // root stands apart; the bound with a double root is where Newton starts.
@@ -131,7 +164,7 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
 
   // About u = 1, in 2 mu (1 - u): the sum of the two roots left, and their product -2 mu at_top^2 / top1.
   const T top_product = ratio<T>(r.at_top * r.at_top, r.top1);
-  const T top_sum = ratio<T>(top_product - T(2) * (r.top_energy - r.at_top * d.beta), r.top1);
+  const T top_sum = ratio<T>(top_product - T(2) * top_slope, r.top1);
   const SplitRoots<T> top = split_roots<T>(top_sum, twice * top_product);
   r.top3 = top.below_size;
   r.top2 = top_sum > T(0) ? top.above / twice : ratio<T>(top_product, r.top3);
@@ -162,10 +195,9 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
   }
 
   // About the zero of P, in P itself.
-  const T bottom_energy = d.P0 + twice * d.bottom;  // P(-1)
   r.P1 = d.P0 - twice * r.s1;
   const T rest_product = ratio<T>(r.at_rest * r.at_rest, r.P1);
-  const T rest_sum = ratio<T>(r.top_energy * bottom_energy + T(2) * r.at_rest * d.beta + rest_product, r.P1);
+  const T rest_sum = ratio<T>(rest_slope + rest_product, r.P1);
   const SplitRoots<T> rest = split_roots<T>(rest_sum, rest_product);
   r.P2 = rest.above;
   r.P3 = rest.below_size;

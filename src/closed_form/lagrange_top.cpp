@@ -181,6 +181,12 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
     period_loss_ = T(8) * wide_eps * static_cast<T>(std::min(ratio<W>(roots.gap_terms, roots.gap), most));
     nome_loss_ = wide_eps / T(2) * static_cast<T>(roots.gap_terms / roots.span);
   }
+  if (data.near_top && roots.span > W(0)) {
+    near_top_time_ = static_cast<T>(W(1) / real::sqrt(roots.span));
+    near_top_rate_ = static_cast<T>(real::abs(beta));
+    near_top_loss_ = T(64) * wide_eps * static_cast<T>(real::sqrt(roots.top1 / W(2)));
+    near_top_rate_loss_ = near_top_rate_ * near_top_loss_ + T(64) * wide_eps * static_cast<T>(real::sqrt(roots.P1));
+  }
   const auto narrow = [](const Complex<W>& x) { return Complex<T>{static_cast<T>(x.re), static_cast<T>(x.im)}; };
   set_phases({narrow(A),
               narrow(B),
@@ -284,10 +290,17 @@ ClosedFormState<T> LagrangeTop<T>::at(T t) const {
                                             (T(2) * period_loss_ * real::abs(v.turns) + gap_lost + start_loss_) / v_rate_.high
                                       : T(0);
   const T across = real::hypot(Omega.re, Omega.im);
-  state.attitude_error = std::min(
-      attitude_floor_ + phase_loss_ * real::abs(t) + across * shift + gap_lost * real::sqrt(norm2(high)), real::pi<T>());
-  state.rate_error = rate_floor_ + across * (state.attitude_error + rate_turn_ + gap_lost) +
-                     gravity_ * T(2) * real::sqrt(norm2(A) * norm2(B)) * shift;
+  T set_up = across * shift + gap_lost * real::sqrt(norm2(high));
+  T set_up_rate = across * gap_lost + gravity_ * T(2) * real::sqrt(norm2(A) * norm2(B)) * shift;
+  // Next to the vertical that rounding is one of V and of the slack (lagrange_roots.hpp), which act by the first and second
+  // power of the time until the nutation has got under way.
+  if (real::abs(t) < near_top_time_) {
+    const T turn = T(1) + near_top_rate_ * real::abs(t);
+    set_up = std::min(set_up, near_top_loss_ * turn * turn);
+    set_up_rate = std::min(set_up_rate, near_top_rate_loss_ * turn * turn);
+  }
+  state.attitude_error = std::min(attitude_floor_ + phase_loss_ * real::abs(t) + set_up, real::pi<T>());
+  state.rate_error = rate_floor_ + across * (state.attitude_error + rate_turn_) + set_up_rate;
   return state;
 }
 

@@ -116,6 +116,29 @@ LagrangeCase nearly_upright(Engine& g, double f, double longest) {
 LagrangeCase nearly_sleeping(Engine& g) { return nearly_upright(g, uniform(g, 1.01, 5), 3); }
 LagrangeCase falling_sleeper(Engine& g) { return nearly_upright(g, uniform(g, 0.02, 0.99), 2.3); }
 LagrangeCase critical_sleeper(Engine& g) { return nearly_upright(g, 1 + either_sign(g, log_uniform(g, -16, -2)), 3); }
+/// Within 1e-18 ... 1e-6 of the vertical, at the critical spin and the one steady rate there, both more or less exactly: the
+/// three roots of the nutation's cubic nearly meet.
+LagrangeCase critical_upright(Engine& g) {
+  LagrangeCase c = body(g);
+  const double f = frequency(c), tilt = log_uniform(g, -18, -6);
+  const double w3 = critical_spin(c) * (1 + (g() % 4 == 0 ? 0 : either_sign(g, log_uniform(g, -16, -3))));
+  const bool backwards = g() & 1;
+  const double steady = (1 + (g() % 4 == 0 ? 0 : either_sign(g, log_uniform(g, -16, 0)))) * f;
+  start_anywhere(g, c, tilt, 0, backwards ? -steady : steady, backwards ? -w3 : w3);
+  if (g() % 3 == 0) {
+    const double rate = f * tilt * log_uniform(g, -16, 0);
+    c.w0_NB_B[0] += rate * uniform(g, -1, 1);
+    c.w0_NB_B[1] += rate * uniform(g, -1, 1);
+  }
+  c.t_s = either_sign(g, log_uniform(g, -3, 3)) / f;
+  if (g() & 1) {  // the same motion with body axes turned by pi about axis 1
+    c.top.mgl = -c.top.mgl;
+    c.q0_NB = c.q0_NB * Quaternion<double>{0, {1, 0, 0}};
+    c.w0_NB_B[1] = -c.w0_NB_B[1];
+    c.w0_NB_B[2] = -c.w0_NB_B[2];
+  }
+  return c;
+}
 LagrangeCase tiny_upright(Engine& g) {  // tilts and rates down to the least numbers
   LagrangeCase c = nearly_upright(g, log_uniform(g, -1, 1), 3);
   const double size = log_uniform(g, -290, -20);
@@ -293,6 +316,7 @@ const std::vector<LagrangeGenerator>& lagrange_generators() {
                                                      {"nearly sleeping", nearly_sleeping},
                                                      {"falling sleeper", falling_sleeper},
                                                      {"critical sleeper", critical_sleeper},
+                                                     {"critical upright", critical_upright},
                                                      {"tiny upright", tiny_upright},
                                                      {"homoclinic", homoclinic},
                                                      {"nearly homoclinic", nearly_homoclinic},

@@ -112,6 +112,45 @@ TEST(LagrangeTop, HomoclinicExcursionIsCrossed) {
   expect_truth(c, 1.2 * period, 200, 1e-19);
 }
 
+// At the critical spin and the steady rate close to the vertical the three roots of the nutation's cubic nearly meet.
+TEST(LagrangeTop, NearlyTripleRootAtTheVerticalKeepsEveryDigit) {
+  const auto expect_all_digits = [](const LagrangeCase& c) {
+    const ClosedFormState<float128> truth = integrated(c, float128(c.t_s), 4), exact = wide_state(c);
+    const ClosedFormState<double> state = LagrangeTop<double>(c.top, c.q0_NB, c.w0_NB_B).at(c.t_s);
+    EXPECT_LT(angle_between(exact.q_NB, truth.q_NB), 1e-27) << to_string(c);
+    const double error = angle_between(wide(state.q_NB), truth.q_NB);
+    EXPECT_LT(error, 1e-14) << to_string(c);
+    EXPECT_LE(error, state.attitude_error) << to_string(c);
+    EXPECT_LE(static_cast<double>(norm<float128>(wide(state.w_NB_B) - truth.w_NB_B)), state.rate_error) << to_string(c);
+  };
+  expect_all_digits({{1, 2, -1},
+                     {8.2355978759182184e-11, {0.47665940137264401, 0.87908805877629381, -8.7960948599263858e-11}},
+                     {2.2865114119905239e-10, 7.6139336034876532e-11, 1},
+                     -0.0042867068837704157});
+  expect_all_digits({{1, 1, -1},
+                     {1.0300569582712861e-12, {0.95389734677425575, 0.30013305685484776, 3.3856573658877891e-10}},
+                     {-6.452956073941744e-10, -2.0519467613644947e-10, 2},
+                     -0.0027586383992639291});
+  expect_all_digits({{1, 0.51241981057415942, -0.0015766119331020259},
+                     {-3.1483037846714128e-19, {0.12004836887211594, 0.9927680439715737, -6.1231530590762124e-17}},
+                     {5.5892495344399317e-19, 4.8304238443465529e-18, 0.15497672846078442},
+                     -0.036896982490313243});
+  expect_all_digits({{1, 1, 1},
+                     {0.8417081755272825, {6.3484690743819022e-18, -9.929522737384435e-18, 0.53993272474497545}},
+                     {2.3571013344861506e-17, -3.5431890047596744e-20, 2},
+                     0.0017233115085056885});
+  for (const LagrangeGenerator& generator : lagrange_generators()) {
+    if (generator.name != "critical upright") continue;
+    std::mt19937_64 engine(8);
+    for (int k = 0; k < 60; ++k) {
+      LagrangeCase c = generator.draw(engine);
+      while (c.top.I3 < 0.1 * c.top.I1) c = generator.draw(engine);
+      c.t_s = std::copysign(std::pow(10.0, -3 + 3.0 * k / 60) / std::sqrt(std::abs(c.top.mgl) / c.top.I1), c.t_s);
+      expect_all_digits(c);
+    }
+  }
+}
+
 // H9: 1/cos(tilt) = 1 + sech(g' t); round-off grows by exp(g' t), so the error statement is the tolerance.
 TEST(LagrangeTop, HomoclinicTopFollowsItsClosedForm) {
   using real::sqrt;

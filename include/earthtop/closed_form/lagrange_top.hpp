@@ -89,13 +89,16 @@ class LagrangeTop {
   T parameter_ = T(0), complementary_parameter_ = T(1);
   T gravity_ = T(0);  ///< |mgl|/I1
   // Error statement, see `at`.
-  T attitude_floor_ = T(0), rate_floor_ = T(0);  ///< rad, rad/s
-  T rate_turn_ = T(0);                           ///< error of Omega's phase (rad)
-  T phase_loss_ = T(0);                          ///< rad/s
-  T nutation_loss_ = T(0);                       ///< of v, per unit of v
-  T period_loss_ = T(0);                         ///< of v, per period
-  T nome_loss_ = T(0);                           ///< of the nome, on the separatrix
-  T start_loss_ = T(0);                          ///< of v at the start
+  T attitude_floor_ = T(0), rate_floor_ = T(0);         ///< rad, rad/s
+  T rate_turn_ = T(0);                                  ///< error of Omega's phase (rad)
+  T phase_loss_ = T(0);                                 ///< rad/s
+  T nutation_loss_ = T(0);                              ///< of v, per unit of v
+  T period_loss_ = T(0);                                ///< of v, per period
+  T nome_loss_ = T(0);                                  ///< of the nome, on the separatrix
+  T start_loss_ = T(0);                                 ///< of v at the start
+  T near_top_time_ = T(0);                              ///< s; 0 unless it starts next to the vertical near a steady rate
+  T near_top_rate_ = T(0);                              ///< beta (rad/s)
+  T near_top_loss_ = T(0), near_top_rate_loss_ = T(0);  ///< rad, rad/s
   LagrangeRegime regime_ = LagrangeRegime::at_rest;
 };
 
