@@ -52,10 +52,12 @@ class ReducedDriftSystem {
     store(spinless_frame_equation(top_, reference, load(x, 6), no_Earth), dxdt, 6);
 
     const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
-    Vec3<T> d = v, Dg = turned_back(g_L);
-    if constexpr (O == Observer::laboratory) {
-      d -= model_.W_IL_L_scaled + epsilon * turned_back(model_.W_IL_L_scaled);
-    } else {
+    const Vec3<T> d = [&]() -> Vec3<T> {
+      if constexpr (O == Observer::inertial) return v;
+      return v - (model_.W_IL_L_scaled + epsilon * turned_back(model_.W_IL_L_scaled));
+    }();
+    Vec3<T> Dg = turned_back(g_L);
+    if constexpr (O == Observer::inertial) {
       const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const Vec3<T> turned = turn_minus_one_scaled(turn.w, turn.v_scaled, epsilon, g_L);
       Dg += turned + epsilon * turned_back(turned);
