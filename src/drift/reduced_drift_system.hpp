@@ -53,7 +53,7 @@ class ReducedDriftSystem {
 
     const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
     const Vec3<T> d = [&]() -> Vec3<T> {
-      if constexpr (O == Observer::inertial) return v;
+      if constexpr (O == Observer::inertial) return Vec3<T>(v);
       return v - (model_.W_IL_L_scaled + epsilon * turned_back(model_.W_IL_L_scaled));
     }();
     Vec3<T> Dg = turned_back(g_L);
