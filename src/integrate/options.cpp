@@ -30,6 +30,12 @@ std::string_view to_string(Method method) {
     case Method::bulirsch_stoer: return "bulirsch_stoer";
     case Method::extrapolation: return "extrapolation";
     case Method::abm8: return "abm8";
+    case Method::taylor: return "taylor";
+    case Method::dop853: return "dop853";
+    case Method::gauss: return "gauss";
+    case Method::splitting: return "splitting";
+    case Method::long_horizon: return "long_horizon";
+    case Method::closed_form: return "closed_form";
   }
   return "unknown";
 }
@@ -50,9 +56,15 @@ bool is_built(Method method, Precision precision) {
     case Method::extrapolation: return true;
     case Method::bulirsch_stoer: return precision != Precision::bits113;
     case Method::dopri5:
-    case Method::abm8: break;
+    case Method::abm8: return precision == Precision::bits53;
+    case Method::taylor:
+    case Method::dop853:
+    case Method::gauss:
+    case Method::splitting:
+    case Method::long_horizon:
+    case Method::closed_form: break;
   }
-  return precision == Precision::bits53;
+  return false;
 }
 
 double least_tolerance(Precision precision) {

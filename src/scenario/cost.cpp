@@ -36,7 +36,13 @@ double radians_a_step(Method method, double tolerance) {
     case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
     case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
     case Method::automatic:
-    case Method::abm8: break;  // its step is given
+    case Method::abm8:  // its step is given
+    case Method::taylor:
+    case Method::dop853:
+    case Method::gauss:
+    case Method::splitting:
+    case Method::long_horizon:
+    case Method::closed_form: break;
   }
   return 0.04;
 }
@@ -49,7 +55,13 @@ double evaluations_a_step(Method method, double tolerance) {
     case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 60);
     case Method::abm8: return 1;
     case Method::rkf78:
-    case Method::automatic: break;
+    case Method::automatic:
+    case Method::taylor:
+    case Method::dop853:
+    case Method::gauss:
+    case Method::splitting:
+    case Method::long_horizon:
+    case Method::closed_form: break;
   }
   return 13;
 }

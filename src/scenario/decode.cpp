@@ -86,6 +86,10 @@ void check_cost(const Section& motion, const Scenario& scenario) {
   }
 }
 
+void check_method(const Section& numerics, const Scenario& scenario) {
+  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) numerics.refuse("method", *reason);
+}
+
 void decode(const Section& root, const std::string& file, Scenario& scenario) {
   decode_name(root, file, scenario);
   const bool gravity = decode_site(root, scenario);
@@ -100,6 +104,7 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   scenario.effects = {effects.flag("coriolis").value_or(true), effects.flag("centrifugal").value_or(true),
                       effects.flag("transverse").value_or(true)};
   decode_numerics(root.section("numerics"), scenario);
+  if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root.section("motion"), scenario);

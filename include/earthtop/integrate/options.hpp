@@ -15,7 +15,20 @@ enum class Precision { bits53, bits64, bits113 };
 
 /// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's) and extrapolation control their step,
 /// abm8 has a fixed one. Not all are built for every precision: see `is_built`.
-enum class Method { automatic, dopri5, rkf78, bulirsch_stoer, extrapolation, abm8 };
+enum class Method {
+  automatic,
+  dopri5,
+  rkf78,
+  bulirsch_stoer,
+  extrapolation,
+  abm8,
+  taylor,
+  dop853,
+  gauss,
+  splitting,
+  long_horizon,
+  closed_form
+};
 
 /// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
 /// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.

@@ -87,6 +87,10 @@ ScenarioReport examine_scenario(const ScenarioSource& source,
 /// The same for those who want a scenario or nothing. @throws ScenarioError with all errors
 Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
+/// Why a method does not fit a scene, and what to do; nothing where it does. A method that is made for some scenes only (a
+/// closed form, an exact flow) says so here, and nowhere else.
+std::optional<std::string> method_refusal(Method method, const Scenario& scenario);
+
 /// Angular frequencies of the motion (rad/s): a rough upper bound on free nutation, pendulum, spin, Earth and platform.
 double fastest_rate_rad_s(const Scenario& scenario);
 
