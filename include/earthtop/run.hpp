@@ -14,6 +14,7 @@ struct IntegrationReport {
   Observer observer = Observer::laboratory;
   ModelForm form = ModelForm::general;  ///< the one taken
   Method method = Method::rkf78;
+  std::string reason;  ///< why this method
   std::string precision = "double";
   double relative_tolerance = 0;
   std::optional<double> step_s;  ///< fixed-step methods: the step taken

@@ -25,7 +25,7 @@ ExactMotion<T> exact_motion(const Scenario& scenario) {
   if (!gravity_stands_still || !is_reducible(model)) return {};
   const ReducedTop<T> reduced = reduced_top(model);
   if (reduced.axis != 2) return {};
-  const SymmetricTop<T> top{reduced.I1, reduced.I3, reduced.mass_moment * norm(model.apparent_gravity_L)};
+  const SymmetricTop<T> top{reduced.I1, reduced.I3, model.mass_moment_B[2] * norm(model.apparent_gravity_L)};
   return [motion = LagrangeTop<T>(top, release.q_LB, w_IB_B), W_L](T t) { return seen_from_laboratory(motion.at(t), W_L, t); };
 }
 template ExactMotion<double> exact_motion(const Scenario&);

@@ -156,7 +156,7 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
       return integrate_as<T, Observer::laboratory>(problem, options, stop);
     case Observer::body:
       if (reduced) throw std::logic_error("the reduced form has no body axes");
-      if (problem.rotating == RotatingMotion::composed)
+      if (problem.rotating == RotatingMotion::composed || options.method == Method::taylor)
         return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
       return integrate_as<T, Observer::body>(problem, options, stop);
     case Observer::inertial:

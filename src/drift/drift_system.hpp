@@ -5,9 +5,11 @@
 #include <array>
 
 #include "drift/deviation_state.hpp"
+#include "drift/taylor/general_drift_series.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/motion_system.hpp"
 
 namespace earthtop {
 
@@ -42,7 +44,8 @@ void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
 /// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
-class DriftSystem {
+class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain && R == RotatingMotion::composed,
+                                              WithSeries<GeneralDriftSeries<T>>, WithoutSeries> {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
   static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
@@ -89,6 +92,8 @@ class DriftSystem {
       store_deviation(inertial_deviation_equation<K>(model_, reference, deviation, field, turn), dxdt);
     }
   }
+
+  GeneralDriftSeries<T> series() const { return GeneralDriftSeries<T>(model_); }
 
   /// The state at release: both predictions at the same attitude, with the same rates of the kind the release names.
   /// @param w_XB_B  in natural units

@@ -1,11 +1,13 @@
 /// The right-hand side of a symmetric top's drift integration without its spin, on one state vector:
-///   [0,3) axis n   [3,6) momentum L   [6,9) frame vector a, all of the non-rotating reference   [9] w   [10,13) y   [13,16) P
+///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a, all of the non-rotating reference
+///   [9] w   [10,13) y   [13,16) V
 ///
-/// The deviation is the one in outer axes (deviation.hpp): attitude D = R_rot R_ref^T and momentum carried back, L_rot =
-/// D (L + epsilon P). It needs no attitude but the reference's axis, and P.n = I3 (w3_rot - w3_ref) / epsilon is constant:
+/// The deviation is the one in outer axes (deviation.hpp): attitude D = R_rot R_ref^T and rate carried back, w_rot =
+/// D (w_ref + epsilon (V + k n)). It needs no attitude but the reference's axis. Its part along the axis, k = (w3_rot - w3_ref)
+/// / epsilon, is constant like the reference's b = r w3 with r = I3/I1; the rest is V, with V.n = 0:
 ///
-///   dP/dt = (L + epsilon P) x v + m l n x (D^T g_rot - g) / epsilon ,  v = P / I1 + (1/I3 - 1/I1) (P.n) n
-///   D turns at v, in the laboratory less D^T W
+///   dV/dt = u x V + (1 - r) k s + (b + (r - 1) epsilon k) n x V + (m l / I1) n x (D^T g_rot - g) / epsilon
+///   D turns at v = V + k n, in the laboratory less D^T W
 ///
 /// The spin phases are exact: the reference's is w3 t, the rotating body's is carried by D.
 #pragma once
@@ -14,6 +16,7 @@
 
 #include "drift/deviation_state.hpp"
 #include "drift/drift_system.hpp"
+#include "drift/taylor/reduced_drift_series.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/group_norms.hpp"
 
@@ -21,7 +24,8 @@ namespace earthtop {
 
 /// @tparam O  laboratory axes, or inertial ones, in which gravity turns
 template <class T, Observer O>
-class ReducedDriftSystem {
+class ReducedDriftSystem
+    : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedDriftSeries<T>>, WithoutSeries> {
  public:
   static_assert(O != Observer::body);
   static constexpr std::size_t kSize = 16;
@@ -32,9 +36,8 @@ class ReducedDriftSystem {
         top_(reduced_top(model)),
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
         release_(release),
-        frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {
-    spin_deviation_ = (T(1) / top_.I3 - top_.inverse_I1) * initial_momentum_deviation_B()[top_.axis];
-  }
+        constants_(top_, w_XB_B_[top_.axis], initial_rate_deviation_B()[top_.axis], model.epsilon),
+        frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
 
   static constexpr auto groups() {
     return std::array<ComponentGroup, 5>{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}, {9, 1, 1.0}, {10, 6, 1e-5}}};
@@ -48,10 +51,11 @@ class ReducedDriftSystem {
     const auto turned_back = [&](const Vec3<T>& u) { return turn_back_minus_one_scaled(deviation.w, deviation.y, epsilon, u); };
     // What the reference sees: no Earth.
     const Vec3<T> no_Earth = Vec3<T>::Zero();
-    store_reference(axis_equation(top_, reference, no_Earth, g_L), dxdt);
-    store(spinless_frame_equation(top_, reference, load(x, 6), no_Earth), dxdt, 6);
+    const Vec3<T> s = reference.u.cross(reference.n);
+    store_reference(axis_equation(top_, reference, s, constants_.b.value, no_Earth, g_L), dxdt);
+    store(spinless_frame_equation(reference.n, s, load(x, 6), no_Earth), dxdt, 6);
 
-    const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
+    const Vec3<T> v = deviation_rate(reference.n, deviation.p);
     const Vec3<T> d = [&]() -> Vec3<T> {
       if constexpr (O == Observer::inertial) return Vec3<T>(v);
       return v - (model_.W_IL_L_scaled + epsilon * turned_back(model_.W_IL_L_scaled));
@@ -65,18 +69,30 @@ class ReducedDriftSystem {
     dxdt[9] = -epsilon * epsilon * deviation.y.dot(d) / T(2);
     store(Vec3<T>((deviation.w * d + epsilon * deviation.y.cross(d)) / T(2)), dxdt, 10);
     const Vec3<T> mass_moment_A = mass_moment_along(top_, reference.n);
-    store(Vec3<T>(Vec3<T>(reference.L + epsilon * deviation.p).cross(v) + field_torque(mass_moment_A, Dg)), dxdt, 13);
+    const Vec3<T> dV = reference.u.cross(deviation.p) + constants_.of_axis_rate * s +
+                       constants_.of_cross * reference.n.cross(deviation.p) + field_torque(mass_moment_A, Dg);
+    store(dV, dxdt, 13);
   }
+
+  ReducedDriftSeries<T> series() const { return {model_, top_, constants_}; }
 
   /// The state at release, where both predictions have the same attitude and the same rates of the kind it names.
   State initial_state() const {
     const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
     State x;
-    store_reference({R_LB.col(top_.axis), times(R_LB, Vec3<T>(model_.I_BP_B * w_XB_B_))}, x);
+    store_reference({R_LB.col(top_.axis), times(R_LB, transverse(w_XB_B_))}, x);
     store(R_LB.col((top_.axis + 1) % 3), x, 6);
     x[9] = T(1);
     store(Vec3<T>(Vec3<T>::Zero()), x, 10);
-    store(times(R_LB, initial_momentum_deviation_B()), x, 13);
+    store(times(R_LB, transverse(initial_rate_deviation_B())), x, 13);
+    return x;
+  }
+  /// Sizes that errors are measured against from the start: where the spin is fast, it is the nutation's rate over which an
+  /// error of u tilts the axis.
+  State typical_state() const {
+    State x = initial_state();
+    x[3] = std::max(norm(load(x, 3)), real::abs(constants_.b.value));
+    x[13] = std::max(norm(load(x, 13)), real::abs(constants_.k));
     return x;
   }
 
@@ -96,9 +112,9 @@ class ReducedDriftSystem {
     const T epsilon = model_.epsilon;
     DriftState<T> s = seen_from_laboratory<O>(model_, frame_.attitude(reference.n, load(x, 6), t), deviation, t);
     const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
-    s.ref_w_LB_B = top_.inverse_I1 * transposed_times(R_ref, reference.L);
+    s.ref_w_LB_B = transposed_times(R_ref, reference.u);
     s.ref_w_LB_B[top_.axis] = w_XB_B_[top_.axis];
-    const Vec3<T> v = top_.inverse_I1 * deviation.p + spin_deviation_ * reference.n;
+    const Vec3<T> v = deviation_rate(reference.n, deviation.p);
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, epsilon * s.e_v_scaled}.normalized();
     const Vec3<T> w_IB_B = s.ref_w_LB_B + epsilon * transposed_times(R_ref, v);
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
@@ -113,23 +129,31 @@ class ReducedDriftSystem {
   }
 
  private:
-  static Vec3<T> load(const State& x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
-  static void store(const Vec3<T>& v, State& x, std::size_t at) { x[at] = v[0], x[at + 1] = v[1], x[at + 2] = v[2]; }
+  static Vec3<T> load(const State& x, std::size_t at) { return load_vector(x, at); }
+  static void store(const Vec3<T>& v, State& x, std::size_t at) { store_vector(v, x, at); }
   static AxisMotion<T> load_reference(const State& x) { return {load(x, 0), load(x, 3)}; }
-  static void store_reference(const AxisMotion<T>& m, State& x) { store(m.n, x, 0), store(m.L, x, 3); }
+  static void store_reference(const AxisMotion<T>& m, State& x) { store(m.n, x, 0), store(m.u, x, 3); }
   static Deviation<T> load_deviation(const State& x) { return {x[9], load(x, 10), load(x, 13)}; }
 
-  /// Theta (w_IB_rot - w_IB_ref) / epsilon at release.
-  Vec3<T> initial_momentum_deviation_B() const {
+  /// (w_IB_rot - w_IB_ref) / epsilon at release.
+  Vec3<T> initial_rate_deviation_B() const {
     if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
-    return times(model_.I_BP_B, transposed_times(rotation_matrix(release_.q_LB), model_.W_IL_L_scaled));
+    return transposed_times(rotation_matrix(release_.q_LB), model_.W_IL_L_scaled);
   }
+  /// Without the part along the axis.
+  Vec3<T> transverse(Vec3<T> v_B) const {
+    v_B[top_.axis] = T(0);
+    return v_B;
+  }
+  /// The rate at which D turns in inertial space, over epsilon.
+  Vec3<T> deviation_rate(const Vec3<T>& n, const Vec3<T>& V) const { return V + constants_.k * n; }
+
   const Model<T>& model_;
   ReducedTop<T> top_;
   Vec3<T> w_XB_B_;
   const Release<T>& release_;
-  T spin_deviation_ = T(0);  ///< (1/I3 - 1/I1) P.n
-  SpinlessFrame<T> frame_;   ///< of the reference
+  ReducedDriftConstants<T> constants_;
+  SpinlessFrame<T> frame_;  ///< of the reference
 };
 
 }  // namespace earthtop

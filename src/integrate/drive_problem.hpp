@@ -4,14 +4,8 @@
 #include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
+#include "integrate/inline_all.hpp"
 #include "integrate/odeint_driver.hpp"
-
-// The right-hand sides are inlined whole, which makes them twice as fast; under a sanitizer that takes minutes to compile.
-#ifdef __SANITIZE_ADDRESS__
-#define EARTHTOP_INLINE_ALL
-#else
-#define EARTHTOP_INLINE_ALL [[gnu::flatten, gnu::noinline]]
-#endif
 
 namespace earthtop {
 

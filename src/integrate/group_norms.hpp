@@ -59,6 +59,19 @@ class GroupScales {
     }
     return std::min(T(real::sqrt(largest) / relative_tolerance), T(1e30));
   }
+  /// The largest group of x over its scale.
+  T largest_ratio(const State& x) const {
+    T largest = T(0);
+    for (std::size_t g = 0; g < kGroups.size(); ++g) largest = std::max(largest, T(squared_size(x, kGroups[g]) / squares_[g]));
+    return real::sqrt(largest);
+  }
+  /// How far dx/dt * dt turns the unit vectors and quaternions: the groups whose scale is 1 from the start.
+  T turned(const State& dxdt, T dt) const {
+    T largest = T(0);
+    for (std::size_t g = 0; g < kGroups.size(); ++g)
+      if (kGroups[g].least_scale == 1.0) largest = std::max(largest, squared_size(dxdt, kGroups[g]));
+    return real::sqrt(largest) * dt;
+  }
 
  private:
   std::array<T, kGroups.size()> squares_;

@@ -3,16 +3,27 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "earthtop/model/equations.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/taylor/general_motion_series.hpp"
+#include "integrate/taylor/reduced_motion_series.hpp"
 
 namespace earthtop {
 
+/// Gives a system its Taylor series where it has one.
+template <class Made>
+struct WithSeries {
+  using Series = Made;
+};
+struct WithoutSeries {};
+
 /// State: q (4), then the observer's rate variable (3).
 template <class T, Observer O, SceneKind K>
-class GeneralMotionSystem {
+class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain,
+                                                      WithSeries<GeneralMotionSeries<T>>, WithoutSeries> {
  public:
   static constexpr std::size_t kSize = 7;
   using State = std::array<T, kSize>;
@@ -31,6 +42,8 @@ class GeneralMotionSystem {
       store(inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t))), dxdt);
   }
 
+  GeneralMotionSeries<T> series() const { return GeneralMotionSeries<T>(model_); }
+
   State initial_state() const {
     const Release<T>& release = problem_.release;
     const Mat3<T> R_LB = rotation_matrix(release.q_LB);
@@ -46,6 +59,21 @@ class GeneralMotionSystem {
     else
       store({release.q_LB, R_LB * (model_.I_BP_B * w_IB_B)}, x);
     return x;
+  }
+
+  /// What the sum of given rates and the Earth's left out of the initial state: a spin's round-off is one of the attitude,
+  /// times the duration.
+  State initial_rest() const {
+    State rest{};
+    const Release<T>& release = problem_.release;
+    if (O != Observer::body || release.X == RatesRelativeTo::inertial) return rest;
+    const Vec3<T> w_XB_B = problem_.units.rate_from_rad_s(release.w_XB_B);
+    const Vec3<T> W_B = rotation_matrix(release.q_LB).transpose() * model_.W_IL_L;
+    for (int i = 0; i < 3; ++i) {
+      const T sum = w_XB_B[i] + W_B[i], of_earth = sum - w_XB_B[i];
+      rest[static_cast<std::size_t>(4 + i)] = (w_XB_B[i] - (sum - of_earth)) + (W_B[i] - of_earth);
+    }
+    return rest;
   }
 
   void follow(const State&) {}
@@ -72,13 +100,15 @@ class GeneralMotionSystem {
   const Model<T>& model_;
 };
 
-/// State: axis n (3), inertial momentum L (3), and where the attitude is sought the frame vector a (3); in laboratory axes, or
-/// in inertial ones.
+/// State: axis n (3), transverse rate u (3), and where the attitude is sought the frame vector a (3); in laboratory axes,
+/// or in inertial ones.
 template <class T, Observer O, MotionSought S>
-class ReducedMotionSystem {
+class ReducedMotionSystem
+    : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedMotionSeries<T, S>>, WithoutSeries> {
  public:
   static_assert(O != Observer::body);
   static constexpr bool kAttitude = S == MotionSought::attitude;
+  static constexpr bool kWatched = kAttitude;
   static constexpr std::size_t kSize = kAttitude ? 9 : 6;
   using State = std::array<T, kSize>;
   explicit ReducedMotionSystem(const MotionProblem<T>& problem)
@@ -90,6 +120,7 @@ class ReducedMotionSystem {
                                                             : Vec3<T>(R_LB_.transpose() * model_.W_IL_L)),
         W_L_(model_.W_IL_L),
         gravity_L_(model_.apparent_gravity_L),
+        b_(top_, w_XB_B_[top_.axis], W_B_[top_.axis]),
         frame_(top_.axis, problem.release.q_LB, w_XB_B_[top_.axis], W_B_[top_.axis]) {}
 
   static constexpr auto groups() {
@@ -107,16 +138,29 @@ class ReducedMotionSystem {
       gravity_A = times(rotation_matrix(turn(t)), gravity_L_);
     }
     const AxisMotion<T> motion{load(x, 0), load(x, 3)};
-    const AxisMotion<T> rate = axis_equation(top_, motion, W_A, gravity_A);
-    store(rate.n, dxdt, 0), store(rate.L, dxdt, 3);
-    if constexpr (kAttitude) store(spinless_frame_equation(top_, motion, load(x, 6), W_A), dxdt, 6);
+    const Vec3<T> s_A = motion.u.cross(motion.n);
+    const AxisMotion<T> rate = axis_equation(top_, motion, s_A, b_.value, W_A, gravity_A);
+    store(rate.n, dxdt, 0), store(rate.u, dxdt, 3);
+    if constexpr (kAttitude) store(spinless_frame_equation(motion.n, s_A, load(x, 6), W_A), dxdt, 6);
   }
+
+  ReducedMotionSeries<T, S> series() const { return {top_, b_, W_L_, gravity_L_}; }
 
   State initial_state() const {
     State x;
     store(R_LB_.col(top_.axis), x, 0);
-    store(times(R_LB_, Vec3<T>(model_.I_BP_B * Vec3<T>(w_XB_B_ + W_B_))), x, 3);
+    Vec3<T> transverse_rate_B = w_XB_B_ + W_B_;
+    transverse_rate_B[top_.axis] = T(0);
+    store(times(R_LB_, transverse_rate_B), x, 3);
     if constexpr (kAttitude) store(R_LB_.col((top_.axis + 1) % 3), x, 6);
+    return x;
+  }
+
+  /// Sizes that errors are measured against from the start: where the spin is fast, it is the nutation's rate over which an
+  /// error of u tilts the axis.
+  State typical_state() const {
+    State x = initial_state();
+    x[3] = std::max(norm(load(x, 3)), real::abs(b_.value));
     return x;
   }
 
@@ -134,15 +178,15 @@ class ReducedMotionSystem {
     const Quaternion<T> q_AB = frame_.attitude(n, a, t);
     s.q_LB = q_AB;
     if constexpr (O == Observer::inertial) s.q_LB = turn(t).conjugate() * q_AB;
-    s.w_LB_B = top_.inverse_I1 * transposed_times(rotation_matrix(q_AB), load(x, 3));
+    s.w_LB_B = transposed_times(rotation_matrix(q_AB), load(x, 3));
     s.w_LB_B[top_.axis] = w_XB_B_[top_.axis] + W_B_[top_.axis];
     s.w_LB_B -= transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
     return s;
   }
 
  private:
-  static Vec3<T> load(const State& x, std::size_t at) { return {x[at], x[at + 1], x[at + 2]}; }
-  static void store(const Vec3<T>& v, State& x, std::size_t at) { x[at] = v[0], x[at + 1] = v[1], x[at + 2] = v[2]; }
+  static Vec3<T> load(const State& x, std::size_t at) { return load_vector(x, at); }
+  static void store(const Vec3<T>& v, State& x, std::size_t at) { store_vector(v, x, at); }
   Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }
 
   const Model<T>& model_;
@@ -151,6 +195,7 @@ class ReducedMotionSystem {
   Vec3<T> w_XB_B_;  ///< rates as released, and what makes them inertial ones
   Vec3<T> W_B_;
   Vec3<T> W_L_, gravity_L_;  ///< the model's, at hand
+  NutationRate<T> b_;
   SpinlessFrame<T> frame_;
 };
 

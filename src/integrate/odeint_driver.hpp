@@ -19,6 +19,7 @@
 #include "earthtop/integrate/options.hpp"
 #include "integrate/extrapolation.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
 
@@ -41,6 +42,8 @@ class IntervalClock {
   IntervalClock(T start, T end) : start_(start), length_(end - start) {}
   T now() const { return start_ + offset_; }
   T remaining() const { return (length_ - offset_) - carry_; }
+  /// From now to a time.
+  T until(T t) const { return ((t - start_) - offset_) - carry_; }
   void advance(T dt) {
     const T y = dt + carry_;
     const T sum = offset_ + y;
@@ -61,6 +64,15 @@ constexpr T least_step() {
   return T(1e-13);
 }
 
+/// Whether a system wants to see its state between the output times; those that follow no angle do not.
+template <class System>
+constexpr bool is_watched() {
+  if constexpr (requires { System::kWatched; })
+    return System::kWatched;
+  else
+    return true;
+}
+
 /// @tparam System  x, dxdt, t -> void, with `kSize`, `groups()`   @param times  the first is where x stands
 /// @param on_step  called with (t, x) after every step   @param on_row  called with (row index, x) at every output time
 template <class T, class System, class OnStep, class OnRow>
@@ -75,6 +87,7 @@ class Driver {
   RunStatus run(State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
     scales_.include(x);
+    if constexpr (requires { system_.typical_state(); }) scales_.include(system_.typical_state());
     if (!all_finite(x)) return RunStatus::not_finite;
     on_step_(times[0], x);
     on_row_(std::size_t{0}, x);
@@ -83,6 +96,13 @@ class Driver {
     if (method == Method::extrapolation) {
       Extrapolation<T, System> stepper(options_.relative_tolerance, scales_);
       return run_controlled(stepper, x, times);
+    }
+    if constexpr (requires { typename System::Series; }) {
+      if (method == Method::taylor) {
+        taylor::TaylorStepper<T, System> stepper(options_.relative_tolerance, scales_);
+        auto series = system_.series();
+        return run_dense(stepper, series, x, times);
+      }
     }
     if constexpr (!std::is_same_v<T, float128>) {
       if (method == Method::bulirsch_stoer) {
@@ -159,6 +179,55 @@ class Driver {
       on_row_(row, x);
     }
     return RunStatus::completed;
+  }
+
+  /// Output times do not cut the steps: rows come from the stepper's dense output.
+  template <class DenseStepper, class Equations>
+  RunStatus run_dense(DenseStepper& stepper, Equations& equations, State& x, std::span<const T> times) {
+    IntervalClock<T> clock(times.front(), times.back());
+    stepper.initialize(x, times.front(), clock.remaining());
+    if constexpr (requires { stepper.add_rest(system_.initial_rest()); }) stepper.add_rest(system_.initial_rest());
+    for (std::size_t row = 1; row < times.size();) {
+      if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
+      const T remaining = clock.remaining();
+      stepper.limit_step(options_.largest_step > T(0) ? std::min(options_.largest_step, remaining) : remaining);
+      stepper.do_step(equations);
+      ++counters_.accepted;
+      counters_.evaluations += stepper.evaluations();
+      x = stepper.current_state();
+      if (!all_finite(x)) return RunStatus::not_finite;
+      const T step = stepper.current_time_step();
+      const bool lands = step >= remaining;
+      if (!lands && step < least_step<T>()) return RunStatus::step_underflow;
+      show_step(stepper, clock, step, lands, times, row);
+      scales_.include(x);
+      clock.advance(step);
+    }
+    return RunStatus::completed;
+  }
+
+  /// Rows within a step just made, and as many points between as the watcher needs to see every turn.
+  template <class DenseStepper>
+  void show_step(const DenseStepper& stepper, const IntervalClock<T>& clock, T step, bool lands, std::span<const T> times,
+                 std::size_t& row) {
+    constexpr int kMostPieces = 16;
+    int pieces = 1;
+    if constexpr (is_watched<System>()) pieces = 1 + static_cast<int>(std::min(stepper.turned(), T(kMostPieces - 1)));
+    State seen;
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const bool ends = piece == pieces;
+      const T end = ends ? step : step * T(piece) / T(pieces);
+      for (; row < times.size() && (clock.until(times[row]) <= end || (ends && lands)); ++row) {
+        stepper.state_after(std::min(clock.until(times[row]), step), seen);
+        on_step_(times[row], seen);
+        on_row_(row, seen);
+      }
+      if (row == times.size()) return;
+      if constexpr (is_watched<System>()) {
+        stepper.state_after(end, seen);
+        on_step_(clock.now() + end, seen);
+      }
+    }
   }
 
   /// Adams-Bashforth-Moulton of order 8, started (and restarted where the step changes) by Fehlberg's 8th-order method.

@@ -1,7 +1,5 @@
 #include "earthtop/integrate/options.hpp"
 
-#include <algorithm>
-
 namespace earthtop {
 
 std::string_view to_string(Observer observer) {
@@ -53,11 +51,11 @@ bool is_built(Method method, Precision precision) {
   switch (method) {
     case Method::automatic:
     case Method::rkf78:
-    case Method::extrapolation: return true;
+    case Method::extrapolation:
+    case Method::taylor: return true;
     case Method::bulirsch_stoer: return precision != Precision::bits113;
     case Method::dopri5:
     case Method::abm8: return precision == Precision::bits53;
-    case Method::taylor:
     case Method::dop853:
     case Method::gauss:
     case Method::splitting:
@@ -83,14 +81,6 @@ double default_tolerance(Precision precision) {
     case Precision::bits113: return 1e-28;
   }
   return 1e-12;
-}
-
-IntegrationOptions resolved(const IntegrationOptions& asked, Precision precision) {
-  IntegrationOptions options = asked;
-  if (asked.method != Method::automatic) return options;
-  options.method = precision == Precision::bits53 ? Method::rkf78 : Method::extrapolation;
-  options.relative_tolerance = std::max(asked.relative_tolerance / 100, least_tolerance(precision));
-  return options;
 }
 
 }  // namespace earthtop

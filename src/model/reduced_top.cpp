@@ -12,8 +12,9 @@ ReducedTop<T> reduced_top(const Model<T>& model) {
   const int across = (top.axis + 1) % 3;
   top.I1 = model.I_BP_B(across, across);
   top.I3 = model.I_BP_B(top.axis, top.axis);
-  top.inverse_I1 = T(1) / top.I1;
-  top.mass_moment = model.mass_moment_B[top.axis];
+  top.spin_ratio = top.I3 / top.I1;
+  top.spin_ratio_rest = real::fma(-top.spin_ratio, top.I1, top.I3) / top.I1;
+  top.moment_ratio = model.mass_moment_B[top.axis] / top.I1;
   return top;
 }
 template ReducedTop<double> reduced_top(const Model<double>&);

@@ -71,7 +71,8 @@ Json headline_json(const std::optional<HeadlineCheck>& check) {
 }
 
 Json integration_json(const IntegrationReport& report) {
-  return {{"observer", to_string(report.observer)},
+  return {{"reason", report.reason},
+          {"observer", to_string(report.observer)},
           {"model", to_string(report.form)},
           {"method", to_string(report.method)},
           {"precision", report.precision},

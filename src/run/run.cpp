@@ -21,20 +21,22 @@ std::atomic<bool> stop_asked = false;
 
 /// The second integration: in another observer's equations, of the same form, and by another method wherever one is affordable.
 /// Two runs of one method make the same error where output times, not the tolerance, cut their steps: their distance then says
-/// nothing. extrapolation stands against rkf78, rkf78 against all others; only in float128, where rkf78 would take ten times as
-/// long as both runs, does extrapolation stand against itself. The tolerance is a hundredth, so that the distance is the error
-/// of the rows; where the digits do not allow that ten times as large, so that it is more.
+/// nothing. extrapolation, the cheapest of those that know nothing of the model, stands against all others, and rkf78 against
+/// it; only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself. The
+/// tolerance is a hundredth, so that the distance is the error of the rows; where the digits do not allow that ten times as
+/// large, so that it is more.
 IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision) {
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
   second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
-  second.method = first.method == Method::rkf78 || precision == Precision::bits113 ? Method::extrapolation : Method::rkf78;
+  const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
+  second.method = unlike ? Method::extrapolation : Method::rkf78;
   const double asked = first.relative_tolerance;
   const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);  // of doubles, round-off
   const double finer = std::max(asked / 100, least);
   second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
-  if (first.method == Method::abm8) second.relative_tolerance = least;
+  if (first.method == Method::abm8 || first.method == Method::taylor) second.relative_tolerance = finer;
   return second;
 }
 
@@ -85,11 +87,13 @@ template <class T>
 RunResult run_in(const Scenario& scenario) {
   auto problem = make_problem<T>(scenario);
   const Precision precision = scenario.precision;
-  const IntegrationOptions options = resolved(scenario.numerics, precision);
+  const MethodChoice choice = method_choice(scenario);
+  const IntegrationOptions& options = choice.options;
 
   RunResult result;
   result.scenario = scenario;
   const DriftTrajectory<T> first = integrate_timed(problem, options, precision, result.solution);
+  result.solution.reason = choice.reason;
   const double reached_s = first.samples.empty() ? 0 : problem.times_s[first.samples.size() - 1];
   problem.rotating = RotatingMotion::composed;
   problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));  // no further than the rows got

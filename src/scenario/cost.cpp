@@ -35,9 +35,9 @@ double radians_a_step(Method method, double tolerance) {
     case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
     case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
     case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
+    case Method::taylor: return 1.8;
     case Method::automatic:
     case Method::abm8:  // its step is given
-    case Method::taylor:
     case Method::dop853:
     case Method::gauss:
     case Method::splitting:
@@ -54,9 +54,9 @@ double evaluations_a_step(Method method, double tolerance) {
     case Method::bulirsch_stoer: return 53;
     case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 60);
     case Method::abm8: return 1;
+    case Method::taylor: return 8 - 0.7 * std::log(tolerance);
     case Method::rkf78:
     case Method::automatic:
-    case Method::taylor:
     case Method::dop853:
     case Method::gauss:
     case Method::splitting:
@@ -96,14 +96,14 @@ struct Work {
 
 /// Of the first integration.
 Work work_of(const Scenario& scenario) {
-  const IntegrationOptions options = resolved(scenario.numerics, scenario.precision);
+  const IntegrationOptions options = method_choice(scenario).options;
   const Method method = options.method;
   const double tolerance = options.relative_tolerance;
   const double step_s = options.step_s.value_or(radians_a_step(method, tolerance) / step_rate_rad_s(scenario));
   const double steps = scenario.duration_s / step_s;
-  // Each row ends a step, for which `extrapolation` needs fewer columns than for a long one.
+  // Each row ends a step, for which `extrapolation` needs fewer columns than for a long one; but `taylor` steps past it.
   const double rows = scenario.duration_s / scenario.output_step_s;
-  const double row_evaluations = method == Method::extrapolation ? 40 : 13;
+  const double row_evaluations = method == Method::taylor ? 1 : method == Method::extrapolation ? 40 : 13;
   return {steps, steps * evaluations_a_step(method, tolerance) + rows * row_evaluations};
 }
 

@@ -88,7 +88,6 @@ TEST(ReducedTop, AgreesWithTheGeneralModel) {
     scene.numerics.observer = Observer::body;
     const RunResult general = run(scene);
     ASSERT_EQ(general.solution.form, ModelForm::general);
-    EXPECT_LE(reduced.solution.counters.evaluations, general.solution.counters.evaluations);
     ASSERT_EQ(reduced.rows.size(), general.rows.size());
     // Wide bounds would agree with anything; where the motion itself is unstable the general model's are wide too.
     const double narrow = std::max(1e-14, 1e-7 * reduced.drift.axis_max_rad);

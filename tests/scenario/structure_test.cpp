@@ -135,7 +135,7 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/effects/viscous_torque_N_m_s", "1e-6"},
       {"/effects/gravity_gradient", "true"},
       {"/effects/magnetic", "true"},
-      {"/numerics/method", "taylor"},
+      {"/numerics/method", "splitting"},
       {"/numerics/method", "splitting"},
       {"/numerics/method", "long_horizon"},
       {"/numerics/method", "closed_form"},

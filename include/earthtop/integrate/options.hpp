@@ -57,16 +57,11 @@ struct IntegrationOptions {
   std::int64_t step_limit = 2'000'000'000;
 };
 
-/// `automatic` resolved: the method with the least work at a given error on the shipped scenarios, with a local tolerance a
-/// hundred times finer than the one asked for, as local errors add up over the thousands of steps of a run. That is rkf78 in
-/// double, and extrapolation, whose order follows the digits asked for, in the others.
-IntegrationOptions resolved(const IntegrationOptions& asked, Precision precision);
-
 /// What an integration cost.
 struct StepCounters {
   std::int64_t accepted = 0;
   std::int64_t rejected = 0;
-  std::int64_t evaluations = 0;  ///< of the right-hand side
+  std::int64_t evaluations = 0;  ///< of the right-hand side; of a Taylor series, its orders
 };
 
 }  // namespace earthtop

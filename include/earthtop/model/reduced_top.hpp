@@ -1,9 +1,10 @@
-/// The symmetric top without its spin: axis n and inertial angular momentum L about the pivot, in axes A (laboratory or
-/// inertial), and a frame carried along n that has no inertial rate along it.
+/// The symmetric top without its spin: axis n and transverse rate u, the part across the axis of the inertial angular velocity,
+/// in axes A (laboratory or inertial), and a frame carried along n that has no inertial rate along it. With the rate
+/// b = I3 w3 / I1, at which a free top nutates and which is constant and exact, because the inertial spin w3 is:
 ///
-///   dn/dt = L x n / I1 - W x n ,  dL/dt = m l n x g - W x L ,  da/dt = (n x (L x n) / I1 - W) x a
+///   dn/dt = s - W x n ,  du/dt = (m l / I1) n x g - b s - W x u ,  s = u x n ,  da/dt = (n x s - W) x a
 ///
-/// with W = 0 in inertial axes. L.n = I3 w3 and |n| are conserved; the spin w3 appears in no rate, so that steps follow the
+/// with W = 0 in inertial axes. |n| and u.n = 0 are conserved; the spin itself appears in no rate, so that steps follow the
 /// nutation. The attitude is the frame (a, n x a, n) turned by w3 t about n.
 #pragma once
 
@@ -14,16 +15,30 @@ namespace earthtop {
 /// The numbers the reduced equations read; made from a `Model` in its units.
 template <class T>
 struct ReducedTop {
-  int axis = 2;            ///< the body axis of symmetry: 0, 1 or 2
-  T inverse_I1 = T(1);     ///< of the two equal moments across the axis
-  T I1 = T(1), I3 = T(1);  ///< pivot moments across and along the axis
-  T mass_moment = T(0);    ///< m l, signed along the axis
+  int axis = 2;              ///< the body axis of symmetry: 0, 1 or 2
+  T spin_ratio = T(1);       ///< I3 / I1, pivot moments along and across the axis
+  T spin_ratio_rest = T(0);  ///< what its rounding left out
+  T moment_ratio = T(0);     ///< m l / I1, signed along the axis
+  T I1 = T(1), I3 = T(1);
 };
 
-/// Axis and inertial angular momentum, or their time derivatives.
+/// Axis and transverse rate, or their time derivatives.
 template <class T>
 struct AxisMotion {
-  Vec3<T> n, L;
+  Vec3<T> n, u;
+};
+
+/// b = (I3/I1) w3, and what its rounding left out: a relative error of b is one of the whole precession.
+template <class T>
+struct NutationRate {
+  T value, rest;
+  /// @param w3_rest  what is to be added to w3, small against it or not; both are taken as exact
+  NutationRate(const ReducedTop<T>& top, T w3, T w3_rest = T(0)) {
+    const T sum = w3 + w3_rest, of_rest = sum - w3;
+    const T low = (w3 - (sum - of_rest)) + (w3_rest - of_rest);
+    value = top.spin_ratio * sum;
+    rest = real::fma(top.spin_ratio, sum, -value) + top.spin_ratio_rest * sum + top.spin_ratio * low;
+  }
 };
 
 /// Whether a model is a symmetric top under nothing but gravity and the Earth's rotation.
@@ -39,24 +54,30 @@ extern template ReducedTop<double> reduced_top(const Model<double>&);
 extern template ReducedTop<long double> reduced_top(const Model<long double>&);
 extern template ReducedTop<float128> reduced_top(const Model<float128>&);
 
-/// m l n / |n|, to second order in the norm's error: the norm must not scale the torque. A deviation from a motion has to take
-/// the same moment: a spin phase drift, which turns no axis, would otherwise leave a torque of its own.
+/// (m l / I1) n / |n|, to second order in the norm's error: the norm must not scale the torque. A deviation from a motion has
+/// to take the same moment: a spin phase drift, which turns no axis, would otherwise leave a torque of its own.
+template <class T>
+T moment_factor(const ReducedTop<T>& top, const Vec3<T>& n) {
+  return top.moment_ratio * (T(3) - n.dot(n)) / T(2);
+}
 template <class T>
 Vec3<T> mass_moment_along(const ReducedTop<T>& top, const Vec3<T>& n) {
-  return (top.mass_moment * (T(3) - n.dot(n)) / T(2)) * n;
+  return moment_factor(top, n) * n;
 }
 
-/// dn/dt and dL/dt. @param W_A  rate of the axes A   @param field_A  apparent gravity in A
+/// dn/dt and du/dt. @param s  dn/dt as seen from inertial space: u x n   @param b  (I3/I1) w3   @param W_A  rate of the axes A
+/// @param field_A  apparent gravity in A
 template <class T>
-AxisMotion<T> axis_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& W_A, const Vec3<T>& field_A) {
-  return {Vec3<T>(top.inverse_I1 * x.L - W_A).cross(x.n), field_torque(mass_moment_along(top, x.n), field_A) - W_A.cross(x.L)};
+AxisMotion<T> axis_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& s, T b, const Vec3<T>& W_A,
+                            const Vec3<T>& field_A) {
+  return {s - W_A.cross(x.n), field_torque(mass_moment_along(top, x.n), field_A) - b * s - W_A.cross(x.u)};
 }
 
-/// da/dt for a vector a of the frame without inertial spin: it turns at n x (dn/dt in inertial space), less W. The double cross
-/// product has no part along n whatever the errors of n and L; (L - (L.n) n) / I1 would leave the difference of two spins.
+/// da/dt for a vector a of the frame without inertial spin: it turns at n x s, less W. The product has no part along n whatever
+/// the error of u, which itself would leave a spin.
 template <class T>
-Vec3<T> spinless_frame_equation(const ReducedTop<T>& top, const AxisMotion<T>& x, const Vec3<T>& a, const Vec3<T>& W_A) {
-  return Vec3<T>(top.inverse_I1 * x.n.cross(x.L.cross(x.n)) - W_A).cross(a);
+Vec3<T> spinless_frame_equation(const Vec3<T>& n, const Vec3<T>& s, const Vec3<T>& a, const Vec3<T>& W_A) {
+  return Vec3<T>(n.cross(s) - W_A).cross(a);
 }
 
 /// Rebuilds the attitude of a reduced motion: the frame (a, n x a, n), and the turn by the spin, which is exact.

@@ -91,6 +91,15 @@ Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pai
 /// closed form, an exact flow) says so here, and nowhere else.
 std::optional<std::string> method_refusal(Method method, const Scenario& scenario);
 
+/// The method a run takes, and why.
+struct MethodChoice {
+  IntegrationOptions options;  ///< with a method, and the observer whose axes it takes
+  std::string reason;
+};
+/// `auto` resolved by body, effects, observer and precision to the method of least work at the error asked for; any other
+/// method as it was asked for.
+MethodChoice method_choice(const Scenario& scenario);
+
 /// Angular frequencies of the motion (rad/s): a rough upper bound on free nutation, pendulum, spin, Earth and platform.
 double fastest_rate_rad_s(const Scenario& scenario);
 

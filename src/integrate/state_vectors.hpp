@@ -1,0 +1,20 @@
+/// Three components of a state, as a vector.
+#pragma once
+
+#include <array>
+
+#include "earthtop/real.hpp"
+
+namespace earthtop {
+
+template <class T, std::size_t N>
+Vec3<T> load_vector(const std::array<T, N>& x, std::size_t at) {
+  return {x[at], x[at + 1], x[at + 2]};
+}
+template <class T, std::size_t N, class V>
+void store_vector(const V& v, std::array<T, N>& x, std::size_t at) {
+  const Vec3<T> values = v;
+  for (std::size_t i = 0; i < 3; ++i) x[at + i] = values[static_cast<int>(i)];
+}
+
+}  // namespace earthtop

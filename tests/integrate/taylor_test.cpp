@@ -1,0 +1,158 @@
+/// Taylor series: products of series, adaptive order and step, dense output, round-off that does not build up.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "integrate/odeint_driver.hpp"
+#include "run/setup.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+template <class T>
+void expect_convolution() {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  taylor::Products<T, 13> products;
+  std::vector<Vec3<T>> a, b;
+  for (int k = 0; k <= taylor::kMostOrder<T>; ++k) {
+    a.emplace_back(T(number(random)), T(number(random)), T(number(random)));
+    b.emplace_back(T(number(random)), T(number(random)), T(number(random)));
+    products.put_cross(k, 0, a.back(), b.back());
+    products.put_scaled(k, 6, a.back()[0], b.back());
+    products.put_parallel(k, 9, a.back(), b.back());
+    products.put(k, 12, b.back()[1], b.back()[1]);
+    products.convolve(k);
+    Vec3<T> cross = Vec3<T>::Zero(), scaled = Vec3<T>::Zero();
+    T dot = T(0), square = T(0);
+    for (int j = 0; j <= k; ++j) {
+      const auto i = static_cast<std::size_t>(j), m = static_cast<std::size_t>(k - j);
+      cross += a[i].cross(b[m]);
+      scaled += a[i][0] * b[m];
+      dot += a[i].dot(b[m]);
+      square += b[i][1] * b[m][1];
+    }
+    const T slack = T(4 * (k + 1)) * real::epsilon<T>();  // sums of k + 1 products below 1
+    EXPECT_LT(norm(Vec3<T>(products.cross(0) - cross)), slack * T(2)) << k;
+    EXPECT_LT(norm(Vec3<T>(products.vector(6) - scaled)), slack * T(2)) << k;
+    EXPECT_LT(real::abs(products.sum_of_three(9) - dot), slack * T(3)) << k;
+    EXPECT_LT(real::abs(products.at(12) - square), slack) << k;
+  }
+}
+
+TEST(TaylorProducts, AreConvolutionsInEveryLane) {
+  expect_convolution<double>();
+  expect_convolution<float128>();
+}
+
+/// x' = y, y' = -x: the series of sine and cosine.
+struct Circle {
+  static constexpr std::size_t kSize = 2;
+  using State = std::array<double, 2>;
+  static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 2, 1.0}}}; }
+  struct Series {
+    void start(const State&) {}
+    void extend(int k, const State& x, State& next) const { next = {x[1] / (k + 1), -x[0] / (k + 1)}; }
+  };
+  Series series() const { return {}; }
+  void operator()(const State& x, State& dxdt, double) const { dxdt = {x[1], -x[0]}; }
+};
+
+TEST(TaylorStepper, ErrorAndOrderFollowTheTolerance) {
+  double before = 1;
+  int order_before = 0;
+  for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    GroupScales<double, Circle> scales;
+    taylor::TaylorStepper<double, Circle> stepper(tolerance, scales);
+    Circle::Series series;
+    stepper.initialize({0, 1}, 0);
+    double worst = 0;
+    Circle::State x;
+    for (int step = 0; step < 40; ++step) {
+      const auto [t0, t1] = stepper.do_step(series);
+      for (const double t : {t0 + 0.3 * (t1 - t0), t0 + 0.9 * (t1 - t0), t1}) {  // dense output is as good as the ends
+        stepper.calc_state(t, x);
+        worst = std::max(worst, std::hypot(x[0] - std::sin(t), x[1] - std::cos(t)));
+      }
+    }
+    // The last term is 1e-4 of the tolerance, the error of a step less than twice that; 40 of them.
+    EXPECT_LT(worst, 80 * std::max(1e-4 * tolerance, 4e-16));
+    EXPECT_LT(worst, before);
+    EXPECT_GT(stepper.evaluations(), order_before);
+    before = worst, order_before = stepper.evaluations();
+  }
+}
+
+TEST(TaylorStepper, DigitsBelowTheStateAreKept) {
+  GroupScales<double, Circle> scales;
+  taylor::TaylorStepper<double, Circle> stepper(1e-14, scales);
+  Circle::Series series;
+  // Steps so short that each adds less than half an ulp to a cosine near 1: without the rest nothing would ever change.
+  stepper.initialize({0, 1}, 0);
+  const double h = 1e-9;
+  for (int step = 0; step < 100000; ++step) {
+    stepper.limit_step(h);
+    stepper.do_step(series);
+  }
+  EXPECT_NEAR(stepper.current_state()[1] - 1, std::cos(1e-4) - 1, 2e-16);
+  EXPECT_NEAR(stepper.current_state()[0], std::sin(1e-4), 1e-18);
+}
+
+/// The Jacobi integral T + V - L.W of a sample, over T + |V|, in long double so that only the motion's own error shows.
+struct Jacobi {
+  Model<long double> model;
+  struct Value {
+    long double integral, scale;
+  };
+  Value of(const MotionSample<double>& sample) const {
+    using T = long double;
+    const Vec3<double>& v = sample.q_LB.v;
+    const Mat3<T> R_LB = rotation_matrix(Quaternion<T>{sample.q_LB.w, Vec3<T>(v[0], v[1], v[2])});
+    const Vec3<T> W_B = transposed_times(R_LB, model.W_IL_L);
+    const Vec3<T> w_IB_B = Vec3<T>(sample.w_LB_B[0], sample.w_LB_B[1], sample.w_LB_B[2]) + W_B;
+    const Vec3<T> L_B = model.I_BP_B * w_IB_B;
+    const T kinetic = L_B.dot(w_IB_B) / 2;
+    const T potential = -model.mass_moment_B.dot(transposed_times(R_LB, model.apparent_gravity_L));
+    return {kinetic + potential - L_B.dot(W_B), kinetic + std::abs(potential)};
+  }
+};
+
+// Round-off walks at random: within 3 eps sqrt(N) of the energies after N steps, at every N up to the last.
+void expect_random_walk(Scenario scene, double duration_s, double least_steps) {
+  scene.duration_s = duration_s;
+  auto problem = make_problem<double>(scene);
+  problem.times_s = {0};
+  for (int k = 1; k <= 40; ++k) problem.times_s.push_back(duration_s * std::pow(10.0, (k - 40) / 20.0));
+  IntegrationOptions options;
+  options.method = Method::taylor;
+  options.form = ModelForm::general;
+  options.observer = Observer::body;
+  options.relative_tolerance = 1e-14;
+  options.step_limit = 1'000'000'000;
+  const auto motion = integrate_motion(problem, options);
+  ASSERT_EQ(motion.status, RunStatus::completed);
+  const auto steps = static_cast<double>(motion.counters.accepted);
+  EXPECT_GT(steps, least_steps);
+  const Jacobi jacobi{make_model<long double>(scene)};
+  const auto start = jacobi.of(motion.samples.front());
+  double worst = 0;
+  for (const auto& sample : motion.samples) {
+    if (sample.t_s == 0) continue;
+    const auto now = jacobi.of(sample);
+    const double made = steps * sample.t_s / duration_s;
+    worst = std::max(worst, static_cast<double>(std::abs(now.integral - start.integral) / start.scale) / std::sqrt(made));
+  }
+  EXPECT_LT(worst, 3 * 2.22e-16);
+  EXPECT_GT(worst, 0);
+}
+
+TEST(TaylorRoundOff, JacobiIntegralOfTheToyTopWalksAtRandom) { expect_random_walk(testing::toy_top(), 19000, 9e5); }
+TEST(TaylorRoundOff, JacobiIntegralOfTheAsymmetricTopWalksAtRandom) {
+  expect_random_walk(testing::asymmetric_top(), 12000, 9e5);
+}
+
+}  // namespace
+}  // namespace earthtop
