@@ -43,7 +43,7 @@ void note(const Trajectory& trajectory, Racer& racer) {
 template <class T>
 void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, Racer& racer) {
   if (contender.workload == Workload::closed_form) {
-    const ExactMotion<T> motion = exact_motion<T>(scenario);
+    const ExactLaboratoryMotion<T> motion = exact_laboratory_motion<T>(scenario);
     if (!motion) throw std::invalid_argument("bench: this scene has no closed form");
     for (const double t : times_s) racer.checkpoints.push_back(checkpoint_of(motion(T(t))));
     racer.counters.evaluations = static_cast<std::int64_t>(times_s.size());

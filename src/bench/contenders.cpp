@@ -59,7 +59,7 @@ std::vector<Contender> standard_contenders(const Scenario& scenario) {
           contenders.push_back({workload, options, Precision::bits53});
         }
     }
-  if (exact_motion<double>(scenario)) contenders.push_back({Workload::closed_form, {}, Precision::bits53});
+  if (exact_laboratory_motion<double>(scenario)) contenders.push_back({Workload::closed_form, {}, Precision::bits53});
   return contenders;
 }
 

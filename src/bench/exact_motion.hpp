@@ -10,14 +10,14 @@ namespace earthtop {
 
 /// The motion in the laboratory at a time (s).
 template <class T>
-using ExactMotion = std::function<LaboratoryState<T>(T)>;
+using ExactLaboratoryMotion = std::function<LaboratoryState<T>(T)>;
 
-/// The rotating motion of a scenario: of a body without torque anywhere, and of a symmetric top (about body axis 3) on an Earth
-/// that stands still or at one of its poles. Empty for all others, on platforms and with switched-off effects.
+/// The rotating motion of a scenario: of a body without torque anywhere, and of a symmetric top on an Earth that stands still or
+/// at one of its poles. Empty for all others, on platforms and with switched-off effects.
 template <class T>
-ExactMotion<T> exact_motion(const Scenario& scenario);
-extern template ExactMotion<double> exact_motion(const Scenario&);
-extern template ExactMotion<long double> exact_motion(const Scenario&);
-extern template ExactMotion<float128> exact_motion(const Scenario&);
+ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario);
+extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scenario&);
+extern template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scenario&);
+extern template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scenario&);
 
 }  // namespace earthtop

@@ -35,7 +35,7 @@ std::vector<Checkpoint> checkpoints_of(const std::vector<DriftSample<float128>>&
 std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::vector<double>& times_s) {
   Scenario still = scenario;
   still.rotation_rate_rad_s = 0;  // same attitude, same rates of the kind that the release names
-  const auto rotating = exact_motion<float128>(scenario), reference = exact_motion<float128>(still);
+  const auto rotating = exact_laboratory_motion<float128>(scenario), reference = exact_laboratory_motion<float128>(still);
   if (!rotating || !reference) return {};
   std::vector<Checkpoint> checkpoints;
   for (const double t : times_s) {

@@ -4,33 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drift/closed_form_drift.hpp"
 #include "drift/drift_system.hpp"
 #include "drift/reduced_drift_system.hpp"
+#include "drift/release_rates.hpp"
+#include "drift/turn_counter.hpp"
 
 namespace earthtop {
 namespace {
-
-/// Counts how often an angle, given as its sine and cosine times a positive number, goes round.
-template <class T>
-class TurnCounter {
- public:
-  /// Each step less than half a turn: the straight line between the two points crosses the cut, the negative cosine axis, or
-  /// does not.
-  void follow(T sine, T cosine) {
-    const bool was_below = sine_ < T(0), is_below = sine < T(0);
-    if (was_below != is_below) {
-      const T crossing = cosine_ * sine - cosine * sine_;  // where the line meets the cosine axis, times (sine - sine_)
-      if (is_below ? crossing > T(0) : crossing < T(0)) turns_ += is_below ? 1 : -1;
-    }
-    sine_ = sine, cosine_ = cosine;
-  }
-  /// What to add to the angle between -pi and pi (rad).
-  T offset() const { return static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
-
- private:
-  T sine_ = T(0), cosine_ = T(1);
-  long turns_ = 0;
-};
 
 /// Sees every step: keeps the angles continuous, and notes when the axis drift first passes the threshold.
 template <class T, class System>
@@ -80,17 +61,6 @@ class StepWatcher {
   T axis_before_ = T(0), t_before_s_ = T(0);
   std::optional<double> threshold_time_s_;
 };
-
-/// The rates at release as they are given, not as they come back from an angular momentum.
-template <class T>
-void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
-  const Release<T>& release = problem.release;
-  state.ref_w_LB_B = release.w_XB_B;
-  state.w_LB_B = release.w_XB_B;
-  if (release.X == RatesRelativeTo::inertial)
-    for (int i = 0; i < 3; ++i)
-      state.w_LB_B[i] -= problem.units.rate_to_rad_s(transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L)[i]);
-}
 
 template <class T, class System>
 DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
@@ -149,6 +119,7 @@ DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const Integ
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
                                    const std::atomic<bool>* stop) {
+  if (options.method == Method::closed_form) return closed_form_drift(problem, options, stop);
   const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
     case Observer::laboratory:

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "integrate/closed_form_motion.hpp"
 #include "integrate/motion_system.hpp"
 
 namespace earthtop {
@@ -52,6 +53,7 @@ MotionTrajectory<T> integrate_reduced_motion(const MotionProblem<T>& problem, co
 template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, MotionSought sought,
                                      const std::atomic<bool>* stop) {
+  if (options.method == Method::closed_form) return closed_form_motion(problem, options, stop);
   const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
     case Observer::laboratory:

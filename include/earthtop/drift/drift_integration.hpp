@@ -65,6 +65,9 @@ struct DriftSample {
   DriftMeasures<T> measures;
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
+  // What the method itself states of its errors, for the scene as given; 0 where it states nothing (rad).
+  T attitude_error = T(0);  ///< bound on that of both attitudes
+  T drift_error = T(0);     ///< bound on that of the drift
 };
 
 /// Where the rotating motion of a sample comes from: integrated in its own state, or composed from the reference and the

@@ -1,0 +1,87 @@
+/// Which models have their whole motion in closed form, and that motion in inertial axes: the free body and the heavy
+/// symmetric top, one interface over both.
+#pragma once
+
+#include <variant>
+
+#include "earthtop/closed_form/free_body.hpp"
+#include "earthtop/closed_form/lagrange_top.hpp"
+#include "earthtop/model/reduced_top.hpp"
+
+namespace earthtop {
+
+/// The closed form that a model has, or why it has none.
+enum class ExactKind {
+  free_body,       ///< no torque: anywhere, any body
+  symmetric_top,   ///< symmetric, its centre of mass on the axis, in a gravity that stands still in space
+  not_plain,       ///< none: a platform, or one of the non-inertial torques left out
+  not_symmetric,   ///< none: gravity acts on a body that is no symmetric top
+  turning_gravity  ///< none: away from the poles the Earth turns gravity
+};
+template <class T>
+ExactKind exact_kind(const Model<T>& model);
+extern template ExactKind exact_kind(const Model<double>&);
+extern template ExactKind exact_kind(const Model<long double>&);
+extern template ExactKind exact_kind(const Model<float128>&);
+constexpr bool has_closed_form(ExactKind kind) { return kind == ExactKind::free_body || kind == ExactKind::symmetric_top; }
+
+/// What of a model the motion depends on, in the model's units.
+template <class T>
+struct ExactBody {
+  ExactKind kind = ExactKind::free_body;
+  Mat3<T> I_BP_B;          ///< inertia about the pivot
+  Mat3<T> I_BP_B_inverse;  ///< its inverse
+  int axis = -1;           ///< the body axis of symmetry, -1 if there is none
+  SymmetricTop<T> top;     ///< of a symmetric top
+
+  /// The same numbers in another scalar.
+  template <class To>
+  ExactBody<To> as() const {
+    ExactBody<To> body;
+    body.kind = kind;
+    body.axis = axis;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        body.I_BP_B(i, j) = static_cast<To>(I_BP_B(i, j));
+        body.I_BP_B_inverse(i, j) = static_cast<To>(I_BP_B_inverse(i, j));
+      }
+    body.top = {static_cast<To>(top.I1), static_cast<To>(top.I3), static_cast<To>(top.mgl)};
+    return body;
+  }
+};
+/// @throws std::logic_error for a model without a closed form.
+template <class T>
+ExactBody<T> exact_body(const Model<T>& model);
+extern template ExactBody<double> exact_body(const Model<double>&);
+extern template ExactBody<long double> exact_body(const Model<long double>&);
+extern template ExactBody<float128> exact_body(const Model<float128>&);
+
+/// The motion in the axes N that the laboratory has at t = 0 and that do not turn. On the Earth of any rate the laboratory
+/// sees it by `seen_from_laboratory` (special_cases.hpp), if the *inertial* rate at the start is given here.
+template <class T>
+class ExactMotion {
+ public:
+  /// @param q0_NB  attitude at t = 0   @param w0_IB_B  inertial rate at t = 0, in the units of the body
+  ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB, const Vec3<T>& w0_IB_B);
+
+  ClosedFormState<T> at(T t) const;
+
+  /// The attitude without the spin about body axis 3 where that is the axis of symmetry, as it is otherwise: what has to be
+  /// followed to know a quaternion's sign.
+  Quaternion<T> despun(const Quaternion<T>& q_NB, T t) const;
+  /// Bound on the rate at which `despun` and body axis 3 turn.
+  T turn_rate() const { return turn_rate_; }
+
+ private:
+  std::variant<FreeBody<T>, LagrangeTop<T>> motion_;
+  Quaternion<T> q_BP_;  ///< P the axes in which axis 3 is the one of symmetry
+  int axis_;
+  T spin_ = T(0);  ///< about body axis 3, of a top that is symmetric about it
+  T turn_rate_ = T(0);
+};
+
+extern template class ExactMotion<double>;
+extern template class ExactMotion<long double>;
+extern template class ExactMotion<float128>;
+
+}  // namespace earthtop

@@ -1,0 +1,183 @@
+#include "drift/closed_form_drift.hpp"
+
+#include <optional>
+
+#include "drift/deviation_state.hpp"
+#include "drift/rate_change.hpp"
+#include "drift/release_rates.hpp"
+#include "drift/turn_counter.hpp"
+#include "integrate/closed_form_motion.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The two motions and their deviation at any time from the release on, in natural units.
+template <class T>
+class ExactPair {
+ public:
+  using W = RateChange::W;
+
+  ExactPair(const DriftProblem<T>& problem, const std::vector<T>& times)
+      : problem_(problem),
+        body_(exact_body(problem.model)),
+        w0_ref_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
+        w0_rot_B_(inertial_release_rate(problem)),
+        reference_(body_, problem.release.q_LB, w0_ref_B_),
+        followed_reference_(follow(w0_ref_B_)) {
+    const bool one_motion = problem.release.X == RatesRelativeTo::inertial || problem.model.W_IL_L == Vec3<T>::Zero();
+    if (one_motion) return;
+    rotating_.emplace(body_, problem.release.q_LB, w0_rot_B_);
+    followed_rotating_.emplace(follow(w0_rot_B_));
+    if (times.size() < 2) return;
+    const Vec3<W> W_scaled = converted<W>(problem.model.W_IL_L_scaled);
+    const Quaternion<W> q0 = converted<W>(problem.release.q_LB);
+    const W size = norm(W_scaled);
+    rate_scaled_ = size;
+    change_.emplace(body_.template as<W>(), q0, converted<W>(w0_ref_B_),
+                    Vec3<W>(transposed_times(rotation_matrix(q0), W_scaled) / size), W(problem.model.epsilon) * size,
+                    W(times[1]));
+  }
+
+  /// Goes on to t, in steps of at most `longest_step`.
+  void advance(double t) {
+    followed_reference_.advance(t);
+    if (followed_rotating_) followed_rotating_->advance(t);
+  }
+  /// A radian of both motions and of the laboratory.
+  double longest_step() const {
+    const double of_rotating = followed_rotating_ ? followed_rotating_->turn_rate() : 0;
+    return 1 / (followed_reference_.turn_rate() + of_rotating + static_cast<double>(norm(problem_.model.W_IL_L)));
+  }
+
+  /// The deviation at the time followed to, roughly: from attitudes in double.
+  DriftState<double> followed_state(double t) const {
+    Model<double> model;
+    model.epsilon = static_cast<double>(problem_.model.epsilon);
+    model.W_IL_L_scaled = converted<double>(problem_.model.W_IL_L_scaled);
+    Deviation<double> deviation;
+    if (followed_rotating_) {
+      const Quaternion<double> d = followed_rotating_->attitude() * followed_reference_.attitude().conjugate();
+      deviation.w = d.w;
+      deviation.y = d.v / model.epsilon;
+    }
+    return seen_from_laboratory<Observer::inertial>(model, followed_reference_.attitude(), deviation, t);
+  }
+
+  /// The state at t; `t_s` is left to the caller, rates are in natural units. Away from the time followed to only angles
+  /// between axes are right, not the signs of quaternions.
+  DriftState<T> state(T t) {
+    const Model<T>& model = problem_.model;
+    const ClosedFormState<T> ref = reference_.at(t);
+    attitude_error_ = ref.attitude_error;
+    relative_error_ = T(0);
+    Deviation<T> deviation;
+    Vec3<T> w_IB_B = ref.w_NB_B;
+    if (rotating_) {
+      const ClosedFormState<T> rot = rotating_->at(t);
+      w_IB_B = rot.w_NB_B;
+      attitude_error_ = std::max(attitude_error_, rot.attitude_error);
+      if (change_ && t > T(0)) {
+        const RateChange::Value change =
+            change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
+        deviation.w = static_cast<T>(change.w);
+        deviation.y = converted<T>(Vec3<W>(rate_scaled_ * change.v_over_lambda));
+        relative_error_ = static_cast<T>(change.relative_error);
+      }
+    }
+    DriftState<T> s = seen_from_laboratory<Observer::inertial>(
+        model, with_sign_of(followed_reference_.attitude(), ref.q_NB), deviation, t);
+    s.ref_w_LB_B = ref.w_NB_B;
+    s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, s.epsilon * s.e_v_scaled}.normalized();
+    s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);
+    return s;
+  }
+  /// Of the last state: the attitudes' error, and that of the drift, which the reference's attitude turns, the rate's change
+  /// scales, and the rounding of the laboratory's turn shifts.
+  T attitude_error(T t) const { return attitude_error_ + turn_error(t); }
+  T drift_error(T t, T attitude_drift) const {
+    return (T(2) * attitude_error_ + relative_error_) * attitude_drift + turn_error(t);
+  }
+
+ private:
+  FollowedMotion follow(const Vec3<T>& w0_B) const {
+    return {body_.template as<double>(), converted<double>(problem_.release.q_LB), converted<double>(w0_B)};
+  }
+  T turn_error(T t) const { return T(4) * real::epsilon<T>() * norm(problem_.model.W_IL_L) * t; }
+
+  const DriftProblem<T>& problem_;
+  ExactBody<T> body_;
+  Vec3<T> w0_ref_B_, w0_rot_B_;
+  ExactMotion<T> reference_;
+  std::optional<ExactMotion<T>> rotating_;  ///< none where both are one motion in inertial space
+  FollowedMotion followed_reference_;
+  std::optional<FollowedMotion> followed_rotating_;
+  std::optional<RateChange> change_;
+  W rate_scaled_ = W(0);  ///< the Earth's rate over epsilon
+  T attitude_error_ = T(0), relative_error_ = T(0);
+};
+
+/// When the axis drift passes the threshold between two times, to the last digits of a double.
+template <class T>
+double passing_time(ExactPair<T>& pair, const NaturalUnits& units, T threshold, T below, T above) {
+  while (above - below > T(8) * T(real::epsilon<double>()) * above) {
+    const T middle = below + (above - below) / T(2);
+    (measure_drift(pair.state(middle)).axis < threshold ? below : above) = middle;
+  }
+  return static_cast<double>(real::scale(above, units.time_exponent));
+}
+
+}  // namespace
+
+template <class T>
+DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                     const std::atomic<bool>* stop) {
+  const std::vector<T> times = natural_times(problem);
+  const std::vector<double> seen(times.begin(), times.end());
+  ExactPair<T> pair(problem, times);
+  TurnCounter<double> half_spin, azimuth;
+  DriftTrajectory<T> trajectory;
+  trajectory.samples.reserve(times.size());
+  T below = T(0);
+  const auto visit = [&](double t, std::int64_t row) {
+    ++trajectory.counters.accepted;
+    ++trajectory.counters.evaluations;
+    pair.advance(t);
+    const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
+    const bool watched = problem.threshold_rad && !trajectory.threshold_time_s;
+    std::optional<DriftState<T>> state;
+    if (row >= 0 || watched) state = pair.state(exact_t);
+    const auto follow = [&](const auto& phases) {
+      half_spin.follow(static_cast<double>(phases.half_spin_sine), static_cast<double>(phases.half_spin_cosine));
+      if (phases.azimuth_defined)
+        azimuth.follow(static_cast<double>(phases.azimuth_sine), static_cast<double>(phases.azimuth_cosine));
+    };
+    if (!state) return follow(drift_phases(pair.followed_state(t)));
+    follow(drift_phases(*state));
+    const DriftMeasures<T> measures = measure_drift(*state);
+    if (row >= 0) {
+      DriftSample<T> sample{*state, measures};
+      sample.spin = T(2) * (measures.half_spin + T(half_spin.offset()));
+      sample.azimuth = measures.azimuth + T(azimuth.offset());
+      sample.attitude_error = pair.attitude_error(exact_t);
+      sample.drift_error = pair.drift_error(exact_t, measures.attitude);
+      sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
+      for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
+        for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);
+      if (row == 0) set_release_rates(problem, sample.state);
+      trajectory.samples.push_back(sample);
+    }
+    if (watched && measures.axis >= T(*problem.threshold_rad))
+      trajectory.threshold_time_s = passing_time(pair, problem.units, T(*problem.threshold_rad), below, exact_t);
+    below = exact_t;
+  };
+  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, stop, visit);
+  return trajectory;
+}
+template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&,
+                                                   const std::atomic<bool>*);
+template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
+                                                        const std::atomic<bool>*);
+template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&,
+                                                     const std::atomic<bool>*);
+
+}  // namespace earthtop

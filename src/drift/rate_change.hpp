@@ -1,0 +1,94 @@
+/// What a small change of the rate at release makes of an exact motion, without cancellation however small the change.
+#pragma once
+
+#include <memory>
+
+#include "closed_form/followed_motion.hpp"
+#include "closed_form/wider.hpp"
+
+namespace earthtop {
+
+/// d = q_rot q_ref^* of two motions of one body that start at the same attitude, the rotating one with w0 + lambda u, u a unit
+/// vector.
+///
+/// Closed forms in 113 bits leave room for one subtraction: where both motions differ by 1e-9 rad, twenty digits of the
+/// difference are left. Where they differ by less, so do those of motions with larger changes +-a, and d/lambda is taken from
+/// these: d is analytic in lambda, d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ] to second order, and
+/// with a so small that |d(+-a)| <= 1e-9 the next order is 1e-18 of it. The reach of a shrinks as d grows with the time, so times
+/// must not decrease.
+class RateChange {
+ public:
+  using W = float128;
+  struct Value {
+    W w = W(1);
+    Vec3<W> v_over_lambda = Vec3<W>::Zero();
+    W relative_error = W(0);  ///< of v_over_lambda: of the closed forms as they state it, and of the next order
+  };
+
+  /// @param lambda  not 0   @param first_time  the first one asked for, above 0
+  RateChange(const ExactBody<W>& body, const Quaternion<W>& q0_NB, const Vec3<W>& w0_B, const Vec3<W>& u_B, W lambda,
+             W first_time)
+      : body_(body), q0_NB_(q0_NB), w0_B_(w0_B), u_B_(u_B), lambda_(lambda), reference_(body, q0_NB, w0_B) {
+    reach_to(W(kLargest) / first_time);
+  }
+
+  /// @param near_ref, near_rot  the two attitudes roughly, with their signs
+  Value at(W t, const Quaternion<double>& near_ref, const Quaternion<double>& near_rot) {
+    const ClosedFormState<W> ref = reference_.at(t);
+    while (!is_direct()) {
+      const ClosedFormState<W> plus = plus_->at(t), minus = minus_->at(t);
+      const Vec3<W> d_plus = difference(plus, ref).v, d_minus = difference(minus, ref).v;
+      const W size = std::max(norm(d_plus), norm(d_minus));
+      if (size <= W(kLargest)) {
+        Value value;
+        const Vec3<W> odd = (d_plus - d_minus) / W(2), even = (d_plus + d_minus) / W(2);
+        value.v_over_lambda = (odd + (lambda_ / a_) * even) / a_;
+        const W v = lambda_ * norm(value.v_over_lambda);
+        value.w = real::sqrt((W(1) - v) * (W(1) + v));
+        const W stated = std::max(plus.attitude_error, minus.attitude_error) + ref.attitude_error;
+        value.relative_error = ratio(stated, norm(odd)) + size * size + start_rounding(a_);
+        return value;
+      }
+      reach_to(a_ / W(kShrink));
+    }
+    const ClosedFormState<W> rot = plus_->at(t);
+    Quaternion<W> d = with_sign_of(near_rot, rot.q_NB) * with_sign_of(near_ref, ref.q_NB).conjugate();
+    const W size = real::hypot(d.w, norm(d.v));
+    return {d.w / size, d.v / (size * lambda_),
+            ratio(rot.attitude_error + ref.attitude_error, norm(d.v)) + start_rounding(lambda_)};
+  }
+
+ private:
+  static constexpr double kLargest = 1e-9;
+  static constexpr double kShrink = 1e4;
+
+  /// The change itself is as large as what would stand in for it.
+  bool is_direct() const { return a_ <= W(4) * real::abs(lambda_); }
+  void reach_to(W a) {
+    a_ = a;
+    if (is_direct()) {
+      plus_ = std::make_unique<ExactMotion<W>>(body_, q0_NB_, Vec3<W>(w0_B_ + lambda_ * u_B_));
+      minus_.reset();
+    } else {
+      plus_ = std::make_unique<ExactMotion<W>>(body_, q0_NB_, Vec3<W>(w0_B_ + a_ * u_B_));
+      minus_ = std::make_unique<ExactMotion<W>>(body_, q0_NB_, Vec3<W>(w0_B_ - a_ * u_B_));
+    }
+  }
+  /// q q_ref^*, of the sign with w > 0.
+  static Quaternion<W> difference(const ClosedFormState<W>& x, const ClosedFormState<W>& ref) {
+    const Quaternion<W> d = x.q_NB * ref.q_NB.conjugate();
+    return d.w < W(0) ? Quaternion<W>{-d.w, -d.v} : d;
+  }
+  /// The changed rate is rounded, which changes the change.
+  W start_rounding(W change) const { return real::epsilon<W>() * norm(w0_B_) / real::abs(change); }
+  static W ratio(W error, W size) { return size > W(0) ? error / size : error > W(0) ? W(1) : W(0); }
+
+  ExactBody<W> body_;
+  Quaternion<W> q0_NB_;
+  Vec3<W> w0_B_, u_B_;
+  W lambda_, a_ = W(0);
+  ExactMotion<W> reference_;
+  std::unique_ptr<ExactMotion<W>> plus_, minus_;
+};
+
+}  // namespace earthtop

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "earthtop/drift/drift_integration.hpp"
+
+namespace earthtop {
+
+/// The rates at release as they are given, not as they come back from an angular momentum.
+template <class T>
+void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
+  const Release<T>& release = problem.release;
+  state.ref_w_LB_B = release.w_XB_B;
+  state.w_LB_B = release.w_XB_B;
+  if (release.X == RatesRelativeTo::inertial)
+    for (int i = 0; i < 3; ++i)
+      state.w_LB_B[i] -= problem.units.rate_to_rad_s(transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L)[i]);
+}
+
+}  // namespace earthtop
