@@ -16,8 +16,8 @@ struct IntegrationReport {
   Method method = Method::rkf78;
   std::string reason;  ///< why this method
   std::string precision = "double";
-  double relative_tolerance = 0;
-  std::optional<double> step_s;  ///< fixed-step methods: the step taken
+  double relative_tolerance = 0;  ///< 0 of a closed form
+  std::optional<double> step_s;   ///< fixed-step methods: the step taken
   StepCounters counters;
   double seconds = 0;  ///< wall time
 };

@@ -12,8 +12,8 @@ namespace earthtop {
 template <class T>
 using ExactLaboratoryMotion = std::function<LaboratoryState<T>(T)>;
 
-/// The rotating motion of a scenario: of a body without torque anywhere, and of a symmetric top on an Earth that stands still or
-/// at one of its poles. Empty for all others, on platforms and with switched-off effects.
+/// The rotating motion of a scenario: of a body without torque anywhere, and of a symmetric top on an Earth that stands still
+/// or at one of its poles. Empty for all others, on platforms and with switched-off effects.
 template <class T>
 ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario);
 extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scenario&);

@@ -31,7 +31,7 @@ ExactBody<T> exact_body(const Model<T>& model) {
   }
   const ReducedTop<T> top = reduced_top(model);
   body.axis = top.axis;
-  body.top = {top.I1, top.I3, top.mass_moment * norm(model.apparent_gravity_L)};
+  body.top = {top.I1, top.I3, model.mass_moment_B[top.axis] * norm(model.apparent_gravity_L)};
   return body;
 }
 template ExactBody<double> exact_body(const Model<double>&);
@@ -53,8 +53,7 @@ std::variant<FreeBody<T>, LagrangeTop<T>> make_motion(const ExactBody<T>& body, 
                                                       const Vec3<T>& w0_B) {
   if (body.kind == ExactKind::free_body) return FreeBody<T>(body.I_BP_B, q0_NB, w0_B);
   const int a = body.axis;
-  return LagrangeTop<T>(body.top, q0_NB * from_symmetry_axes<T>(a),
-                        Vec3<T>(w0_B[(a + 1) % 3], w0_B[(a + 2) % 3], w0_B[a]));
+  return LagrangeTop<T>(body.top, q0_NB * from_symmetry_axes<T>(a), Vec3<T>(w0_B[(a + 1) % 3], w0_B[(a + 2) % 3], w0_B[a]));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// An exact motion followed in time, so that its quaternion is continuous. A closed form gives the attitude at any time, but not
-/// how often it went round before: where rows are rare, that is seen in between.
+/// An exact motion followed in time, so that its quaternion is continuous. A closed form gives the attitude at any time, but
+/// not how often it went round before: where rows are rare, that is seen in between.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "drift/release_rates.hpp"
 #include "drift/turn_counter.hpp"
 #include "integrate/closed_form_motion.hpp"
+#include "integrate/natural_times.hpp"
 
 namespace earthtop {
 namespace {
@@ -77,15 +78,14 @@ class ExactPair {
       w_IB_B = rot.w_NB_B;
       attitude_error_ = std::max(attitude_error_, rot.attitude_error);
       if (change_ && t > T(0)) {
-        const RateChange::Value change =
-            change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
+        const RateChange::Value change = change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
         deviation.w = static_cast<T>(change.w);
         deviation.y = converted<T>(Vec3<W>(rate_scaled_ * change.v_over_lambda));
         relative_error_ = static_cast<T>(change.relative_error);
       }
     }
-    DriftState<T> s = seen_from_laboratory<Observer::inertial>(
-        model, with_sign_of(followed_reference_.attitude(), ref.q_NB), deviation, t);
+    DriftState<T> s =
+        seen_from_laboratory<Observer::inertial>(model, with_sign_of(followed_reference_.attitude(), ref.q_NB), deviation, t);
     s.ref_w_LB_B = ref.w_NB_B;
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, s.epsilon * s.e_v_scaled}.normalized();
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);

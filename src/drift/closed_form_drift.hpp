@@ -5,9 +5,9 @@
 
 namespace earthtop {
 
-/// Matched in inertial rates, or on an Earth that stands still, both motions are one, seen by a laboratory that turns and by one
-/// that does not: the deviation is exp(-[W]x t), or nothing. Matched in the laboratory their inertial rates at release differ by
-/// W, and what that makes of the motion is found in 113 bits (rate_change.hpp).
+/// Matched in inertial rates, or on an Earth that stands still, both motions are one, seen by a laboratory that turns and by
+/// one that does not: the deviation is exp(-[W]x t), or nothing. Matched in the laboratory their inertial rates at release
+/// differ by W, and what that makes of the motion is found in 113 bits (rate_change.hpp).
 /// @throws std::logic_error for a scene without a closed form
 template <class T>
 DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,

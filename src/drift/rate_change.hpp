@@ -14,8 +14,8 @@ namespace earthtop {
 /// Closed forms in 113 bits leave room for one subtraction: where both motions differ by 1e-9 rad, twenty digits of the
 /// difference are left. Where they differ by less, so do those of motions with larger changes +-a, and d/lambda is taken from
 /// these: d is analytic in lambda, d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ] to second order, and
-/// with a so small that |d(+-a)| <= 1e-9 the next order is 1e-18 of it. The reach of a shrinks as d grows with the time, so times
-/// must not decrease.
+/// with a so small that |d(+-a)| <= 1e-9 and the second order is 1e-8 of the first, the third is 1e-16 of it at most, and 1e-18
+/// mostly. The reach of a shrinks as d grows with the time, so times must not decrease by more than a step.
 class RateChange {
  public:
   using W = float128;
@@ -38,15 +38,18 @@ class RateChange {
     while (!is_direct()) {
       const ClosedFormState<W> plus = plus_->at(t), minus = minus_->at(t);
       const Vec3<W> d_plus = difference(plus, ref).v, d_minus = difference(minus, ref).v;
-      const W size = std::max(norm(d_plus), norm(d_minus));
-      if (size <= W(kLargest)) {
+      const Vec3<W> odd = (d_plus - d_minus) / W(2), even = (d_plus + d_minus) / W(2);
+      const W stated = std::max(plus.attitude_error, minus.attitude_error) + ref.attitude_error;
+      const W size = std::max(norm(d_plus), norm(d_minus)), slope = std::max(steepest_, norm(odd) / a_);
+      const W second_order = ratio(norm(even), slope * a_);
+      const bool straight = second_order <= W(kLargestSecond) || norm(even) <= stated;
+      if (size <= W(kLargest) && straight) {
+        steepest_ = slope;
         Value value;
-        const Vec3<W> odd = (d_plus - d_minus) / W(2), even = (d_plus + d_minus) / W(2);
         value.v_over_lambda = (odd + (lambda_ / a_) * even) / a_;
         const W v = lambda_ * norm(value.v_over_lambda);
         value.w = real::sqrt((W(1) - v) * (W(1) + v));
-        const W stated = std::max(plus.attitude_error, minus.attitude_error) + ref.attitude_error;
-        value.relative_error = ratio(stated, norm(odd)) + size * size + start_rounding(a_);
+        value.relative_error = ratio(stated, norm(odd)) + size * size + second_order * second_order + start_rounding(a_);
         return value;
       }
       reach_to(a_ / W(kShrink));
@@ -60,6 +63,7 @@ class RateChange {
 
  private:
   static constexpr double kLargest = 1e-9;
+  static constexpr double kLargestSecond = 1e-8;  ///< even part of d over the odd one
   static constexpr double kShrink = 1e4;
 
   /// The change itself is as large as what would stand in for it.
@@ -87,6 +91,7 @@ class RateChange {
   Quaternion<W> q0_NB_;
   Vec3<W> w0_B_, u_B_;
   W lambda_, a_ = W(0);
+  W steepest_ = W(0);  ///< the largest d / lambda so far
   ExactMotion<W> reference_;
   std::unique_ptr<ExactMotion<W>> plus_, minus_;
 };

@@ -1,21 +1,11 @@
 /// From a problem and the options asked for to what the driver takes: natural units, first and fixed steps.
 #pragma once
 
-#include <vector>
-
-#include "earthtop/integrate/motion_integration.hpp"
 #include "integrate/inline_all.hpp"
+#include "integrate/natural_times.hpp"
 #include "integrate/odeint_driver.hpp"
 
 namespace earthtop {
-
-template <class T>
-std::vector<T> natural_times(const MotionProblem<T>& problem) {
-  std::vector<T> times;
-  times.reserve(problem.times_s.size());
-  for (const double t : problem.times_s) times.push_back(problem.units.time_from_s(T(t)));
-  return times;
-}
 
 template <class T>
 DriveOptions<T> drive_options(const MotionProblem<T>& problem, const IntegrationOptions& options,

@@ -52,15 +52,15 @@ bool is_built(Method method, Precision precision) {
     case Method::automatic:
     case Method::rkf78:
     case Method::extrapolation:
-    case Method::taylor: return true;
+    case Method::taylor:
+    case Method::closed_form: return true;
     case Method::bulirsch_stoer: return precision != Precision::bits113;
     case Method::dopri5:
     case Method::abm8: return precision == Precision::bits53;
     case Method::dop853:
     case Method::gauss:
     case Method::splitting:
-    case Method::long_horizon:
-    case Method::closed_form: break;
+    case Method::long_horizon: break;
   }
   return false;
 }

@@ -76,7 +76,7 @@ Json integration_json(const IntegrationReport& report) {
           {"model", to_string(report.form)},
           {"method", to_string(report.method)},
           {"precision", report.precision},
-          {"relative_tolerance", report.relative_tolerance},
+          {"relative_tolerance", report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json()},
           {"step_s", or_null(report.step_s)},
           {"steps_accepted", report.counters.accepted},
           {"steps_rejected", report.counters.rejected},

@@ -52,14 +52,19 @@ class DriftBound {
     axis_largest_ = std::max(axis_largest_, rows.axis);
     attitude_largest_ = std::max(attitude_largest_, rows.attitude);
   }
-  T axis() const { return T(kSafety) * axis_distance_ + round_off() * axis_largest_; }
+  /// What the method itself states of the row's error.
+  void include_stated(T error) { stated_ = std::max(stated_, error); }
+  T axis() const { return T(kSafety) * axis_distance_ + round_off() * axis_largest_ + stated_; }
   /// Not below the bound of the axis, which is part of the attitude: in an unstable scene two runs can agree by chance in one.
-  T attitude() const { return T(kSafety) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_; }
+  T attitude() const {
+    return T(kSafety) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_ + stated_;
+  }
 
  private:
   static constexpr T round_off() { return T(1024) * real::epsilon<T>(); }
 
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
+  T stated_ = T(0);
 };
 
 }  // namespace earthtop

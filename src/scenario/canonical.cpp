@@ -87,7 +87,7 @@ Json numerics_json(const Scenario& scenario) {
                {"precision", std::string(to_string(scenario.precision))}};
   if (options.step_s)
     json["step_s"] = *options.step_s;
-  else
+  else if (options.method != Method::closed_form)
     json["relative_tolerance"] = options.relative_tolerance;
   return json;
 }

@@ -146,6 +146,12 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
   check_precision(numerics, scenario);
   if (!method || to_string(options.method) != *method) return;
   if (options.method == Method::abm8) return decode_fixed_step(numerics, scenario);
+  if (options.method == Method::closed_form) {
+    for (const std::string_view key : {"relative_tolerance", "step_s"})
+      if (numerics.has(key))
+        numerics.refuse_key(key, "\"closed_form\" takes no steps and has no tolerance; leave it out, or take another method");
+    return;
+  }
   if (numerics.has("step_s"))
     numerics.refuse_key(
         "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to \"abm8\"", *method));

@@ -114,8 +114,9 @@ constexpr Field kFields[] = {
     {"/effects/gravity_gradient", not_yet, "", any(), "", "", "", "gravity gradient torque"},
 
     {"/numerics", object, "", any(), "", "", "{}", "how to integrate"},
-    {"/numerics/method", word, "", any(), "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8",
-     "splitting|long_horizon|closed_form", "\"auto\"", "integration method"},
+    {"/numerics/method", word, "", any(), "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|closed_form",
+     "splitting|long_horizon", "\"auto\"",
+     "integration method; closed_form: none, of the scenes that have a closed form"},
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
     {"/numerics/model", word, "", any(), "auto|general", "", "\"auto\"",
      "auto: in the laboratory a symmetric top without its spin; general: attitude and rates of any body"},

@@ -1,5 +1,6 @@
 // Which method fits which scene.
 #include "earthtop/scenario/scenario.hpp"
+#include "scenario/closed_form_fit.hpp"
 
 namespace earthtop {
 namespace {
@@ -13,6 +14,22 @@ std::optional<std::string> need_plain_scene(Method method, const Scenario& scena
   if (scenario.platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
   if (!scenario.effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
+  return std::nullopt;
+}
+
+std::optional<std::string> need_closed_form(const Scenario& scenario) {
+  if (auto reason = need_plain_scene(Method::closed_form, scenario)) return reason;
+  switch (closed_form_kind(scenario)) {
+    case ExactKind::free_body:
+    case ExactKind::symmetric_top:
+    case ExactKind::not_plain: break;
+    case ExactKind::not_symmetric:
+      return "under gravity only a symmetric top with its centre of mass on the axis of symmetry has a closed form; take "
+             "\"auto\", or make two moments equal";
+    case ExactKind::turning_gravity:
+      return "away from the poles the Earth turns the gravity that acts on this top, and its motion has no closed form; take "
+             "\"auto\", or a rotation rate of 0, a latitude of 90 or -90, or a body without gravity torque";
+  }
   return std::nullopt;
 }
 
@@ -30,8 +47,8 @@ std::optional<std::string> method_refusal(Method method, const Scenario& scenari
     case Method::gauss: break;
     case Method::taylor:
     case Method::splitting:
-    case Method::long_horizon:
-    case Method::closed_form: return need_plain_scene(method, scenario);
+    case Method::long_horizon: return need_plain_scene(method, scenario);
+    case Method::closed_form: return need_closed_form(scenario);
   }
   return std::nullopt;
 }

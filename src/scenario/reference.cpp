@@ -38,7 +38,9 @@ std::string default_text(const Field& field) {
 bool belongs(std::string_view key, const Json& given) {
   if (key == "precession") return !given.contains("angular_velocity_body_rad_s");
   if (key == "azimuth_deg" || key == "spin_angle_deg") return !given.contains("quaternion_LB");
-  if (key == "relative_tolerance") return !given.contains("step_s") && given.value("precision", "double") == "double";
+  if (key == "relative_tolerance")
+    return !given.contains("step_s") && given.value("method", "") != "closed_form" &&
+           given.value("precision", "double") == "double";
   if (!given.contains("motion")) return true;
   const auto keys = split_words(kMotionKeys);
   if (std::find(keys.begin(), keys.end(), key) == keys.end()) return true;

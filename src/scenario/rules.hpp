@@ -45,7 +45,8 @@ inline constexpr std::array kMotionRules = {
 
 /// All methods and precisions; which go together says `is_built`.
 inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78, Method::bulirsch_stoer,
-                                        Method::extrapolation, Method::abm8,   Method::taylor};
+                                        Method::extrapolation, Method::abm8,   Method::taylor,
+                                        Method::closed_form};
 inline constexpr std::array kPrecisions = {Precision::bits53, Precision::bits64, Precision::bits113};
 
 }  // namespace earthtop::scenario

@@ -83,7 +83,8 @@ Json release_rule() {
 Json numerics_rule() {
   Json fixed_step = required("step_s");
   fixed_step.update(none_of("relative_tolerance"));
-  return when("method", "abm8", fixed_step, none_of("step_s"));
+  return when("method", "abm8", fixed_step,
+              when("method", "closed_form", none_of("step_s|relative_tolerance"), none_of("step_s")));
 }
 
 /// What the precision allows, as in `decode_precision`; double where none is given.

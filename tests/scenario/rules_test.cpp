@@ -267,9 +267,33 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
     expect_set({{"/numerics", "{\"method\": \"" + method + "\", \"step_s\": 1e-4}"}}, "/numerics/step_s",
                "chooses its own steps");
   }
+  for (const std::string key : {"relative_tolerance", "step_s"})
+    expect_set({{"/numerics", "{\"method\": \"closed_form\", \"" + key + "\": 1e-4}"}, {"/site/latitude_deg", "90"}},
+               "/numerics/" + key, "takes no steps and has no tolerance");
   for (const std::string observer : {"laboratory", "body", "inertial"})
     EXPECT_EQ(to_string(parse(kMinimal, {{"/numerics/observer", observer}}).numerics.observer), observer);
   expect_set({{"/numerics", R"({"method": "abm8", "step_s": 1e-9})"}}, "/numerics/step_s", "about 6e+10 steps; at most 2e+09");
+}
+
+TEST(ScenarioRules, AClosedFormIsForTheScenesThatHaveOne) {
+  const std::pair<std::string, std::string> method = {"/numerics/method", "closed_form"};
+  const Overrides fits[] = {{{"/site/latitude_deg", "90"}},
+                            {{"/site/latitude_deg", "-90"}},
+                            {{"/earth/rotation_rate_rad_s", "0"}},
+                            {{"/site/gravity_m_s2", "0"}},
+                            {{"/body/center_of_mass_m", "[0, 0, 0]"}}};
+  for (Overrides changes : fits) {
+    changes.push_back(method);
+    const Scenario s = parse(kMinimal, changes);
+    EXPECT_EQ(s.numerics.method, Method::closed_form);
+    EXPECT_EQ(canonical_json(parse(canonical_json(s))), canonical_json(s));
+  }
+  expect_set({method}, "/numerics/method", "away from the poles");
+  expect_set({method, {"/site/latitude_deg", "89.999"}}, "/numerics/method", "away from the poles");
+  expect_set({method, {"/body/center_of_mass_m", "[0, 0.001, 0.03]"}}, "/numerics/method", "only a symmetric top");
+  expect_set({method, {"/effects/coriolis", "false"}}, "/numerics/method", "not made for scenes without");
+  expect_set({method, {"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}, "/numerics/method",
+             "not made for a platform");
 }
 
 TEST(ScenarioRules, PrecisionSetsMethodsAndTolerances) {

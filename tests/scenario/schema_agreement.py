@@ -58,6 +58,7 @@ WHOLE = [
     scene(release={"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"},
           numerics={"method": "abm8", "step_s": 1e-3},
           platform={"motion": "constant", "axis": [0, 1, 1], "rate_rad_s": 1, "pivot_offset_m": [1, 0, 0]}),
+    scene(site={"latitude_deg": -90}, numerics={"method": "closed_form", "precision": "long_double"}),
     scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
 ]
@@ -78,6 +79,10 @@ BEYOND_THE_SCHEMA = [
     ({"motion": {"duration_s": 1, "output_step_s": 1e-9}}, "output rows"),
     ({"motion": {"duration_s": 1e9}}, "steps"),
     ({"numerics": {"method": "abm8", "step_s": 1e-12}}, "steps"),
+    ({"numerics": {"method": "closed_form"}}, "away from the poles"),
+    ({"numerics": {"method": "closed_form"}, "body": {**BODY, "center_of_mass_m": [0, 0.01, 0.02]}}, "only a symmetric top"),
+    ({"numerics": {"method": "closed_form"}, "effects": {"coriolis": False}}, "not made for scenes without"),
+    ({"numerics": {"method": "closed_form"}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "not made for a platform"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
 ]

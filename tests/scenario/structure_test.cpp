@@ -138,7 +138,6 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/numerics/method", "splitting"},
       {"/numerics/method", "splitting"},
       {"/numerics/method", "long_horizon"},
-      {"/numerics/method", "closed_form"},
       {"/accuracy/drift_rad", "1e-9"},
       {"/platform", R"({"motion": "table"})"},
       {"/platform", R"({"motion": "constant", "rate_rad_s": 1, "file": "a.csv"})"},

@@ -14,7 +14,8 @@ enum class Observer { laboratory, body, inertial };
 enum class Precision { bits53, bits64, bits113 };
 
 /// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's) and extrapolation control their step,
-/// abm8 has a fixed one. Not all are built for every precision: see `is_built`.
+/// abm8 has a fixed one; closed_form takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every
+/// precision: see `is_built`.
 enum class Method {
   automatic,
   dopri5,
@@ -39,7 +40,8 @@ std::string_view to_string(Method method);
 std::string_view to_string(ModelForm form);
 std::string_view to_string(Precision precision);
 
-/// Automatic, rkf78 and extrapolation in every precision, bulirsch_stoer in double and long double, dopri5 and abm8 in double.
+/// Automatic, rkf78, extrapolation and closed_form in every precision, bulirsch_stoer in double and long double, dopri5 and
+/// abm8 in double.
 bool is_built(Method method, Precision precision);
 
 /// The least relative tolerance: some 45 eps, the rounding of one step's sums. Less no controlled step can meet.
