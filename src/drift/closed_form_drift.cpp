@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "drift/angle_follower.hpp"
 #include "drift/deviation_state.hpp"
 #include "drift/rate_change.hpp"
 #include "drift/release_rates.hpp"
-#include "drift/turn_counter.hpp"
 #include "integrate/closed_form_motion.hpp"
 #include "integrate/natural_times.hpp"
 
@@ -134,30 +134,24 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
   const std::vector<T> times = natural_times(problem);
   const std::vector<double> seen(times.begin(), times.end());
   ExactPair<T> pair(problem, times);
-  TurnCounter<double> half_spin, azimuth;
+  AngleFollower angles(pair);
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
   T below = T(0);
   const auto visit = [&](double t, std::int64_t row) {
     ++trajectory.counters.accepted;
     ++trajectory.counters.evaluations;
-    pair.advance(t);
+    angles.follow_to(t);
     const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
     const bool watched = problem.threshold_rad && !trajectory.threshold_time_s;
-    std::optional<DriftState<T>> state;
-    if (row >= 0 || watched) state = pair.state(exact_t);
-    const auto follow = [&](const auto& phases) {
-      half_spin.follow(static_cast<double>(phases.half_spin_sine), static_cast<double>(phases.half_spin_cosine));
-      if (phases.azimuth_defined)
-        azimuth.follow(static_cast<double>(phases.azimuth_sine), static_cast<double>(phases.azimuth_cosine));
-    };
-    if (!state) return follow(drift_phases(pair.followed_state(t)));
-    follow(drift_phases(*state));
-    const DriftMeasures<T> measures = measure_drift(*state);
+    if (row < 0 && !watched) return;
+    const DriftState<T> state = pair.state(exact_t);
+    const DriftMeasures<T> measures = measure_drift(state);
     if (row >= 0) {
-      DriftSample<T> sample{*state, measures};
-      sample.spin = T(2) * (measures.half_spin + T(half_spin.offset()));
-      sample.azimuth = measures.azimuth + T(azimuth.offset());
+      angles.settle(drift_phases(state));
+      DriftSample<T> sample{state, measures};
+      sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
+      sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
       sample.attitude_error = pair.attitude_error(exact_t);
       sample.drift_error = pair.drift_error(exact_t, measures.attitude);
       sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);

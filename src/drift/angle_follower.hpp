@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+
+#include "drift/turn_counter.hpp"
+#include "earthtop/drift/drift_integration.hpp"
+
+namespace earthtop {
+
+/// Follows the two angles that can go round. Where one of them turns fast, as the azimuth does beside the vertical, it is
+/// looked at again in between.
+template <class Pair>
+class AngleFollower {
+ public:
+  explicit AngleFollower(Pair& pair) : pair_(pair) {}
+
+  /// Goes on to t, at most a step after the last one; leaves the pair followed to t.
+  void follow_to(double t) {
+    pair_.advance(t);
+    looks_left_ = kMostLooks;
+    follow_to(t, drift_phases(pair_.followed_state(t)));
+  }
+  double half_spin_offset() const { return half_spin_.offset(); }
+  double azimuth_offset() const { return azimuth_.offset(); }
+  /// The row's own phases: where an angle stands at the cut, its digits decide on the side.
+  template <class T>
+  void settle(const DriftPhases<T>& phases) {
+    take({static_cast<double>(phases.half_spin_sine), static_cast<double>(phases.half_spin_cosine), phases.azimuth_defined,
+          static_cast<double>(phases.azimuth_sine), static_cast<double>(phases.azimuth_cosine)});
+  }
+
+ private:
+  /// Twice for each of thirty halvings; more would look at the rounding of an axis that stands upright.
+  static constexpr int kMostLooks = 60;
+
+  /// More than a sixth of a turn.
+  static bool far(double sine, double cosine, double last_sine, double last_cosine) {
+    return sine * last_sine + cosine * last_cosine < 0.5 * std::hypot(sine, cosine) * std::hypot(last_sine, last_cosine);
+  }
+  bool far(const DriftPhases<double>& phases) const {
+    return far(phases.half_spin_sine, phases.half_spin_cosine, last_.half_spin_sine, last_.half_spin_cosine) ||
+           (phases.azimuth_defined && last_.azimuth_defined &&
+            far(phases.azimuth_sine, phases.azimuth_cosine, last_.azimuth_sine, last_.azimuth_cosine));
+  }
+  void follow_to(double t, const DriftPhases<double>& phases) {
+    while (far(phases) && looks_left_-- > 0) {
+      const double middle = t_ + (t - t_) / 2;
+      pair_.advance(middle);
+      follow_to(middle, drift_phases(pair_.followed_state(middle)));
+      pair_.advance(t);
+    }
+    take(phases);
+    t_ = t;
+  }
+  void take(const DriftPhases<double>& phases) {
+    half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
+    if (phases.azimuth_defined) azimuth_.follow(phases.azimuth_sine, phases.azimuth_cosine);
+    last_ = phases;
+  }
+
+  Pair& pair_;
+  double t_ = 0;
+  int looks_left_ = 0;
+  DriftPhases<double> last_{0, 1, false, 0, 1};
+  TurnCounter<double> half_spin_, azimuth_;
+};
+
+}  // namespace earthtop
