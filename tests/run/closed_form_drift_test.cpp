@@ -20,8 +20,9 @@ Scenario by_closed_form(Scenario s) {
 }
 
 /// Moment families of the scenes that have a closed form.
-enum class Family { free_asymmetric, free_symmetric, heavy_at_pole, heavy_standing };
-constexpr Family kFamilies[] = {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole, Family::heavy_standing};
+enum class Family { free_asymmetric, free_symmetric, heavy_at_pole, heavy_sideways, heavy_standing };
+constexpr Family kFamilies[] = {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole, Family::heavy_sideways,
+                                Family::heavy_standing};
 
 /// A random scene of a family; the seed decides on its matching rule, and on the sign and size of the Earth's rate.
 Scenario random_of(Family family, std::uint64_t seed, double radians) {
@@ -29,7 +30,15 @@ Scenario random_of(Family family, std::uint64_t seed, double radians) {
   Scenario s = testing::random_scene(family == Family::free_asymmetric ? 2 * seed : 2 * seed + 1, radians);
   s.release.rates_relative_to = seed % 2 == 0 ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
   if (family == Family::free_asymmetric || family == Family::free_symmetric) s.body.center_of_mass_m = {0, 0, 0};
-  if (family == Family::heavy_at_pole) s.site.latitude_deg = seed % 4 < 2 ? 90 : -90;
+  if (family == Family::heavy_sideways) {
+    // Symmetric about body axis 1 or 2 instead of 3.
+    const std::size_t axis = seed % 2;
+    const auto I = s.body.inertia_kg_m2;
+    const double l = s.body.center_of_mass_m[2];
+    testing::set_principal(s.body, I[axis == 0 ? 2 : 0][axis == 0 ? 2 : 0], I[axis == 1 ? 2 : 1][axis == 1 ? 2 : 1], I[0][0]);
+    s.body.center_of_mass_m = {axis == 0 ? l : 0, axis == 1 ? l : 0, 0};
+  }
+  if (family == Family::heavy_at_pole || family == Family::heavy_sideways) s.site.latitude_deg = seed % 4 < 2 ? 90 : -90;
   if (family == Family::heavy_standing) s.rotation_rate_rad_s = 0;
   return by_closed_form(s);
 }
@@ -190,6 +199,29 @@ TEST(ClosedFormDrift, RareRowsKnowHowOftenAnglesWentRound) {
         const double turned = s.rotation_rate_rad_s * s.duration_s * (s.site.latitude_deg > 0 ? 1 : -1);
         EXPECT_GT(std::abs(turned), 6 * kPi);
         EXPECT_NEAR(*rare.rows.back().drift_azimuth_rad, turned, 1e-11);
+      }
+    }
+}
+
+// The rotating motion by itself, without a reference.
+TEST(ClosedFormDrift, OneMotionByItselfIsThatOfTheRun) {
+  for (const Family family : kFamilies)
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      SCOPED_TRACE(::testing::Message() << static_cast<int>(family) << " " << seed);
+      Scenario s = random_of(family, seed, 100);
+      s.output_step_s = s.duration_s / 5;
+      const MotionTrajectory<double> motion = integrate_motion<double>(make_problem<double>(s), s.numerics);
+      ASSERT_EQ(motion.status, RunStatus::completed);
+      const auto rows = testing::reference_run(s, Observer::inertial).samples;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Quaternion<double>& q = motion.samples[i].q_LB;
+        const Quaternion<float128> truth = rows[i].state.q_LB.normalized();
+        EXPECT_LT(distance({q.w, q.v[0], q.v[1], q.v[2]}, {static_cast<double>(truth.w), static_cast<double>(truth.v[0]),
+                                                           static_cast<double>(truth.v[1]), static_cast<double>(truth.v[2])}),
+                  1e-12);
+        for (int k = 0; k < 3; ++k)
+          EXPECT_NEAR(motion.samples[i].w_LB_B[k], static_cast<double>(rows[i].state.w_LB_B[k]),
+                      1e-12 * norm(motion.samples[i].w_LB_B));
       }
     }
 }
