@@ -34,6 +34,8 @@ class ExactPair {
     const Quaternion<W> q0 = converted<W>(problem.release.q_LB);
     const W size = norm(W_scaled);
     rate_scaled_ = size;
+    wide_model_.epsilon = W(problem.model.epsilon);
+    wide_model_.W_IL_L_scaled = W_scaled;
     change_.emplace(body_.template as<W>(), q0, converted<W>(w0_ref_B_),
                     Vec3<W>(transposed_times(rotation_matrix(q0), W_scaled) / size), W(problem.model.epsilon) * size,
                     W(times[1]));
@@ -70,8 +72,9 @@ class ExactPair {
     const Model<T>& model = problem_.model;
     const ClosedFormState<T> ref = reference_.at(t);
     attitude_error_ = ref.attitude_error;
-    relative_error_ = T(0);
-    Deviation<T> deviation;
+    const Quaternion<T> ref_q_NB = with_sign_of(followed_reference_.attitude(), ref.q_NB);
+    DriftState<T> s = seen_from_laboratory<Observer::inertial>(model, ref_q_NB, Deviation<T>{}, t);
+    deviation_error_ = turn_error<T>(t);
     Vec3<T> w_IB_B = ref.w_NB_B;
     if (rotating_) {
       const ClosedFormState<T> rot = rotating_->at(t);
@@ -79,30 +82,34 @@ class ExactPair {
       attitude_error_ = std::max(attitude_error_, rot.attitude_error);
       if (change_ && t > T(0)) {
         const RateChange::Value change = change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
-        deviation.w = static_cast<T>(change.w);
-        deviation.y = converted<T>(Vec3<W>(rate_scaled_ * change.v_over_lambda));
-        relative_error_ = static_cast<T>(change.relative_error);
+        // Soon after the release the laboratory turns as far as the body turned more: that cancels, before it is rounded to T.
+        const Vec3<W> y = rate_scaled_ * change.v_over_lambda;
+        const DriftState<W> seen = seen_from_laboratory<Observer::inertial>(wide_model_, Quaternion<W>{}, {change.w, y}, W(t));
+        s.e_w = static_cast<T>(seen.e_w);
+        s.e_v_scaled = transposed_times(rotation_matrix(ref_q_NB), converted<T>(seen.e_v_scaled));
+        const W error = W(2) * change.relative_error * wide_model_.epsilon * norm(y) + turn_error<W>(W(t));
+        deviation_error_ = static_cast<T>(error);
       }
     }
-    DriftState<T> s =
-        seen_from_laboratory<Observer::inertial>(model, with_sign_of(followed_reference_.attitude(), ref.q_NB), deviation, t);
     s.ref_w_LB_B = ref.w_NB_B;
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, s.epsilon * s.e_v_scaled}.normalized();
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);
     return s;
   }
-  /// Of the last state: the attitudes' error, and that of the drift, which the reference's attitude turns, the rate's change
-  /// scales, and the rounding of the laboratory's turn shifts.
-  T attitude_error(T t) const { return attitude_error_ + turn_error(t); }
-  T drift_error(T t, T attitude_drift) const {
-    return (T(2) * attitude_error_ + relative_error_) * attitude_drift + turn_error(t);
-  }
+  /// Of the last state: the attitudes' error.
+  T attitude_error(T t) const { return attitude_error_ + turn_error<T>(t); }
+  /// That of the drift: what the reference's attitude turns, and what the deviation itself is off by.
+  T drift_error(T attitude_drift) const { return T(2) * attitude_error_ * attitude_drift + deviation_error_; }
 
  private:
   FollowedMotion follow(const Vec3<T>& w0_B) const {
     return {body_.template as<double>(), converted<double>(problem_.release.q_LB), converted<double>(w0_B)};
   }
-  T turn_error(T t) const { return T(4) * real::epsilon<T>() * norm(problem_.model.W_IL_L) * t; }
+  /// Rounding of the laboratory's turn.
+  template <class U>
+  U turn_error(U t) const {
+    return U(4) * real::epsilon<U>() * static_cast<U>(norm(problem_.model.W_IL_L)) * t;
+  }
 
   const DriftProblem<T>& problem_;
   ExactBody<T> body_;
@@ -112,8 +119,9 @@ class ExactPair {
   FollowedMotion followed_reference_;
   std::optional<FollowedMotion> followed_rotating_;
   std::optional<RateChange> change_;
+  Model<W> wide_model_;   ///< no more of it than the Earth's rate
   W rate_scaled_ = W(0);  ///< the Earth's rate over epsilon
-  T attitude_error_ = T(0), relative_error_ = T(0);
+  T attitude_error_ = T(0), deviation_error_ = T(0);
 };
 
 /// When the axis drift passes the threshold between two times, to the last digits of a double.
@@ -153,7 +161,7 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
       sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
       sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
       sample.attitude_error = pair.attitude_error(exact_t);
-      sample.drift_error = pair.drift_error(exact_t, measures.attitude);
+      sample.drift_error = pair.drift_error(measures.attitude);
       sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
       for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
         for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);

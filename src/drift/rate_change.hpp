@@ -11,11 +11,11 @@ namespace earthtop {
 /// d = q_rot q_ref^* of two motions of one body that start at the same attitude, the rotating one with w0 + lambda u, u a unit
 /// vector.
 ///
-/// Closed forms in 113 bits leave room for one subtraction: where both motions differ by 1e-9 rad, twenty digits of the
+/// Closed forms in 113 bits leave room for one subtraction: where both motions differ by 1e-11 rad, twenty digits of the
 /// difference are left. Where they differ by less, so do those of motions with larger changes +-a, and d/lambda is taken from
 /// these: d is analytic in lambda, d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ] to second order, and
-/// with a so small that |d(+-a)| <= 1e-9 and the second order is 1e-8 of the first, the third is 1e-16 of it at most, and 1e-18
-/// mostly. The reach of a shrinks as d grows with the time, so times must not decrease by more than a step.
+/// with a so small that |d(+-a)| <= 1e-11 and the second order is 1e-10 of the first, the third is 1e-20 of it at most, and
+/// 1e-22 mostly. The reach of a shrinks as d grows with the time, so times must not decrease by more than a step.
 class RateChange {
  public:
   using W = float128;
@@ -62,9 +62,9 @@ class RateChange {
   }
 
  private:
-  static constexpr double kLargest = 1e-9;
-  static constexpr double kLargestSecond = 1e-8;  ///< even part of d over the odd one
-  static constexpr double kShrink = 1e4;
+  static constexpr double kLargest = 1e-11;
+  static constexpr double kLargestSecond = 1e-10;  ///< even part of d over the odd one
+  static constexpr double kShrink = 32;
 
   /// The change itself is as large as what would stand in for it.
   bool is_direct() const { return a_ <= W(4) * real::abs(lambda_); }

@@ -288,6 +288,16 @@ TEST(ScenarioRules, AClosedFormIsForTheScenesThatHaveOne) {
     EXPECT_EQ(s.numerics.method, Method::closed_form);
     EXPECT_EQ(canonical_json(parse(canonical_json(s))), canonical_json(s));
   }
+  // Its cost follows the axis, not the spin.
+  const Overrides balanced = {{"/body/center_of_mass_m", "[0, 0, 0]"},
+                              {"/release/spin_rad_s", "1e6"},
+                              {"/motion", R"({"duration_s": 1e6, "output_step_s": 1e4})"}};
+  expect_set(balanced, "/motion/duration_s", "steps");
+  Overrides exact = balanced;
+  exact.push_back(method);
+  EXPECT_LT(estimated_steps(parse(kMinimal, exact)), 1000);
+  expect_set({method, {"/site/latitude_deg", "90"}, {"/motion", R"({"duration_s": 1e9, "output_step_s": 1e6})"}},
+             "/motion/duration_s", "steps");
   expect_set({method}, "/numerics/method", "away from the poles");
   expect_set({method, {"/site/latitude_deg", "89.999"}}, "/numerics/method", "away from the poles");
   expect_set({method, {"/body/center_of_mass_m", "[0, 0.001, 0.03]"}}, "/numerics/method", "only a symmetric top");
