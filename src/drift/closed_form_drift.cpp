@@ -54,14 +54,14 @@ class ExactPair {
 
   /// The deviation at the time followed to, roughly: from attitudes in double.
   DriftState<double> followed_state(double t) const {
+    // Not over epsilon: the attitudes' rounding over a tiny one would overflow.
     Model<double> model;
-    model.epsilon = static_cast<double>(problem_.model.epsilon);
-    model.W_IL_L_scaled = converted<double>(problem_.model.W_IL_L_scaled);
+    model.W_IL_L_scaled = converted<double>(problem_.model.W_IL_L);
     Deviation<double> deviation;
     if (followed_rotating_) {
       const Quaternion<double> d = followed_rotating_->attitude() * followed_reference_.attitude().conjugate();
       deviation.w = d.w;
-      deviation.y = d.v / model.epsilon;
+      deviation.y = d.v;
     }
     return seen_from_laboratory<Observer::inertial>(model, followed_reference_.attitude(), deviation, t);
   }
