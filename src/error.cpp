@@ -61,6 +61,7 @@ std::string_view to_string(RunStatus status) {
     case RunStatus::completed: return "completed";
     case RunStatus::not_finite: return "not_finite";
     case RunStatus::step_underflow: return "step_underflow";
+    case RunStatus::not_converged: return "not_converged";
     case RunStatus::step_limit: return "step_limit";
     case RunStatus::interrupted: return "interrupted";
   }

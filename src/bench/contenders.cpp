@@ -51,8 +51,10 @@ std::vector<Contender> standard_contenders(const Scenario& scenario) {
       if (workload == Workload::axis &&
           (options.form != ModelForm::reduced || symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2))
         continue;
-      for (const Method method : {Method::rkf78, Method::bulirsch_stoer, Method::extrapolation, Method::dopri5})
+      for (const Method method : {Method::rkf78, Method::bulirsch_stoer, Method::extrapolation, Method::dopri5, Method::dop853,
+                                  Method::gauss, Method::splitting})
         for (const double tolerance : {1e-8, 1e-10, 1e-12, 1e-14}) {
+          if (method == Method::splitting && options.form != ModelForm::reduced) continue;
           if (method == Method::dopri5 && tolerance < 1e-12) continue;  // of order 5: minutes
           options.method = method;
           options.relative_tolerance = tolerance;

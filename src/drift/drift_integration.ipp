@@ -80,11 +80,8 @@ DriftTrajectory<T> integrate_system(System& system, typename System::State x, co
   trajectory.status = driver.run(x, times);
   trajectory.counters = driver.counters();
   trajectory.threshold_time_s = watcher.threshold_time_s();
-  if (options.method == Method::abm8 && times.size() > 1) {
-    const double interval = problem.times_s[1] - problem.times_s[0];
-    const double largest = static_cast<double>(real::scale(drive.fixed_step, problem.units.time_exponent));
-    trajectory.step_s = interval / std::max(1.0, std::ceil(interval / largest * (1 - 1e-12)));
-  }
+  if (driver.first_step_taken() > T(0))
+    trajectory.step_s = static_cast<double>(real::scale(driver.first_step_taken(), problem.units.time_exponent));
   return trajectory;
 }
 
@@ -94,9 +91,10 @@ DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const Integ
   DriftSystem<T, O, K, R> system(problem.model);
   const Release<T>& release = problem.release;
   const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
-  // Angles between two motions that each turn at the fastest rate: less than half a turn a step. The other methods' steps are
-  // shorter.
-  const T largest_step = options.method == Method::extrapolation ? T(1.5) / problem.fastest_rate : T(0);
+  // Angles between two motions that each turn at the fastest rate: less than half a turn between two looks. The other methods'
+  // steps are shorter.
+  const T largest_step =
+      options.method == Method::extrapolation || options.method == Method::dop853 ? T(1.5) / problem.fastest_rate : T(0);
   return integrate_system(system, x, problem, options, stop, largest_step);
 }
 

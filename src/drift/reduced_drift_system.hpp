@@ -16,6 +16,7 @@
 
 #include "drift/deviation_state.hpp"
 #include "drift/drift_system.hpp"
+#include "drift/reduced_drift_flows.hpp"
 #include "drift/taylor/reduced_drift_series.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/group_norms.hpp"
@@ -94,6 +95,11 @@ class ReducedDriftSystem
     x[3] = std::max(norm(load(x, 3)), real::abs(constants_.b.value));
     x[13] = std::max(norm(load(x, 13)), real::abs(constants_.k));
     return x;
+  }
+
+  /// The same as two exact flows; in double.
+  auto flows() const requires std::is_same_v<T, double> {
+    return ReducedDriftFlows<O>(model_, top_, constants_.b.value, constants_.k);
   }
 
   /// Called after every step, so that attitudes are continuous.

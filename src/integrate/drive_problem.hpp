@@ -15,6 +15,9 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.relative_tolerance = T(options.relative_tolerance);
   drive.first_step = T(0.02) / problem.fastest_rate;
   drive.fixed_step = options.step_s ? problem.units.time_from_s(T(*options.step_s)) : T(0.04) / problem.fastest_rate;
+  drive.fixed_step_given = options.step_s.has_value();
+  drive.composition = options.composition;
+  drive.rate = problem.fastest_rate;
   drive.step_limit = options.step_limit;
   drive.stop = stop;
   return drive;

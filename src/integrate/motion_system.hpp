@@ -8,6 +8,7 @@
 #include "earthtop/model/equations.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/reduced_motion_flows.hpp"
 #include "integrate/taylor/general_motion_series.hpp"
 #include "integrate/taylor/reduced_motion_series.hpp"
 
@@ -163,6 +164,8 @@ class ReducedMotionSystem
     x[3] = std::max(norm(load(x, 3)), real::abs(b_.value));
     return x;
   }
+  /// The same motion as two exact flows; in double.
+  auto flows() const requires std::is_same_v<T, double> { return ReducedMotionFlows<O, S>(model_, top_, b_.value); }
 
   void follow(const State& x) {
     if constexpr (kAttitude) frame_.follow(load(x, 0), load(x, 6));

@@ -17,61 +17,15 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "integrate/dop853_stepper.hpp"
+#include "integrate/drive_options.hpp"
 #include "integrate/extrapolation.hpp"
+#include "integrate/gauss_stepper.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/splitting_stepper.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
-
-/// What the driver needs beside the system; times in the system's own unit.
-template <class T>
-struct DriveOptions {
-  Method method = Method::rkf78;
-  T relative_tolerance = T(1e-12);
-  T first_step = T(0.01);
-  T largest_step = T(0);  ///< of a controlled method; 0: any
-  T fixed_step = T(0);    ///< largest step of a fixed-step method; the step taken divides each output interval
-  std::int64_t step_limit = 0;
-  const std::atomic<bool>* stop = nullptr;
-};
-
-/// A time kept as start + offset, the offset compensated: n steps cost one rounding, not n.
-template <class T>
-class IntervalClock {
- public:
-  IntervalClock(T start, T end) : start_(start), length_(end - start) {}
-  T now() const { return start_ + offset_; }
-  T remaining() const { return (length_ - offset_) - carry_; }
-  /// From now to a time.
-  T until(T t) const { return ((t - start_) - offset_) - carry_; }
-  void advance(T dt) {
-    const T y = dt + carry_;
-    const T sum = offset_ + y;
-    carry_ = y - (sum - offset_);
-    offset_ = sum;
-  }
-
- private:
-  T start_;
-  T length_;
-  T offset_ = T(0);
-  T carry_ = T(0);
-};
-
-/// Steps of less than this (in natural units, where the motion's own time is about 1) mean that no step is small enough.
-template <class T>
-constexpr T least_step() {
-  return T(1e-13);
-}
-
-/// Whether a system wants to see its state between the output times; those that follow no angle do not.
-template <class System>
-constexpr bool is_watched() {
-  if constexpr (requires { System::kWatched; })
-    return System::kWatched;
-  else
-    return true;
-}
 
 /// @tparam System  x, dxdt, t -> void, with `kSize`, `groups()`   @param times  the first is where x stands
 /// @param on_step  called with (t, x) after every step   @param on_row  called with (row index, x) at every output time
@@ -114,12 +68,20 @@ class Driver {
     }
     if constexpr (std::is_same_v<T, double>) {
       if (method == Method::dopri5) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
-      if (method == Method::abm8) return run_fixed(x, times);
+      if (method == Method::abm8) return run_multistep(x, times);
+      if (method == Method::splitting) return run_splitting(x, times);
+      if (method == Method::gauss) return run_gauss(x, times);
+      if (method == Method::dop853) {
+        Dop853Stepper<System> stepper(options_.relative_tolerance, scales_);
+        return run_interpolated(stepper, x, times);
+      }
     }
     throw std::logic_error("method not built for this precision");
   }
 
   const StepCounters& counters() const { return counters_; }
+  /// Of a fixed-step method: the one taken in the first interval.
+  T first_step_taken() const { return first_step_taken_; }
 
  private:
   auto counted_system() {
@@ -170,9 +132,7 @@ class Driver {
           ++counters_.rejected;
           proposed = dt < step ? dt : step / T(4);
           if (proposed < least_step<T>()) {
-            State dxdt;
-            system_(x, dxdt, clock.now());
-            return all_finite(dxdt) ? RunStatus::step_underflow : RunStatus::not_finite;
+            return failure_at(x, clock.now(), RunStatus::step_underflow);
           }
         }
       }
@@ -230,38 +190,166 @@ class Driver {
     }
   }
 
+  /// Steps that no output time cuts: rows come from the stepper's interpolant.
+  /// @param stepper  odeint's dense-output concept, with try_step(system) -> whether it was accepted, and
+  /// prepare_interpolant(system) before calc_state
+  template <class Stepper>
+  RunStatus run_interpolated(Stepper& stepper, State& x, std::span<const T> times) {
+    const auto system = counted_system();
+    stepper.initialize(x, times.front(), options_.first_step);
+    State at;
+    for (std::size_t row = 1; row < times.size();) {
+      if (const RunStatus status = may_go_on(stepper.current_time(), times); status != RunStatus::completed) return status;
+      stepper.limit_time_step(times.back() - stepper.current_time());
+      if (!stepper.try_step(system)) {
+        ++counters_.rejected;
+        if (stepper.current_time_step() >= least_step<T>()) continue;
+        return failure_at(stepper.current_state(), stepper.current_time(), RunStatus::step_underflow);
+      }
+      ++counters_.accepted;
+      scales_.include(stepper.current_state());
+      const T begin = stepper.previous_time(), end = stepper.current_time();
+      const T slack = T(1e-12) * (end - begin);
+      T seen = begin;
+      // Angles that go round are to be seen at less than half a turn: more often than at the ends of long steps.
+      const auto look_until = [&](T t) {
+        if (!(options_.largest_step > T(0)) || !(t - seen > options_.largest_step)) return;
+        stepper.prepare_interpolant(system);
+        const auto parts = static_cast<int>(std::ceil((t - seen) / options_.largest_step));
+        const T from = seen;
+        for (int i = 1; i < parts; ++i) {
+          const T look = from + (t - from) * T(i) / T(parts);
+          stepper.calc_state(look, at);
+          on_step_(look, at);
+        }
+      };
+      for (; row < times.size() && times[row] <= end + slack; ++row) {
+        look_until(times[row]);
+        if (times[row] < end - slack) {
+          stepper.prepare_interpolant(system);
+          stepper.calc_state(times[row], at);
+        } else {
+          at = stepper.current_state();
+        }
+        if (!all_finite(at)) return RunStatus::not_finite;
+        on_step_(times[row], at);
+        on_row_(row, at);
+        seen = times[row];
+      }
+      look_until(end);
+      if (seen < end) on_step_(end, stepper.current_state());
+    }
+    x = stepper.current_state();
+    return RunStatus::completed;
+  }
+
+  /// Collocation at Gauss' nodes, of the step asked for, or of one that meets the tolerance.
+  RunStatus run_gauss(State& x, std::span<const T> times) {
+    GaussStepper<System> stepper(scales_);
+    T rate = options_.rate;
+    if constexpr (Splits<System>) rate = system_.flows().rate(x);  // without the spin
+    const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, rate);
+    return run_fixed(stepper, x, times, step);
+  }
+
   /// Adams-Bashforth-Moulton of order 8, started (and restarted where the step changes) by Fehlberg's 8th-order method.
-  RunStatus run_fixed(State& x, std::span<const T> times) {
+  RunStatus run_multistep(State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
     using Starter = runge_kutta_fehlberg78<State, T>;
     using Algebra = typename Starter::algebra_type;
     using Operations = typename Starter::operations_type;
     using Stepper = adams_bashforth_moulton<8, State, T, State, T, Algebra, Operations, initially_resizer, Starter>;
+    MultistepStepper<Stepper> stepper;
+    return run_fixed(stepper, x, times, options_.fixed_step);
+  }
+
+  /// Exact flows, composed; of the step asked for, or of one that meets the tolerance.
+  RunStatus run_splitting(State& x, std::span<const T> times) {
+    if constexpr (std::is_same_v<T, double> && Splits<System>) {
+      const auto flows = system_.flows();
+      SplittingStepper stepper(flows, composition_table(options_.composition));
+      const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, flows.rate(x));
+      const RunStatus status = run_fixed(stepper, x, times, step);
+      counters_.evaluations += counters_.accepted * stepper.evaluations_a_step();
+      return status;
+    }
+    throw std::logic_error("this form of the equations does not split into exact flows");
+  }
+
+  /// @param stepper  do_step(system, x, t, dt) -> whether it succeeded; reset() before a step of another length
+  /// @param largest  the step taken is at most this long and divides the output interval
+  template <class Stepper>
+  RunStatus run_fixed(Stepper& stepper, State& x, std::span<const T> times, T largest) {
     const auto system = counted_system();
-    Stepper stepper;
+    if (options_.largest_step > T(0)) largest = std::min(largest, options_.largest_step);
     T step_before = T(0);
     for (std::size_t row = 1; row < times.size(); ++row) {
       const T interval = times[row] - times[row - 1];
-      const auto steps =
-          std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / options_.fixed_step * (1 - 1e-12))));
+      const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest * (1 - 1e-12))));
       T h = interval / static_cast<T>(steps);
       // Output times k * step differ by a rounding: the step is the same one.
       if (real::abs(h - step_before) <= T(1e-9) * h)
         h = step_before;
       else
-        stepper = Stepper();
+        stepper.reset();
       step_before = h;
+      if (first_step_taken_ == T(0)) first_step_taken_ = h;
       for (std::int64_t k = 0; k < steps; ++k) {
         const T now = times[row - 1] + static_cast<T>(k) * h;
         if (const RunStatus status = may_go_on(now, times); status != RunStatus::completed) return status;
-        stepper.do_step(system, x, now, h);
-        ++counters_.accepted;
+        const bool converged = stepper.do_step(system, x, now, h);
         if (!all_finite(x)) return RunStatus::not_finite;
+        if (!converged) return failure_at(x, now, RunStatus::not_converged);
+        ++counters_.accepted;
+        scales_.include(x);
         on_step_(times[row - 1] + static_cast<T>(k + 1) * h, x);
       }
       on_row_(row, x);
     }
     return RunStatus::completed;
+  }
+
+  /// A fixed step that meets the tolerance: over the first turn of the motion, steps of h and of h / 2 differ by no more than
+  /// it anywhere.
+  /// @param rate  of the motion that the steps have to follow (rad per unit of time)
+  template <class Stepper>
+  T fixed_step_for(Stepper& stepper, const State& start, std::span<const T> times, T rate) {
+    const auto system = counted_system();
+    const T turn = std::min(times.back() - times.front(), T(2) * real::pi<T>() / rate);
+    GroupScales<T, System> scales = scales_;
+    std::int64_t count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(turn * rate / kLongestFixedAngle)));
+    for (int attempt = 0; attempt < 40; ++attempt) {
+      const T h = turn / static_cast<T>(count);
+      State coarse = start, fine = start, difference;
+      T error = T(0);
+      Stepper half = stepper;
+      stepper.reset(), half.reset();
+      for (std::int64_t k = 0; k < count && all_finite(coarse) && all_finite(fine); ++k) {
+        const T t = times.front() + static_cast<T>(k) * h;
+        const bool converged = stepper.do_step(system, coarse, t, h) && half.do_step(system, fine, t, h / T(2)) &&
+                               half.do_step(system, fine, t + h / T(2), h / T(2));
+        if (!converged) error = T(1e30);
+        if (error >= T(1e30)) break;
+        scales.include(fine);
+        for (std::size_t i = 0; i < N; ++i) difference[i] = coarse[i] - fine[i];
+        error = std::max(error, scales.largest_error(options_.relative_tolerance, fine, difference, T(0)));
+      }
+      stepper.reset();
+      if (error <= T(1) || count > kMostStepsATurn) return h;
+      const double growth = std::pow(static_cast<double>(error), 1.0 / 8);
+      count = static_cast<std::int64_t>(std::ceil(static_cast<double>(count) * std::clamp(growth, 1.05, 2.0)));
+    }
+    return turn / static_cast<T>(count);
+  }
+  /// No step turns the motion further (rad): well below the first resonance of step and nutation, at 2 pi.
+  static constexpr double kLongestFixedAngle = 2.0;
+  static constexpr std::int64_t kMostStepsATurn = 400;
+
+  /// Why no step can be taken from here: the equations give no number, or else as told.
+  RunStatus failure_at(const State& x, T t, RunStatus otherwise) {
+    State dxdt;
+    system_(x, dxdt, t);
+    return all_finite(dxdt) ? otherwise : RunStatus::not_finite;
   }
 
   /// Ends at the step limit, and as soon as a million steps have come so little forward that the limit is out of reach of the
@@ -284,6 +372,7 @@ class Driver {
   OnRow& on_row_;
   GroupScales<T, System> scales_;
   StepCounters counters_;
+  T first_step_taken_ = T(0);
 };
 
 }  // namespace earthtop

@@ -20,6 +20,19 @@ std::string_view to_string(ModelForm form) {
   return "unknown";
 }
 
+std::string_view to_string(Composition composition) {
+  switch (composition) {
+    case Composition::automatic: return "auto";
+    case Composition::aba82: return "aba82";
+    case Composition::aba84: return "aba84";
+    case Composition::aba864: return "aba864";
+    case Composition::aba1064: return "aba1064";
+    case Composition::rkn6: return "rkn6";
+    case Composition::kahan_li8: return "kahan_li8";
+  }
+  return "unknown";
+}
+
 std::string_view to_string(Method method) {
   switch (method) {
     case Method::automatic: return "auto";
@@ -56,10 +69,10 @@ bool is_built(Method method, Precision precision) {
     case Method::closed_form: return true;
     case Method::bulirsch_stoer: return precision != Precision::bits113;
     case Method::dopri5:
-    case Method::abm8: return precision == Precision::bits53;
+    case Method::abm8:
     case Method::dop853:
     case Method::gauss:
-    case Method::splitting:
+    case Method::splitting: return precision == Precision::bits53;
     case Method::long_horizon: break;
   }
   return false;

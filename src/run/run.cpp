@@ -34,7 +34,9 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
-  second.observer = first.observer == Observer::inertial ? Observer::body : Observer::inertial;
+  const Observer other =
+      form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
+  second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;
@@ -42,7 +44,7 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);  // of doubles, round-off
   const double finer = std::max(asked / 100, least);
   second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
-  if (first.method == Method::abm8 || first.method == Method::taylor) second.relative_tolerance = finer;
+  if (first.step_s || first.method == Method::taylor) second.relative_tolerance = finer;
   return second;
 }
 

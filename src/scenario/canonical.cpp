@@ -89,6 +89,7 @@ Json numerics_json(const Scenario& scenario) {
     json["step_s"] = *options.step_s;
   else if (options.method != Method::closed_form)
     json["relative_tolerance"] = options.relative_tolerance;
+  if (options.composition != Composition::automatic) json["composition"] = std::string(to_string(options.composition));
   return json;
 }
 

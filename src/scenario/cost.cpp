@@ -37,11 +37,11 @@ double radians_a_step(Method method, double tolerance) {
     case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
     case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
     case Method::taylor: return 1.8;
+    case Method::dop853: return 0.35 * std::pow(tolerance / 1e-12, 1.0 / 8);
+    case Method::gauss: return std::min(2.0, 1.0 * std::pow(tolerance / 1e-12, 1.0 / 13));
+    case Method::splitting: return std::min(2.0, 0.8 * std::pow(tolerance / 1e-12, 1.0 / 7));
     case Method::automatic:
     case Method::abm8:  // its step is given
-    case Method::dop853:
-    case Method::gauss:
-    case Method::splitting:
     case Method::long_horizon:
     case Method::closed_form: break;
   }
@@ -56,11 +56,11 @@ double evaluations_a_step(Method method, double tolerance) {
     case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 60);
     case Method::abm8: return 1;
     case Method::taylor: return 8 - 0.7 * std::log(tolerance);
+    case Method::gauss: return 60;
+    case Method::splitting: return 14;
+    case Method::dop853: return 12;
     case Method::rkf78:
     case Method::automatic:
-    case Method::dop853:
-    case Method::gauss:
-    case Method::splitting:
     case Method::long_horizon:
     case Method::closed_form: break;
   }

@@ -80,16 +80,41 @@ std::optional<PlatformSpec> decode_platform(const Section& platform) {
 
 namespace {
 
+/// The methods with a property, as words in quotes.
+template <class Property>
+std::string methods_that(Property property) {
+  std::string words;
+  for (const Method method : kMethods)
+    if (property(method)) words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", to_string(method));
+  return words;
+}
+
 constexpr ModelForm kForms[] = {ModelForm::automatic, ModelForm::general};
 constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
 constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,
                                        LedgerObserver::body};
 
-void decode_fixed_step(const Section& numerics, Scenario& scenario) {
-  if (numerics.has("relative_tolerance"))
-    numerics.refuse_key("relative_tolerance",
-                        "abm8 has a fixed step and no tolerance; give step_s, or take a controlled method");
-  numerics.require("step_s");
+/// A fixed step that is given, where the method takes one.
+void decode_step(const Section& numerics, Scenario& scenario) {
+  const Method method = scenario.numerics.method;
+  const StepRule rule = step_rule(method);
+  if (rule.step_s == Need::none) {
+    if (!numerics.has("step_s")) return;
+    return numerics.refuse_key(
+        "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to {}", to_string(method),
+                              methods_that([](Method m) { return step_rule(m).step_s != Need::none; })));
+  }
+  if (rule.step_s == Need::required) {
+    if (numerics.has("relative_tolerance"))
+      numerics.refuse_key(
+          "relative_tolerance",
+          fmt::format("{} has a fixed step and no tolerance; give step_s, or take a controlled method", to_string(method)));
+    numerics.require("step_s");
+  } else if (numerics.has("step_s") && numerics.has("relative_tolerance")) {
+    numerics.refuse_key(
+        "relative_tolerance",
+        fmt::format("\"{}\" finds its step from it where no step_s is given; give one of the two", to_string(method)));
+  }
   scenario.numerics.step_s = numerics.number("step_s");
   if (!scenario.numerics.step_s || !(scenario.duration_s > 0)) return;
   const double interval = std::min(scenario.output_step_s, scenario.duration_s), step = *scenario.numerics.step_s;
@@ -116,9 +141,7 @@ void check_precision(const Section& numerics, Scenario& scenario) {
                     "the step, decides the error",
                     options.relative_tolerance, least, least, to_string(precision)));
   if (is_built(options.method, precision)) return;
-  std::string built;
-  for (const Method method : kMethods)
-    if (is_built(method, precision)) built += fmt::format("{}\"{}\"", built.empty() ? "" : ", ", to_string(method));
+  const std::string built = methods_that([&](Method m) { return is_built(m, precision); });
   numerics.refuse(
       "method", fmt::format("\"{}\" is not built for {}; must be {}", to_string(options.method), to_string(precision), built));
   options.method = Method::automatic;
@@ -143,18 +166,21 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
         *std::find_if(kPrecisions.begin(), kPrecisions.end(), [&](Precision p) { return to_string(p) == *precision; });
   if (method)
     options.method = *std::find_if(kMethods.begin(), kMethods.end(), [&](Method m) { return to_string(m) == *method; });
+  const auto composition = numerics.word("composition");
+  if (composition)
+    options.composition =
+        *std::find_if(kCompositions.begin(), kCompositions.end(), [&](Composition c) { return to_string(c) == *composition; });
   check_precision(numerics, scenario);
   if (!method || to_string(options.method) != *method) return;
-  if (options.method == Method::abm8) return decode_fixed_step(numerics, scenario);
+  if (options.composition != Composition::automatic && options.method != Method::splitting)
+    numerics.refuse_key("composition", fmt::format("\"{}\" composes nothing; it belongs to \"splitting\"", *method));
   if (options.method == Method::closed_form) {
     for (const std::string_view key : {"relative_tolerance", "step_s"})
       if (numerics.has(key))
         numerics.refuse_key(key, "\"closed_form\" takes no steps and has no tolerance; leave it out, or take another method");
     return;
   }
-  if (numerics.has("step_s"))
-    numerics.refuse_key(
-        "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to \"abm8\"", *method));
+  decode_step(numerics, scenario);
 }
 
 }  // namespace earthtop::scenario

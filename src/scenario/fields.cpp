@@ -114,9 +114,9 @@ constexpr Field kFields[] = {
     {"/effects/gravity_gradient", not_yet, "", any(), "", "", "", "gravity gradient torque"},
 
     {"/numerics", object, "", any(), "", "", "{}", "how to integrate"},
-    {"/numerics/method", word, "", any(), "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|closed_form",
-     "splitting|long_horizon", "\"auto\"",
-     "integration method; closed_form: none, of the scenes that have a closed form"},
+    {"/numerics/method", word, "", any(),
+     "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|closed_form", "long_horizon",
+     "\"auto\"", "integration method; closed_form: none, of the scenes that have a closed form"},
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
     {"/numerics/model", word, "", any(), "auto|general", "", "\"auto\"",
      "auto: in the laboratory a symmetric top without its spin; general: attitude and rates of any body"},
@@ -127,7 +127,12 @@ constexpr Field kFields[] = {
      "local error of a step, controlled methods; at least 1e-14 in double, 5e-18 in long_double; default 1e-16 in long_double, "
      "1e-28 in float128",
      !kRequired, "and at least 1e-14 in double, 5e-18 in long_double"},
-    {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "", "step of abm8"},
+    {"/numerics/step_s", number, "s", above(0, 1e9), "", "", "",
+     "step of the methods with a fixed one; required by abm8, found from relative_tolerance by gauss and splitting where it is "
+     "not "
+     "given; the step taken divides output_step_s"},
+    {"/numerics/composition", word, "", any(), "auto|aba82|aba84|aba864|aba1064|rkn6|kahan_li8", "", "\"auto\"",
+     "of splitting: how the exact flows follow one another; auto is rkn6"},
     {"/numerics/ledger", word, "", any(), "inertial|laboratory|platform|body", "", "",
      "observer of the torque ledger torques.csv; none is written if left out"},
 

@@ -33,6 +33,19 @@ std::optional<std::string> need_closed_form(const Scenario& scenario) {
   return std::nullopt;
 }
 
+/// The free motion of a symmetric top is a turn about its angular momentum, that of any other body takes elliptic functions;
+/// and it is split in axes that do not turn with the body.
+std::optional<std::string> need_splittable_scene(const Scenario& scenario) {
+  if (auto reason = need_plain_scene(Method::splitting, scenario)) return reason;
+  if (symmetry_axis(make_body<double>(scenario.body)) < 0)
+    return "\"splitting\" is made for symmetric tops, with their centre of mass on the axis; take \"auto\"";
+  if (scenario.numerics.form == ModelForm::general)
+    return "\"splitting\" has no general model; leave /numerics/model at \"auto\"";
+  if (scenario.numerics.observer == Observer::body)
+    return "\"splitting\" has no body axes; take the observer \"laboratory\" or \"inertial\"";
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> method_refusal(Method method, const Scenario& scenario) {
@@ -45,8 +58,8 @@ std::optional<std::string> method_refusal(Method method, const Scenario& scenari
     case Method::abm8:
     case Method::dop853:
     case Method::gauss: break;
+    case Method::splitting: return need_splittable_scene(scenario);
     case Method::taylor:
-    case Method::splitting:
     case Method::long_horizon: return need_plain_scene(method, scenario);
     case Method::closed_form: return need_closed_form(scenario);
   }

@@ -44,9 +44,27 @@ inline constexpr std::array kMotionRules = {
 };
 
 /// All methods and precisions; which go together says `is_built`.
-inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78, Method::bulirsch_stoer,
-                                        Method::extrapolation, Method::abm8,   Method::taylor,
-                                        Method::closed_form};
+inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78,      Method::bulirsch_stoer,
+                                        Method::extrapolation, Method::abm8,   Method::dop853,     Method::gauss,
+                                        Method::splitting,     Method::taylor, Method::closed_form};
+inline constexpr std::array kCompositions = {Composition::automatic, Composition::aba82,   Composition::aba84,
+                                             Composition::aba864,    Composition::aba1064, Composition::rkn6,
+                                             Composition::kahan_li8};
+
+/// What a method's step comes from: given as step_s, or found from relative_tolerance; where both are optional, from either.
+struct StepRule {
+  Need step_s, relative_tolerance;
+};
+constexpr StepRule step_rule(Method method) {
+  switch (method) {
+    case Method::closed_form: return {Need::none, Need::none};
+    case Method::abm8: return {Need::required, Need::none};
+    case Method::gauss:
+    case Method::splitting: return {Need::optional, Need::optional};
+    default: return {Need::none, Need::optional};
+  }
+}
+
 inline constexpr std::array kPrecisions = {Precision::bits53, Precision::bits64, Precision::bits113};
 
 }  // namespace earthtop::scenario

@@ -83,8 +83,20 @@ Json release_rule() {
 Json numerics_rule() {
   Json fixed_step = required("step_s");
   fixed_step.update(none_of("relative_tolerance"));
-  return when("method", "abm8", fixed_step,
-              when("method", "closed_form", none_of("step_s|relative_tolerance"), none_of("step_s")));
+  Json rule = when("method", "closed_form", none_of("step_s|relative_tolerance"), none_of("step_s"));
+  for (const Method method : kMethods) {
+    const Need step = step_rule(method).step_s;
+    if (step == Need::none) continue;
+    const Json one_of_two = {{"not", required("step_s|relative_tolerance")}};
+    rule = when("method", to_string(method), step == Need::required ? fixed_step : one_of_two, rule);
+  }
+  return rule;
+}
+
+/// Of another method than splitting there is nothing to choose.
+Json composition_rule() {
+  return when("method", to_string(Method::splitting), Json::object(),
+              {{"properties", {{"composition", {{"enum", Json::array({to_string(Composition::automatic)})}}}}}});
 }
 
 /// What the precision allows, as in `decode_precision`; double where none is given.
@@ -112,7 +124,7 @@ Json rules_of(std::string_view pattern) {
     return Json::array(
         {exactly_one("tilt_deg", "quaternion_LB"), exactly_one("spin_rad_s", "angular_velocity_body_rad_s"), release_rule()});
   if (pattern == "/platform") return platform_rules();
-  if (pattern == "/numerics") return Json::array({numerics_rule(), precision_rule()});
+  if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();
 }
 

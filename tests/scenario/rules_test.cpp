@@ -262,7 +262,18 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
   expect_set({{"/numerics", R"({"method": "abm8"})"}}, "/numerics/step_s", "is missing");
   expect_set({{"/numerics", R"({"method": "abm8", "step_s": 1e-4, "relative_tolerance": 1e-9})"}},
              "/numerics/relative_tolerance", "has a fixed step and no tolerance");
-  for (const std::string method : {"auto", "dopri5", "rkf78", "bulirsch_stoer"}) {
+  for (const std::string method : {"gauss", "splitting"}) {  // the one or the other
+    EXPECT_FALSE(parse(kMinimal, {{"/numerics/method", method}}).numerics.step_s);
+    EXPECT_EQ(parse(kMinimal, {{"/numerics", "{\"method\": \"" + method + "\", \"step_s\": 1e-3}"}}).numerics.step_s, 1e-3);
+    expect_set({{"/numerics", "{\"method\": \"" + method + "\", \"step_s\": 1e-3, \"relative_tolerance\": 1e-9}"}},
+               "/numerics/relative_tolerance", "give one of the two");
+  }
+  const Scenario composed = parse(kMinimal, {{"/numerics", R"({"method": "splitting", "composition": "aba864"})"}});
+  EXPECT_EQ(composed.numerics.composition, Composition::aba864);
+  EXPECT_EQ(parse(canonical_json(composed)).numerics.composition, Composition::aba864);
+  expect_set({{"/numerics", R"({"method": "rkf78", "composition": "aba864"})"}}, "/numerics/composition", "composes nothing");
+  expect_set({{"/numerics", R"({"method": "splitting", "observer": "body"})"}}, "/numerics/method", "has no body axes");
+  for (const std::string method : {"auto", "dopri5", "rkf78", "bulirsch_stoer", "dop853"}) {
     EXPECT_EQ(to_string(parse(kMinimal, {{"/numerics/method", method}}).numerics.method), method);
     expect_set({{"/numerics", "{\"method\": \"" + method + "\", \"step_s\": 1e-4}"}}, "/numerics/step_s",
                "chooses its own steps");
@@ -370,6 +381,8 @@ TEST(ScenarioRules, AnyValueAnywhereIsRefusedOrGivesAWholeScenario) {
                                            "ring",
                                            "rod",
                                            "abm8",
+                                           "splitting",
+                                           "rkn6",
                                            "steady_slow",
                                            "steady_fast",
                                            "harmonic",

@@ -59,6 +59,9 @@ WHOLE = [
           numerics={"method": "abm8", "step_s": 1e-3},
           platform={"motion": "constant", "axis": [0, 1, 1], "rate_rad_s": 1, "pivot_offset_m": [1, 0, 0]}),
     scene(site={"latitude_deg": -90}, numerics={"method": "closed_form", "precision": "long_double"}),
+    scene(numerics={"method": "splitting", "composition": "aba864", "step_s": 1e-3}),
+    scene(numerics={"method": "gauss", "relative_tolerance": 1e-10}),
+    scene(numerics={"method": "dop853"}),
     scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
 ]
@@ -83,6 +86,8 @@ BEYOND_THE_SCHEMA = [
     ({"numerics": {"method": "closed_form"}, "body": {**BODY, "center_of_mass_m": [0, 0.01, 0.02]}}, "only a symmetric top"),
     ({"numerics": {"method": "closed_form"}, "effects": {"coriolis": False}}, "not made for scenes without"),
     ({"numerics": {"method": "closed_form"}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "not made for a platform"),
+    ({"numerics": {"method": "splitting", "observer": "body"}}, "no body axes"),
+    ({"numerics": {"method": "splitting", "model": "general"}}, "no general model"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
 ]

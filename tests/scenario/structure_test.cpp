@@ -135,8 +135,6 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/effects/viscous_torque_N_m_s", "1e-6"},
       {"/effects/gravity_gradient", "true"},
       {"/effects/magnetic", "true"},
-      {"/numerics/method", "splitting"},
-      {"/numerics/method", "splitting"},
       {"/numerics/method", "long_horizon"},
       {"/accuracy/drift_rad", "1e-9"},
       {"/platform", R"({"motion": "table"})"},

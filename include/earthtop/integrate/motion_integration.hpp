@@ -21,11 +21,12 @@ struct MotionProblem {
   std::vector<double> times_s;  ///< output times; the first is the release, 0
 };
 
-/// Whether these options mean the reduced form for this model (reduced_top.hpp).
+/// Whether these options mean the reduced form for this model (reduced_top.hpp). `splitting` knows no other.
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
   if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  return options.observer == Observer::laboratory && is_reducible(model);
+  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
+  return (options.observer == Observer::laboratory || splits) && is_reducible(model);
 }
 
 /// What is asked of a motion. A symmetric top's axis alone takes six variables in the reduced form; its attitude nine.

@@ -13,9 +13,10 @@ enum class Observer { laboratory, body, inertial };
 /// The scalar of a run: double, long double or float128.
 enum class Precision { bits53, bits64, bits113 };
 
-/// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's) and extrapolation control their step,
-/// abm8 has a fixed one; closed_form takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every
-/// precision: see `is_built`.
+/// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's), extrapolation, taylor and dop853 control their
+/// step; abm8, gauss (collocation, implicit and symmetric) and splitting (a composition of exact flows) have a fixed one;
+/// closed_form takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every precision: see
+/// `is_built`.
 enum class Method {
   automatic,
   dopri5,
@@ -35,13 +36,18 @@ enum class Method {
 /// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
 enum class ModelForm { automatic, general, reduced };
 
+/// Which composition of exact flows `splitting` takes, by the names of src/integrate/compositions.hpp; automatic is rkn6, which
+/// takes the least work at every error below 1e-6 rad on the shipped tops.
+enum class Composition { automatic, aba82, aba84, aba864, aba1064, rkn6, kahan_li8 };
+
 std::string_view to_string(Observer observer);
 std::string_view to_string(Method method);
 std::string_view to_string(ModelForm form);
+std::string_view to_string(Composition composition);
 std::string_view to_string(Precision precision);
 
-/// Automatic, rkf78, extrapolation and closed_form in every precision, bulirsch_stoer in double and long double, dopri5 and
-/// abm8 in double.
+/// Automatic, rkf78, extrapolation, taylor and closed_form in every precision, bulirsch_stoer in double and long double, the
+/// others in double.
 bool is_built(Method method, Precision precision);
 
 /// The least relative tolerance: some 45 eps, the rounding of one step's sums. Less no controlled step can meet.
@@ -54,8 +60,9 @@ struct IntegrationOptions {
   Observer observer = Observer::laboratory;
   ModelForm form = ModelForm::automatic;
   Method method = Method::automatic;
-  double relative_tolerance = 1e-12;  ///< local error per step, against the size of each component group
-  std::optional<double> step_s;       ///< fixed-step methods; the step taken divides the output step
+  double relative_tolerance = 1e-12;                 ///< local error per step, against the size of each component group
+  std::optional<double> step_s;                      ///< fixed-step methods; the step taken divides the output step
+  Composition composition = Composition::automatic;  ///< of `splitting`
   std::int64_t step_limit = 2'000'000'000;
 };
 

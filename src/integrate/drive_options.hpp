@@ -1,0 +1,77 @@
+/// What the driver is told, how it keeps the time, and the form in which it takes a multistep method.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "earthtop/integrate/options.hpp"
+
+namespace earthtop {
+
+/// What the driver needs beside the system; times in the system's own unit.
+template <class T>
+struct DriveOptions {
+  Method method = Method::rkf78;
+  T relative_tolerance = T(1e-12);
+  T first_step = T(0.01);
+  T largest_step = T(0);         ///< between two states that on_step sees, where angles go round; 0: any
+  T rate = T(1);                 ///< rough bound on the rates of the motion
+  T fixed_step = T(0);           ///< largest step of a fixed-step method; the step taken divides each output interval
+  bool fixed_step_given = true;  ///< or else the method may find one that meets the tolerance
+  Composition composition = Composition::automatic;
+  std::int64_t step_limit = 0;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// A time kept as start + offset, the offset compensated: n steps cost one rounding, not n.
+template <class T>
+class IntervalClock {
+ public:
+  IntervalClock(T start, T end) : start_(start), length_(end - start) {}
+  T now() const { return start_ + offset_; }
+  T remaining() const { return (length_ - offset_) - carry_; }
+  /// From now to a time.
+  T until(T t) const { return ((t - start_) - offset_) - carry_; }
+  void advance(T dt) {
+    const T y = dt + carry_;
+    const T sum = offset_ + y;
+    carry_ = y - (sum - offset_);
+    offset_ = sum;
+  }
+
+ private:
+  T start_;
+  T length_;
+  T offset_ = T(0);
+  T carry_ = T(0);
+};
+
+/// Steps of less than this (in natural units, where the motion's own time is about 1) mean that no step is small enough.
+template <class T>
+constexpr T least_step() {
+  return T(1e-13);
+}
+
+/// Whether a system wants to see its state between the output times; those that follow no angle do not.
+template <class System>
+constexpr bool is_watched() {
+  if constexpr (requires { System::kWatched; })
+    return System::kWatched;
+  else
+    return true;
+}
+
+/// An odeint multistep method as the driver's fixed steps take it.
+template <class Stepper>
+struct MultistepStepper {
+  std::optional<Stepper> stepper{std::in_place};
+  template <class RightHandSide, class State, class T>
+  bool do_step(const RightHandSide& system, State& x, T t, T dt) {
+    stepper->do_step(system, x, t, dt);
+    return true;
+  }
+  void reset() { stepper.emplace(); }
+};
+
+}  // namespace earthtop

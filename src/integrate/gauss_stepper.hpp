@@ -1,0 +1,103 @@
+/// Gauss collocation of order 12: implicit, symmetric, and symplectic for a canonical Hamiltonian system; on odeint's stepper
+/// concept, do_step(system, x, t, dt). It keeps what a motion conserves without a trend over millions of steps.
+///
+/// Hairer, Lubich and Wanner, Geometric Numerical Integration, 2nd ed., sections VIII.5 and VIII.6 (fixed-point iteration,
+/// starting values, compensated sums); Hairer, McLachlan and Razakarivony 2008 (iteration until the changes no longer fall, so
+/// that no criterion leaves an error of one sign).
+#pragma once
+
+#include <array>
+
+#include "integrate/gauss_tables.hpp"
+#include "integrate/group_norms.hpp"
+
+namespace earthtop {
+
+template <class System>
+class GaussStepper {
+ public:
+  static constexpr std::size_t N = System::kSize;
+  static constexpr std::size_t S = 6;
+  using State = std::array<double, N>;
+  explicit GaussStepper(const GroupScales<double, System>& scales) : scales_(&scales) {}
+
+  /// @returns whether the iteration has come to rest; x is not changed if not
+  template <class RightHandSide>
+  bool do_step(const RightHandSide& system, State& x, double t, double dt) {
+    start(system, x, t);
+    double change_before = 0;
+    for (int iteration = 1;; ++iteration) {
+      const double change = iterate(system, x, t, dt);
+      // At rest, or round-off: the changes have stopped falling where they are already below any error of the method.
+      if (change == 0 || (change < kNearlyAtRest && iteration > 1 && change >= change_before)) break;
+      if (!(change < 1e20) || iteration == kMostIterations) {
+        known_ = false;
+        return false;
+      }
+      change_before = change;
+    }
+    for (std::size_t i = 0; i < N; ++i) {
+      double rise = 0;
+      for (std::size_t j = 0; j < S; ++j) rise += tables_.b[j] * slope_[j][i];
+      const double y = dt * rise + carry_[i];
+      const double sum = x[i] + y;
+      carry_[i] = y - (sum - x[i]);
+      x[i] = sum;
+    }
+    known_ = true;
+    return true;
+  }
+  /// Before a step of another length: nothing is known of it.
+  void reset() {
+    known_ = false;
+    carry_ = {};
+  }
+
+ private:
+  static constexpr int kMostIterations = 60;
+  static constexpr double kNearlyAtRest = 1e-12;  ///< in units of each group's size
+
+  /// Slopes at the nodes to begin with: those of the last step's polynomial, or the one at the beginning.
+  template <class RightHandSide>
+  void start(const RightHandSide& system, const State& x, double t) {
+    if (!known_) {
+      system(x, slope_[0], t);
+      for (std::size_t i = 1; i < S; ++i) slope_[i] = slope_[0];
+      return;
+    }
+    const auto last = slope_;
+    for (std::size_t i = 0; i < S; ++i)
+      for (std::size_t k = 0; k < N; ++k) {
+        double sum = 0;
+        for (std::size_t j = 0; j < S; ++j) sum += tables_.next[i][j] * last[j][k];
+        slope_[i][k] = sum;
+      }
+  }
+
+  /// One round over the nodes, each with the newest slopes of the others. @returns how far the stages have moved
+  template <class RightHandSide>
+  double iterate(const RightHandSide& system, const State& x, double t, double dt) {
+    double change = 0;
+    for (std::size_t i = 0; i < S; ++i) {
+      State stage, slope, difference;
+      for (std::size_t k = 0; k < N; ++k) {
+        double sum = 0;
+        for (std::size_t j = 0; j < S; ++j) sum += tables_.a[i][j] * slope_[j][k];
+        stage[k] = x[k] + (dt * sum + carry_[k]);
+      }
+      system(stage, slope, t + tables_.c[i] * dt);
+      for (std::size_t k = 0; k < N; ++k) difference[k] = dt * (slope[k] - slope_[i][k]);
+      change = std::max(change, scales_->largest_error(1.0, slope, difference, 0.0));
+      slope_[i] = slope;
+    }
+    return change;
+  }
+
+  const GaussTables<S>& tables_ = gauss_tables<S>();
+  const GroupScales<double, System>* scales_;
+  std::array<State, S> slope_;
+  State carry_{};
+  bool known_ = false;
+};
+
+}  // namespace earthtop

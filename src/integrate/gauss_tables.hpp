@@ -1,0 +1,26 @@
+/// Gauss collocation: nodes, weights and coefficients, correctly rounded to double from 113-bit arithmetic.
+///
+/// Hairer, Lubich and Wanner, Geometric Numerical Integration, 2nd ed., sections II.1.3 and VIII.6.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace earthtop {
+
+/// The method of S stages and order 2 S: A_ij is the integral of the j-th Lagrange polynomial to the i-th node, b_j the one
+/// to 1.
+template <std::size_t S>
+struct GaussTables {
+  std::array<double, S> c, b;
+  std::array<std::array<double, S>, S> a;
+  /// The polynomial through the values at the nodes of one step, at the nodes of the next one of the same length.
+  std::array<std::array<double, S>, S> next;
+};
+
+/// Made once.
+template <std::size_t S>
+const GaussTables<S>& gauss_tables();
+extern template const GaussTables<6>& gauss_tables<6>();
+
+}  // namespace earthtop

@@ -1,0 +1,89 @@
+/// Every method tells the same drift: each run within its stated bound of a run by another method.
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+std::vector<Scenario> scenes() {
+  std::vector<Scenario> all{testing::toy_top(), testing::heavy_rotor_top(), testing::asymmetric_top(), testing::toy_top(),
+                            testing::toy_top()};
+  all[3].platform = PlatformSpec{PlatformMotion::harmonic, {1, 1, 0.2}, 0, 0, 0.1, 0.7, 20, {0.1, -0.2, 0.3}};
+  all[4].effects.centrifugal = false;
+  std::size_t count = all.size();
+  for (std::size_t i = 0; i < count; ++i) {  // and on an Earth as fast as the top precesses
+    all.push_back(all[i]);
+    all.back().rotation_rate_rad_s = 1;
+    all.back().release.rates_relative_to = RatesRelativeTo::inertial;
+  }
+  for (Scenario& s : all) s.duration_s = 3, s.output_step_s = 0.05;
+  return all;
+}
+
+TEST(Methods, AgreeWithinTheirBounds) {
+  for (const Scenario& scene : scenes()) {
+    const RunResult expected = run(scene);
+    for (const Method method : {Method::dop853, Method::gauss, Method::splitting})
+      for (const testing::Equations& equations : testing::kEquations) {
+        Scenario s = scene;
+        equations.take(s);
+        if (method == Method::splitting) s.numerics.form = ModelForm::automatic;
+        s.numerics.method = method;
+        if (method_refusal(method, s)) continue;
+        SCOPED_TRACE(to_string(method));
+        SCOPED_TRACE(equations);
+        s.numerics.relative_tolerance = 1e-13;
+        const RunResult r = run(s);
+        ASSERT_EQ(r.status, RunStatus::completed);
+        ASSERT_EQ(r.rows.size(), expected.rows.size());
+        for (std::size_t i = 0; i < r.rows.size(); ++i) {
+          const DriftRow &row = r.rows[i], &other = expected.rows[i];
+          EXPECT_LE(std::abs(row.drift_axis_rad - other.drift_axis_rad), row.drift_axis_bound_rad + other.drift_axis_bound_rad);
+          EXPECT_LE(std::abs(row.drift_attitude_rad - other.drift_attitude_rad),
+                    row.drift_attitude_bound_rad + other.drift_attitude_bound_rad);
+        }
+        EXPECT_LT(r.drift.axis_bound_rad, 1e-8 * std::max(1e-4, r.drift.axis_max_rad));
+        EXPECT_NEAR(r.drift.spin_final_rad, expected.drift.spin_final_rad, 1e-9);
+      }
+  }
+}
+
+// A drift without cancellation: at 1e-300 rad/s as many digits as at the Earth's rate.
+TEST(Methods, TinyRatesKeepTheirDigits) {
+  Scenario s = testing::toy_top();
+  s.duration_s = 3;
+  for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
+    s.release.rates_relative_to = rule;
+    s.rotation_rate_rad_s = 1e-300;
+    s.numerics.method = Method::automatic;
+    const double expected = run(s).drift.axis_final_rad / 1e-300;
+    for (const Method method : {Method::dop853, Method::gauss, Method::splitting})
+      for (const double Omega : {1e-300, 1e-12}) {
+        s.rotation_rate_rad_s = Omega;
+        s.numerics.method = method;
+        EXPECT_NEAR(run(s).drift.axis_final_rad / Omega, expected, 2e-10 * expected) << to_string(method) << ", " << Omega;
+      }
+  }
+}
+
+TEST(Methods, WhatDoesNotSplitIsRefusedWithTheReason) {
+  Scenario s = testing::toy_top();
+  EXPECT_FALSE(method_refusal(Method::splitting, s));
+  s.numerics.observer = Observer::body;
+  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("no body axes"), std::string::npos);
+  s = testing::toy_top();
+  s.numerics.form = ModelForm::general;
+  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("no general model"), std::string::npos);
+  s = testing::toy_top();
+  s.platform = PlatformSpec{};
+  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("platform"), std::string::npos);
+  s = testing::toy_top();
+  s.effects.transverse = false;
+  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("non-inertial torques"), std::string::npos);
+  EXPECT_NE(method_refusal(Method::splitting, testing::asymmetric_top()).value_or("").find("symmetric tops"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace earthtop
