@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "integrate/closed_form_motion.hpp"
+#include "integrate/long_horizon_motion.hpp"
 #include "integrate/motion_system.hpp"
 
 namespace earthtop {
@@ -54,6 +55,12 @@ template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, MotionSought sought,
                                      const std::atomic<bool>* stop) {
   if (options.method == Method::closed_form) return closed_form_motion(problem, options, stop);
+  if (options.method == Method::long_horizon) {
+    if constexpr (std::is_same_v<T, double>)
+      return long_horizon_motion(problem, options, stop);
+    else
+      throw std::logic_error("long_horizon is built for double only");
+  }
   const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
     case Observer::laboratory:

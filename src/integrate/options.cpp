@@ -72,8 +72,8 @@ bool is_built(Method method, Precision precision) {
     case Method::abm8:
     case Method::dop853:
     case Method::gauss:
-    case Method::splitting: return precision == Precision::bits53;
-    case Method::long_horizon: break;
+    case Method::splitting:
+    case Method::long_horizon: return precision == Precision::bits53;
   }
   return false;
 }

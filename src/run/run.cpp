@@ -30,7 +30,11 @@ std::atomic<bool> stop_asked = false;
 /// the scene makes of the motion, and the same closed form of the nudged scene shows that at the price of the rows. That the
 /// formula is the motion, no comparison within a run has to show: the tests hold it against integrations of every scene it
 /// fits.
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision) {
+///
+/// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
+/// against itself at a finer tolerance and in steps that have no common measure with the first ones (the observer names them),
+/// which excite other nutation. Where a run has few nutations, extrapolation.
+IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase) {
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
@@ -45,6 +49,11 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   const double finer = std::max(asked / 100, least);
   second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
   if (first.step_s || first.method == Method::taylor) second.relative_tolerance = finer;
+  constexpr double kAffordable = 5e4;  // rad; half a second
+  if (first.method == Method::long_horizon && phase > kAffordable) {
+    second.method = Method::long_horizon;
+    second.relative_tolerance = std::max(asked / 100, least_tolerance(precision));
+  }
   return second;
 }
 
@@ -107,8 +116,9 @@ RunResult run_in(const Scenario& scenario) {
   problem.rotating = RotatingMotion::composed;
   problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));  // no further than the rows got
   nudge(problem);
+  const double phase = fastest_rate_rad_s(scenario) * problem.times_s.back();
   const DriftTrajectory<T> second =
-      integrate_timed(problem, second_options(options, result.solution.form, precision), precision, result.certificate);
+      integrate_timed(problem, second_options(options, result.solution.form, precision, phase), precision, result.certificate);
   result.status = first.status != RunStatus::completed ? first.status : second.status;
 
   // What follows takes seconds where the rows are millions.

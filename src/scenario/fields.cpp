@@ -115,7 +115,7 @@ constexpr Field kFields[] = {
 
     {"/numerics", object, "", any(), "", "", "{}", "how to integrate"},
     {"/numerics/method", word, "", any(),
-     "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|closed_form", "long_horizon",
+     "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|long_horizon|closed_form", "",
      "\"auto\"", "integration method; closed_form: none, of the scenes that have a closed form"},
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "", "\"laboratory\"", "whose equations are integrated"},
     {"/numerics/model", word, "", any(), "auto|general", "", "\"auto\"",

@@ -46,6 +46,17 @@ std::optional<std::string> need_splittable_scene(const Scenario& scenario) {
   return std::nullopt;
 }
 
+/// A symmetric top's closed form, in laboratory axes.
+std::optional<std::string> need_symmetric_top(const Scenario& scenario) {
+  if (const auto reason = need_plain_scene(Method::long_horizon, scenario)) return reason;
+  if (symmetry_axis(make_body<double>(scenario.body)) != 2)
+    return "\"long_horizon\" is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
+           "centre of mass on the axis); take \"auto\"";
+  if (scenario.numerics.observer != Observer::laboratory || scenario.numerics.form != ModelForm::automatic)
+    return "\"long_horizon\" has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> method_refusal(Method method, const Scenario& scenario) {
@@ -59,8 +70,8 @@ std::optional<std::string> method_refusal(Method method, const Scenario& scenari
     case Method::dop853:
     case Method::gauss: break;
     case Method::splitting: return need_splittable_scene(scenario);
-    case Method::taylor:
-    case Method::long_horizon: return need_plain_scene(method, scenario);
+    case Method::taylor: return need_plain_scene(method, scenario);
+    case Method::long_horizon: return need_symmetric_top(scenario);
     case Method::closed_form: return need_closed_form(scenario);
   }
   return std::nullopt;

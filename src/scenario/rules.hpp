@@ -44,9 +44,9 @@ inline constexpr std::array kMotionRules = {
 };
 
 /// All methods and precisions; which go together says `is_built`.
-inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78,      Method::bulirsch_stoer,
-                                        Method::extrapolation, Method::abm8,   Method::dop853,     Method::gauss,
-                                        Method::splitting,     Method::taylor, Method::closed_form};
+inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78,       Method::bulirsch_stoer,
+                                        Method::extrapolation, Method::abm8,   Method::dop853,      Method::gauss,
+                                        Method::splitting,     Method::taylor, Method::closed_form, Method::long_horizon};
 inline constexpr std::array kCompositions = {Composition::automatic, Composition::aba82,   Composition::aba84,
                                              Composition::aba864,    Composition::aba1064, Composition::rkn6,
                                              Composition::kahan_li8};

@@ -135,7 +135,6 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/effects/viscous_torque_N_m_s", "1e-6"},
       {"/effects/gravity_gradient", "true"},
       {"/effects/magnetic", "true"},
-      {"/numerics/method", "long_horizon"},
       {"/accuracy/drift_rad", "1e-9"},
       {"/platform", R"({"motion": "table"})"},
       {"/platform", R"({"motion": "constant", "rate_rad_s": 1, "file": "a.csv"})"},

@@ -15,7 +15,8 @@ enum class Precision { bits53, bits64, bits113 };
 
 /// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's), extrapolation, taylor and dop853 control their
 /// step; abm8, gauss (collocation, implicit and symmetric) and splitting (a composition of exact flows) have a fixed one;
-/// closed_form takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every precision: see
+/// long_horizon composes exact flows of a symmetric top, in steps that its tolerance (rad, of the axis) decides; closed_form
+/// takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every precision: see
 /// `is_built`.
 enum class Method {
   automatic,

@@ -1,0 +1,324 @@
+#include "drift/long_horizon_drift.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "drift/release_rates.hpp"
+#include "drift/step_watcher.hpp"
+#include "integrate/drive_problem.hpp"
+#include "integrate/long_horizon.hpp"
+
+namespace earthtop {
+namespace {
+
+using T = double;
+using Top = TiltedTop<T>;
+
+/// Both motions at one instant, without the spin w3 t that they share. `y` is the vector part of R_ref^T R_rot over epsilon.
+struct Pair {
+  Quaternion<T> ref_q_LF;
+  Complex<T> ref_across;
+  T e_w = T(1);
+  Vec3<T> y = Vec3<T>::Zero();
+  Complex<T> across;     ///< of the rotating motion, in its own frame
+  T spin_excess = T(0);  ///< its rate along the axis relative to the laboratory, less w3
+};
+
+/// What a step watcher asks about a pair.
+class PairSystem {
+ public:
+  using State = Pair;
+  PairSystem(T epsilon, T w3) : epsilon_(epsilon), w3_(w3) {}
+
+  void follow(const Pair& x) { followed_ = signed_like(followed_, x); }
+  DriftState<T> deviation_state(const Pair& pair, T) const {
+    const Pair x = signed_like(followed_, pair);
+    DriftState<T> s;
+    s.epsilon = epsilon_;
+    s.ref_q_LB = x.ref_q_LF;
+    s.e_w = x.e_w;
+    s.e_v_scaled = x.y;
+    return s;
+  }
+  DriftState<T> shared_state(const Pair& pair, T t) const {
+    const Pair x = signed_like(followed_, pair);
+    const Quaternion<T> spin = steady_turn(2, w3_, t);
+    const Mat3<T> R_FB = rotation_matrix(spin);
+    DriftState<T> s = deviation_state(pair, t);
+    s.ref_q_LB = x.ref_q_LF * spin;
+    s.e_v_scaled = transposed_times(R_FB, x.y);
+    s.q_LB = s.ref_q_LB * Quaternion<T>{x.e_w, epsilon_ * s.e_v_scaled}.normalized();
+    s.ref_w_LB_B = transposed_times(R_FB, Vec3<T>(x.ref_across.re, x.ref_across.im, w3_));
+    s.w_LB_B = transposed_times(R_FB, Vec3<T>(x.across.re, x.across.im, w3_ + x.spin_excess));
+    return s;
+  }
+
+ private:
+  /// The pair with its two quaternions on the side of those followed last.
+  Pair signed_like(const Pair& last, const Pair& pair) const {
+    Pair x = pair;
+    if (last.ref_q_LF.w * x.ref_q_LF.w + last.ref_q_LF.v.dot(x.ref_q_LF.v) < T(0)) x.ref_q_LF = {-x.ref_q_LF.w, -x.ref_q_LF.v};
+    if (last.e_w * x.e_w + (epsilon_ * last.y).dot(epsilon_ * x.y) < T(0)) x.e_w = -x.e_w, x.y = -x.y;
+    return x;
+  }
+  T epsilon_, w3_;
+  Pair followed_;
+
+ public:
+  void start_from(const Quaternion<T>& q_LB) { followed_.ref_q_LF = q_LB; }
+};
+
+class LongHorizonDrift {
+ public:
+  LongHorizonDrift(const DriftProblem<T>& problem, const IntegrationOptions& options, const std::atomic<bool>* stop)
+      : problem_(problem),
+        options_(options),
+        stop_(stop),
+        model_(problem.model),
+        symmetric_(reduced_top(problem.model)),
+        w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
+        times_(natural_times(problem)),
+        reference_(top_at(T(0))),
+        reference_flow_(reference_, reference_.start()) {}
+
+  DriftTrajectory<T> run() {
+    const T epsilon = model_.epsilon;
+    if (norm(model_.W_IL_L_scaled) == T(0) || times_.size() < 2) {
+      for (const T t : times_) pairs_.push_back(pair(reference_flow_.at(t), reference_, t, T(1)));
+      for (Pair& p : pairs_) p.e_w = T(1), p.y = Vec3<T>::Zero();
+      return watched(epsilon, true);
+    }
+    const Top top = top_at(epsilon);
+    const LongHorizonPlan<T> plan = plan_of(top, T(options_.relative_tolerance));
+    set_step(plan);
+    if (plan.averages) stated_error_ = averaging_error(top, times_.back()) / times_.back();
+    DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
+    const T largest = largest_drift(epsilon);
+    if (largest >= kSmall || trajectory_status_ != RunStatus::completed) return plain;
+    const T drift = interpolate(epsilon, largest);
+    if (!(drift > T(0))) return plain;  // nothing at any rate
+    return watched(epsilon, false);
+  }
+
+ private:
+  static constexpr T kSmall = 1e-3;   ///< a drift (rad) of which a difference gives nine digits
+  static constexpr T kChosen = 4e-3;  ///< the drift at the rates that stand for smaller ones
+  static constexpr T kGoldenPart = 0.6180339887498949;
+  static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
+
+  Top top_at(T epsilon) const {
+    return Top(model_, symmetric_, problem_.release.q_LB, w_XB_B_, problem_.release.X, Vec3<T>(epsilon * model_.W_IL_L_scaled));
+  }
+  T shortest_interval() const {
+    T shortest = times_.back() - times_.front();
+    for (std::size_t i = 1; i + 1 < times_.size(); ++i) shortest = std::min(shortest, T(times_[i] - times_[i - 1]));
+    return shortest;
+  }
+  LongHorizonPlan<T> plan_of(const Top& top, T tolerance) {
+    const T duration = times_.back();
+    if (options_.step_s) {
+      const T step = problem_.units.time_from_s(T(*options_.step_s));
+      return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
+    }
+    LongHorizonPlan<T> plan = find_plan(top, duration, shortest_interval(), tolerance, counters_);
+    // Another observer asks for a witness: steps without a common measure with these, and an average over twice the time, whose
+    // own error is four times as large.
+    if (options_.observer != Observer::laboratory) plan.step *= kGoldenPart, plan.spacing = 2;
+    return plan;
+  }
+  void set_step(const LongHorizonPlan<T>& plan) {
+    const T interval = times_[1] - times_[0];
+    step_s_ = static_cast<double>(
+        real::scale(T(interval / std::max(T(1), std::ceil(interval / plan.step * (1 - 1e-12)))), problem_.units.time_exponent));
+  }
+
+  Pair pair(const TiltedTopState<T>& rotating, const Top& top, T t, T epsilon) const {
+    const Top::Seen there = top.seen(rotating, t), reference = reference_.seen(reference_flow_.at(t), t);
+    const Quaternion<T> e = (reference.q_LF.conjugate() * there.q_LF).normalized();
+    return {reference.q_LF, reference.across, e.w, Vec3<T>(e.v / epsilon), there.across, there.spin_excess};
+  }
+
+  bool goes_on() {
+    if (stop_ != nullptr && *stop_) trajectory_status_ = RunStatus::interrupted;
+    if (counters_.accepted > options_.step_limit) trajectory_status_ = RunStatus::step_limit;
+    return trajectory_status_ == RunStatus::completed;
+  }
+  static bool finite(const Pair& p) {
+    return real::isfinite(p.e_w + p.y.sum() + p.across.re + p.across.im + p.ref_q_LF.w + p.ref_across.re + p.ref_across.im);
+  }
+
+  /// One walk, each row's pair noted. @param look  called between the rows, with time and pair
+  template <class Look>
+  void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T looks_every, Look&& look) {
+    LongHorizonWalk<T> walk(top, plan, counters_);
+    pairs_.clear();
+    for (std::size_t i = 0; i < times_.size() && goes_on(); ++i) {
+      if (i > 0) {
+        const T begin = times_[i - 1];
+        walk.advance(times_[i] - begin, looks_every,
+                     [&](T since, const TiltedTopState<T>& x) { look(begin + since, pair(x, top, begin + since, epsilon)); });
+      }
+      const Pair p = i == 0 ? pair(top.start(), top, T(0), epsilon) : pair(walk.state(), top, times_[i], epsilon);
+      if (!finite(p)) {
+        trajectory_status_ = RunStatus::not_finite;
+        return;
+      }
+      pairs_.push_back(p);
+      look(times_[i], p);
+    }
+  }
+  T looks_every(const Top& top) const {
+    const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
+    return rate > T(0) ? T(1.5) / rate : times_.back();
+  }
+
+  DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
+    PairSystem system(epsilon, w_XB_B_[2]);
+    system.start_from(problem_.release.q_LB);
+    StepWatcher<T, PairSystem> watcher(system, problem_.units, problem_.threshold_rad);
+    DriftTrajectory<T> trajectory;
+    trajectory.samples.reserve(times_.size());
+    std::size_t rows = 0;
+    walk(top, plan, epsilon, looks_every(top), [&](T t, const Pair& p) {
+      watcher(t, p);
+      if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
+    });
+    return finished(trajectory, watcher);
+  }
+  /// The same of pairs that are there already.
+  DriftTrajectory<T> watched(T epsilon, bool exact) {
+    PairSystem system(epsilon, w_XB_B_[2]);
+    system.start_from(problem_.release.q_LB);
+    StepWatcher<T, PairSystem> watcher(system, problem_.units, problem_.threshold_rad);
+    DriftTrajectory<T> trajectory;
+    trajectory.samples.reserve(times_.size());
+    const T every = looks_every(reference_);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      // The deviation is small and stays near; the reference goes round.
+      if (i > 0)
+        for (T t = times_[i - 1] + every; t < times_[i]; t += every) {
+          Pair between = pairs_[i - 1];
+          between.ref_q_LF = reference_.seen(reference_flow_.at(t), t).q_LF;
+          system.follow(between);
+        }
+      watcher(times_[i], pairs_[i]);
+      add_sample(watcher, pairs_[i], i, trajectory);
+    }
+    if (exact) counters_.evaluations += 1;
+    return finished(trajectory, watcher);
+  }
+  void add_sample(const StepWatcher<T, PairSystem>& watcher, const Pair& p, std::size_t row, DriftTrajectory<T>& trajectory) {
+    trajectory.samples.push_back(watcher.sample(p, times_[row], problem_.times_s[row]));
+    trajectory.samples.back().drift_error = stated_error_ * times_[row];
+    if (row == 0) set_release_rates(problem_, trajectory.samples.front().state);
+  }
+  DriftTrajectory<T> finished(DriftTrajectory<T>& trajectory, const StepWatcher<T, PairSystem>& watcher) const {
+    trajectory.status = trajectory_status_;
+    trajectory.counters = counters_;
+    trajectory.step_s = step_s_;
+    trajectory.threshold_time_s = watcher.threshold_time_s();
+    return trajectory;
+  }
+
+  T largest_drift(T epsilon) const {
+    T largest = T(0);
+    for (const Pair& p : pairs_) largest = std::max(largest, T(2) * real::atan2(T(epsilon * norm(p.y)), real::abs(p.e_w)));
+    return largest;
+  }
+
+  /// Fills `pairs_` for this epsilon from four larger rates. @param drift  a first estimate of the drift at it (rad)
+  /// @returns the drift that the largest of these rates makes
+  T interpolate(T epsilon, T drift) {
+    const auto quiet = [](T, const Pair&) {};
+    constexpr T kResolved = 1e-5;  // a plain difference of this size is no round-off, and says how far to go
+    T node = drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back());
+    for (int trial = 0; trial < 60; ++trial) {
+      const Top top = top_at(node);
+      const LongHorizonPlan<T> plan = plan_of(top, kChosen * std::max(T(options_.relative_tolerance), T(1e-11)));
+      walk(top, plan, node, T(0), quiet);
+      const T reached = largest_drift(node);
+      if (trajectory_status_ != RunStatus::completed) return reached;
+      if (reached == T(0)) return T(0);
+      if (reached > kChosen * T(2) || reached < kChosen / T(8)) {
+        node *= std::clamp(T(kChosen / reached), T(1e-6), T(1e3));
+        continue;
+      }
+      std::array<std::vector<Pair>, kNodes.size()> at;
+      at[0] = pairs_;
+      for (std::size_t i = 1; i < kNodes.size(); ++i) {
+        LongHorizonPlan<T> same = plan;
+        const Top other = top_at(kNodes[i] * node);
+        if (plan.averages) same = make_plan(other, plan.schedule, plan.step, true), same.spacing = plan.spacing;
+        walk(other, same, kNodes[i] * node, T(0), quiet);
+        if (trajectory_status_ != RunStatus::completed) return reached;
+        at[i] = pairs_;
+      }
+      if (join(at, epsilon, node) || trial > 40) return reached;
+      node /= T(4);
+    }
+    return T(1);
+  }
+
+  /// @returns whether the cubic and the parabola through the inner three agree
+  bool join(const std::array<std::vector<Pair>, kNodes.size()>& at, T epsilon, T node) {
+    const T x = epsilon / node;
+    std::array<T, kNodes.size()> weight;
+    for (std::size_t i = 0; i < kNodes.size(); ++i) {
+      weight[i] = T(1);
+      for (std::size_t j = 0; j < kNodes.size(); ++j)
+        if (j != i) weight[i] *= (x - kNodes[j]) / (kNodes[i] - kNodes[j]);
+    }
+    T largest = T(0), third = T(0);
+    for (std::size_t row = 0; row < pairs_.size(); ++row) {
+      Pair p = at[0][row];
+      Vec3<T> y = Vec3<T>::Zero(), bend = Vec3<T>::Zero();
+      Complex<T> rate;
+      T excess = T(0);
+      constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // of the cubic's term: proportional to the third difference
+      for (std::size_t i = 0; i < kNodes.size(); ++i) {
+        const Pair& q = at[i][row];
+        const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
+        y += weight[i] * side * q.y;
+        bend += kThird[i] * side * q.y;
+        rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
+        excess += weight[i] * scale * q.spin_excess;
+      }
+      p.y = y;
+      p.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
+      p.across = p.ref_across + epsilon * rate;
+      p.spin_excess = epsilon * excess;
+      pairs_[row] = p;
+      largest = std::max(largest, norm(y));
+      third = std::max(third, norm(bend));
+    }
+    // The next term is smaller than the cubic one by about as much as that is than the whole, to the third part.
+    return third < T(1e-4) * largest;
+  }
+
+  const DriftProblem<T>& problem_;
+  const IntegrationOptions& options_;
+  const std::atomic<bool>* stop_;
+  const Model<T>& model_;
+  ReducedTop<T> symmetric_;
+  Vec3<T> w_XB_B_;
+  std::vector<T> times_;
+  Top reference_;
+  Top::Flow reference_flow_;
+  StepCounters counters_;
+  RunStatus trajectory_status_ = RunStatus::completed;
+  std::optional<double> step_s_;
+  T stated_error_ = T(0);  ///< of averaging, in a unit of time
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+
+DriftTrajectory<double> long_horizon_drift(const DriftProblem<double>& problem, const IntegrationOptions& options,
+                                           const std::atomic<bool>* stop) {
+  if (reduced_top(problem.model).axis != 2) throw std::logic_error("long_horizon: the top is not symmetric about body axis 3");
+  return LongHorizonDrift(problem, options, stop).run();
+}
+
+}  // namespace earthtop

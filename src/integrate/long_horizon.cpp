@@ -1,0 +1,158 @@
+#include "integrate/long_horizon.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace earthtop {
+namespace {
+
+/// How far x t may grow in a step for which s Gauss nodes have this relative error for exp(i x t).
+double gauss_phase(int s, double error) {
+  const double log = std::log(error) - 4 * std::lgamma(s + 1.0) + std::log(2 * s + 1.0) + 3 * std::lgamma(2 * s + 1.0);
+  return std::exp(log / (2 * s));
+}
+
+/// Less (rad) cannot be seen in a double's run.
+constexpr double kLeastError = 1e-12;
+/// A difference (rad) that may be round-off in a trial.
+constexpr double kLeastSquare = 1e-10;
+
+template <class T>
+T angle_between(const Vec3<T>& a, const Vec3<T>& b) {
+  return real::atan2(norm(Vec3<T>(a.cross(b))), a.dot(b));
+}
+
+/// How far two plans come apart on the first part of a run: the axis, or the attitude where that matters more.
+template <class T>
+class Trial {
+ public:
+  static constexpr int kLooks = 8;
+  Trial(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T part, StepCounters& counters) {
+    LongHorizonWalk<T> walk(top, plan, counters);
+    for (int i = 0; i < kLooks; ++i) {
+      walk.advance(part / T(kLooks), T(0), [](T, const TiltedTopState<T>&) {});
+      seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(kLooks));
+    }
+  }
+  T distance(const Trial& other) const {
+    // The turn about the axis is looked at a tenth as closely.
+    constexpr double kTurnShare = 0.1;
+    T largest = T(0);
+    for (std::size_t i = 0; i < kLooks; ++i) {
+      const Mat3<T> R = rotation_matrix(seen_[i].q_LF), S = rotation_matrix(other.seen_[i].q_LF);
+      const Quaternion<T> e = seen_[i].q_LF.conjugate() * other.seen_[i].q_LF;
+      const T turn = T(2) * real::atan2(norm(e.v), real::abs(e.w));
+      largest = std::max({largest, angle_between<T>(R.col(2), S.col(2)), T(kTurnShare) * turn});
+    }
+    return largest;
+  }
+
+ private:
+  std::array<typename TiltedTop<T>::Seen, kLooks> seen_;
+};
+
+}  // namespace
+
+template <class T>
+LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages) {
+  LongHorizonPlan<T> plan;
+  plan.schedule = schedule;
+  plan.step = step;
+  plan.averages = averages;
+  if (!averages) return plan;
+  plan.period = top.nutation_period();
+  // Such that the first three harmonics of the nutation are integrated exactly: a discrete sine transform of 1/k.
+  for (int i = 1; i <= 3; ++i) {
+    T sum = T(0);
+    for (int k = 1; k <= 3; ++k) sum += real::sin(T(k * i) * real::pi<T>() / T(4)) / T(k);
+    plan.ripple_weight[i - 1] = -plan.period * sum / (T(8) * real::pi<T>());
+  }
+  return plan;
+}
+
+template <class T>
+T averaging_error(const TiltedTop<T>& top, T duration) {
+  const T ripple = top.kick_rate() * top.nutation_period() / (T(2) * real::pi<T>());
+  return ripple * top.earth_rate() * duration / T(5);
+}
+
+template <class T>
+bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
+  const T period = top.nutation_period();
+  // Few periods are better stepped through, and short steps have them resolved.
+  if (!(T(32) * period < duration) || !(period < step)) return false;
+  const T nutation = T(2) * real::pi<T>() / period, precession = top.precession_rate(), ratio = precession / nutation;
+  if (!(ratio < T(0.02))) return false;
+  const T ripple = top.kick_rate() / nutation;
+  if (!(ripple * ratio * (T(1) + ratio * precession * duration) < tolerance)) return false;
+  // Where the nutation would take minutes, the averaging error is stated instead.
+  constexpr double kAffordablePhase = 1e6;
+  return averaging_error(top, duration) < tolerance || nutation * duration > T(kAffordablePhase);
+}
+
+template <class T>
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters) {
+  const T tolerance = std::max(asked, T(kLeastError));
+  const bool averages = may_average(top, duration, interval, tolerance);
+  const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
+  const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
+  // The perturbation goes with twice the rate, and a tenth of it at that: the trial sees to the rest.
+  const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 3 / size, 0.01) : 0.01;
+  double least_work = std::numeric_limits<double>::infinity();
+  KickSchedule schedule;
+  T step = interval;
+  for (const int s : {1, 2, 3, 4, 6, 8}) {
+    const double longest = gauss_phase(s, error) / (2 * rate), whole = static_cast<double>(interval);
+    const double steps = std::max(1.0, std::ceil(whole / longest));
+    if (const double work = s * steps; work < least_work) {
+      least_work = work;
+      schedule = kick_schedules::gauss(s);
+      step = T(whole / steps);
+    }
+  }
+  LongHorizonPlan<T> plan = make_plan(top, schedule, step, averages);
+  if (!(size > 0)) return plan;
+
+  // On the whole where it costs little: in an unstable scene errors grow.
+  constexpr double kCheapSteps = 400;
+  const T part = duration < T(kCheapSteps) * step
+                     ? duration
+                     : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
+  const T growth = duration / part;
+  Trial<T> coarse(top, plan, part, counters);
+  T before = std::numeric_limits<T>::infinity();
+  int stalls = 0;
+  for (int halvings = 0; halvings < 16; ++halvings) {
+    LongHorizonPlan<T> finer = plan;
+    finer.step /= T(2);
+    const Trial<T> fine(top, finer, part, counters);
+    const T distance = coarse.distance(fine);
+    if (distance * growth < tolerance) return part < duration ? plan : finer;
+    const bool composed = plan.schedule.kicks == kick_schedules::aba864().kicks;
+    if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(16)))) {
+      // Hardly better by halving: round-off, or the square of a large perturbation, for which there is a schedule. That one may
+      // stand still for once where its error changes from one order, and one sign, to another.
+      if (distance < T(kLeastSquare) || stalls > 1) return plan;
+      if (composed) {
+        ++stalls;
+      } else {
+        plan.schedule = kick_schedules::aba864();
+        plan.step = step;
+        coarse = Trial<T>(top, plan, part, counters);
+        before = std::numeric_limits<T>::infinity();
+        continue;
+      }
+    }
+    before = distance;
+    plan = finer;
+    coarse = fine;
+  }
+  return plan;
+}
+
+template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, bool);
+template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&);
+template double averaging_error(const TiltedTop<double>&, double);
+template bool may_average(const TiltedTop<double>&, double, double, double);
+
+}  // namespace earthtop

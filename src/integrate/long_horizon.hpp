@@ -1,0 +1,145 @@
+/// The long-horizon method: a symmetric top on the rotating Earth by exact flows and kicks (tilted_top.hpp), in steps that
+/// resolve the precession where the nutation is fast, and the nutation where it is not. Neither the spin nor, in the first
+/// case, the nutation costs anything.
+///
+/// A step far longer than the nutation excites nutation by aliasing. So each kick is spread: 1, 2, 3, 2 and 1 ninths of it at
+/// intervals of a third of the nutation period about its time. The response of that to the nutation and to its second harmonic
+/// vanishes, to first order in the precession too (the zeros are double); without the second, steps near a multiple of half the
+/// period would gather its error. The flows between are exact, and it costs no error in the step. The parts of a kick do not
+/// commute: what that leaves changes its sign with their order, which is backward in the second half of a step and, for a kick
+/// in the middle, in every other step. What such a step leaves out is the ripple of the kicks within a nutation period, of
+/// which the start has its share: a zero-mean integral over one period, evaluated by six kicks more, takes it off at the start
+/// and puts it back at every output time.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "earthtop/integrate/options.hpp"
+#include "integrate/kick_schedule.hpp"
+#include "integrate/tilted_top.hpp"
+
+namespace earthtop {
+
+template <class T>
+struct LongHorizonPlan {
+  KickSchedule schedule;
+  T step = T(1);            ///< the largest; the one taken divides the interval between two output times
+  bool averages = false;    ///< over the nutation: spread kicks, and the ripple apart
+  T period = T(0);          ///< of the nutation
+  int spacing = 1;          ///< of a kick's parts, in thirds of the period; no multiple of 3
+  T ripple_weight[3] = {};  ///< of the six ripple kicks, at 1/8, 2/8, 3/8 of the period before and after
+};
+
+/// A plan with this schedule and step. @param averages  only for a finite nutation period
+template <class T>
+LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages);
+
+/// The plan whose error over `duration` is about `tolerance` (rad, of the axis): from an estimate, and from a trial on a part
+/// of the duration whose step is halved until two results agree.
+/// @param interval  between output times, which no step exceeds   @param counters  is told what the trial cost
+template <class T>
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters);
+
+/// Whether steps of this length, long against the nutation, keep this tolerance (rad).
+template <class T>
+bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance);
+
+/// What averaging costs over `duration` beside its ripple (rad): measured on tops of many kinds as 0.03 to 0.15 of ripple x
+/// Earth's rate x time.
+template <class T>
+T averaging_error(const TiltedTop<T>& top, T duration);
+
+/// Walks a top through time by a plan.
+template <class T>
+class LongHorizonWalk {
+ public:
+  LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters)
+      : top_(top), plan_(plan), counters_(counters), x_(top.start()) {
+    if (plan.averages) ripple(T(-1), x_);
+  }
+
+  /// @param looks_every  the longest time between two looks; 0: none
+  /// @param look  called with the time since `begin` and the state, near enough for counting turns
+  template <class Look>
+  void advance(T interval, T looks_every, Look&& look) {
+    lay_out(interval);
+    T position = T(0), looked = T(0), target = T(0);
+    const auto move = [&]() {
+      if (target == position) return;
+      const typename TiltedTop<T>::Flow flow(top_, x_);
+      ++counters_.evaluations;
+      if (looks_every > T(0))
+        for (; looked + looks_every < target; looked += looks_every)
+          if (looked + looks_every > position) look(looked + looks_every, flow.at(looked + looks_every - position));
+      x_ = flow.at(target - position);
+      position = target;
+    };
+    const int kicks = plan_.schedule.kicks, parts = plan_.averages ? kSpread : 1;
+    for (std::int64_t i = 0; i < steps_; ++i, backward_ = !backward_) {
+      for (int j = 0; j < kicks; ++j) {
+        const bool backward = 2 * j + 1 == kicks ? backward_ : 2 * j + 1 > kicks;
+        for (int part = 0; part < parts; ++part) {
+          const auto k = static_cast<std::size_t>(parts * j + (backward ? parts - 1 - part : part));
+          target = (T(i) + time_[k]) * step_;
+          move();
+          top_.kick(weight_[k] * step_, x_);
+        }
+      }
+    }
+    target = interval;
+    move();
+    counters_.accepted += steps_;
+  }
+  /// The state at the end of the last interval, complete.
+  TiltedTopState<T> state() const {
+    TiltedTopState<T> x = x_;
+    if (plan_.averages) ripple(T(1), x);
+    return x;
+  }
+
+ private:
+  static constexpr int kSpread = 5;
+
+  void lay_out(T interval) {
+    steps_ = static_cast<std::int64_t>(std::ceil(static_cast<double>(interval / plan_.step) * (1 - 1e-12)));
+    if (steps_ < 1) steps_ = 1;
+    step_ = interval / T(steps_);
+    std::size_t k = 0;
+    const KickSchedule& s = plan_.schedule;
+    const T third = plan_.averages ? T(plan_.spacing) * plan_.period / T(3) / step_ : T(0);
+    const int reach = plan_.averages ? kSpread / 2 : 0;
+    for (int i = 0; i < s.kicks; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      for (int j = -reach; j <= reach; ++j) {
+        time_[k] = T(s.at[at]) + T(j) * third;
+        weight_[k++] = T(s.weight[at]) * T(reach + 1 - std::abs(j)) / T((reach + 1) * (reach + 1));
+      }
+    }
+  }
+
+  /// Adds (sign = 1) or takes off the ripple: the integral of the kick times s / period - sign(s)/2 over the period about now.
+  void ripple(T sign, TiltedTopState<T>& x) const {
+    T position = T(0);
+    for (const int i : {-3, -2, -1, 1, 2, 3}) {
+      const T target = plan_.period * T(i) / T(8);
+      top_.flow(target - position, x);
+      const T weight = plan_.ripple_weight[std::abs(i) - 1];
+      top_.kick(sign * (i < 0 ? -weight : weight), x);
+      position = target;
+    }
+    top_.flow(-position, x);
+    counters_.evaluations += 7;
+  }
+
+  const TiltedTop<T>& top_;
+  const LongHorizonPlan<T>& plan_;
+  StepCounters& counters_;
+  TiltedTopState<T> x_;
+  std::int64_t steps_ = 1;
+  T step_ = T(0);
+  bool backward_ = false;                                                               ///< the order of a middle kick's parts
+  std::array<T, static_cast<std::size_t>(kSpread*KickSchedule::kMost)> time_, weight_;  ///< in units of the step
+};
+
+}  // namespace earthtop

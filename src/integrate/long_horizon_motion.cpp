@@ -1,0 +1,68 @@
+#include "integrate/long_horizon_motion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "integrate/drive_problem.hpp"
+#include "integrate/long_horizon.hpp"
+
+namespace earthtop {
+
+MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& problem, const IntegrationOptions& options,
+                                             const std::atomic<bool>* stop) {
+  using Top = TiltedTop<double>;
+  const ReducedTop<double> symmetric = reduced_top(problem.model);
+  if (symmetric.axis != 2) throw std::logic_error("long_horizon: the top is not symmetric about body axis 3");
+  const Vec3<double> w_XB_B = problem.units.rate_from_rad_s(problem.release.w_XB_B);
+  const std::vector<double> times = natural_times(problem);
+  const Top top(problem.model, symmetric, problem.release.q_LB, w_XB_B, problem.release.X, problem.model.W_IL_L);
+  MotionTrajectory<double> trajectory;
+  trajectory.samples.reserve(times.size());
+  double shortest = times.back();
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
+  const double tolerance = options.relative_tolerance;
+  LongHorizonPlan<double> plan;
+  if (options.step_s) {
+    const double step = problem.units.time_from_s(*options.step_s);
+    plan = make_plan(top, kick_schedules::gauss(4), step, may_average(top, times.back(), step, tolerance));
+  } else if (times.back() > 0) {
+    plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters);
+  }
+  // Looks so often that the frame's attitude, which has two quaternions, is followed on one side.
+  const double looks_every = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
+  Quaternion<double> last = problem.release.q_LB;
+  const auto follow = [&](Quaternion<double> q) {
+    if (q.w * last.w + q.v.dot(last.v) < 0) q = {-q.w, -q.v};
+    last = q;
+  };
+  LongHorizonWalk<double> walk(top, plan, trajectory.counters);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (stop != nullptr && *stop) trajectory.status = RunStatus::interrupted;
+    if (trajectory.counters.accepted > options.step_limit) trajectory.status = RunStatus::step_limit;
+    if (trajectory.status != RunStatus::completed) break;
+    TiltedTopState<double> x = top.start();
+    if (i > 0) {
+      const double begin = times[i - 1];
+      walk.advance(times[i] - begin, looks_every,
+                   [&](double since, const TiltedTopState<double>& between) { follow(top.seen(between, begin + since).q_LF); });
+      x = walk.state();
+    }
+    const Top::Seen seen = top.seen(x, times[i]);
+    follow(seen.q_LF);
+    if (!real::isfinite(seen.across.re + seen.across.im + last.w + last.v.sum())) {
+      trajectory.status = RunStatus::not_finite;
+      break;
+    }
+    const Quaternion<double> spin = steady_turn(2, w_XB_B[2], times[i]);
+    MotionSample<double> sample;
+    sample.t_s = problem.times_s[i];
+    sample.q_LB = last * spin;
+    sample.w_LB_B =
+        transposed_times(rotation_matrix(spin), Vec3<double>(seen.across.re, seen.across.im, w_XB_B[2] + seen.spin_excess));
+    for (int k = 0; k < 3; ++k) sample.w_LB_B[k] = problem.units.rate_to_rad_s(sample.w_LB_B[k]);
+    trajectory.samples.push_back(sample);
+  }
+  return trajectory;
+}
+
+}  // namespace earthtop

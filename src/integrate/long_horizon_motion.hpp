@@ -1,0 +1,12 @@
+/// One motion by the long-horizon method (long_horizon.hpp).
+#pragma once
+
+#include "earthtop/integrate/motion_integration.hpp"
+
+namespace earthtop {
+
+/// @throws std::logic_error for a model that is not a top symmetric about body axis 3
+MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& problem, const IntegrationOptions& options,
+                                             const std::atomic<bool>* stop);
+
+}  // namespace earthtop

@@ -1,0 +1,246 @@
+/// The long-horizon method against integrations that share nothing with it, published digits, and itself at other rates.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "run/setup.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+Scenario fast_gyro(double duration_s, double rows, double spin_rad_s = 1047.2) {
+  Scenario s = testing::toy_top();
+  s.body.mass_kg = 0.5;
+  s.body.center_of_mass_m = {0, 0, 0.005};
+  testing::set_principal(s.body, 4e-4, 4e-4, 5e-4);
+  s.release.tilt_deg = 60;
+  s.release.spin_rad_s = spin_rad_s;
+  s.duration_s = duration_s;
+  s.output_step_s = duration_s / rows;
+  return s;
+}
+
+IntegrationOptions by(Method method, double tolerance) {
+  IntegrationOptions options;
+  options.method = method;
+  options.relative_tolerance = tolerance;
+  return options;
+}
+DriftTrajectory<double> long_horizon(const Scenario& scene, double tolerance = 1e-10) {
+  return integrate_drift(make_problem<double>(scene), by(Method::long_horizon, tolerance));
+}
+
+struct Case {
+  const char* name;
+  Scenario scene;
+  double tolerance = 1e-10;
+};
+/// Where the nutation is slow, or there is none, the torque hangs or vanishes, the axis is vertical, the Earth fast or
+/// backward.
+std::vector<Case> hard_cases() {
+  std::vector<Case> cases;
+  const auto add = [&](const char* name, auto&& change) {
+    Scenario s = testing::toy_top();
+    s.duration_s = 6;
+    s.output_step_s = 0.25;
+    s.release.rates_relative_to = cases.size() % 2 ? RatesRelativeTo::inertial : RatesRelativeTo::laboratory;
+    change(s);
+    cases.push_back({name, s});
+    // As fast as the top's own precession: no perturbation, and as many steps as the digits want.
+    if (s.rotation_rate_rad_s == 1 && s.release.spin_rad_s < 100) cases.back().tolerance = 1e-7;
+  };
+  add("toy top", [](Scenario&) {});
+  add("spins backward", [](Scenario& s) { s.release.spin_rad_s = -150; });
+  add("Earth turns backward", [](Scenario& s) { s.rotation_rate_rad_s = -1e-3; });
+  add("Earth at 1 rad/s", [](Scenario& s) { s.rotation_rate_rad_s = 1; });
+  add("Earth at 1 rad/s, slow top", [](Scenario& s) { s.rotation_rate_rad_s = 1, s.release.spin_rad_s = 30; });
+  add("hangs", [](Scenario& s) { s.body.center_of_mass_m = {0, 0, -0.03}, s.release.spin_rad_s = 40; });
+  add("pendulum", [](Scenario& s) { s.body.center_of_mass_m = {0, 0, -0.03}, s.release.spin_rad_s = 0; });
+  add("balanced", [](Scenario& s) { s.body.center_of_mass_m = {0, 0, 0}; });
+  add("sleeps", [](Scenario& s) { s.release.tilt_deg = 0, s.release.spin_rad_s = 400; });
+  add("straight down", [](Scenario& s) { s.release.tilt_deg = 180; });
+  add("southern", [](Scenario& s) { s.site.latitude_deg = -70; });
+  add("nutates widely", [](Scenario& s) { s.release.angular_velocity_body_rad_s = {12.0, -7.0, 120.0}; });
+  return cases;
+}
+
+TEST(LongHorizon, AgreesWithIntegrationInEverySlowOrOddScene) {
+  for (const auto& [name, scene, tolerance] : hard_cases()) {
+    SCOPED_TRACE(name);
+    const auto exact = long_horizon(scene, tolerance);
+    const auto integrated = integrate_drift(make_problem<double>(scene), by(Method::rkf78, 1e-14));
+    ASSERT_EQ(exact.status, RunStatus::completed);
+    ASSERT_EQ(exact.samples.size(), integrated.samples.size());
+    double largest = 0;
+    for (const auto& sample : integrated.samples) largest = std::max(largest, sample.measures.attitude);
+    // Ten times the tolerance asked for, and 1e-7 of the drift where that is small: the sine of the Earth's effect is seen to
+    // seven digits.
+    const double slack = std::min(10 * tolerance, 1e-7 * largest) + 1e-15;
+    for (std::size_t i = 0; i < exact.samples.size(); ++i) {
+      const auto &a = exact.samples[i], &b = integrated.samples[i];
+      ASSERT_NEAR(a.measures.axis, b.measures.axis, slack) << i;
+      ASSERT_NEAR(a.measures.attitude, b.measures.attitude, slack) << i;
+      ASSERT_NEAR(a.spin, b.spin, 10 * slack) << i;
+      ASSERT_EQ(a.measures.azimuth_defined, b.measures.azimuth_defined);
+      if (a.measures.azimuth_defined && scene.release.tilt_deg != 180 && scene.release.tilt_deg != 0) {
+        ASSERT_NEAR(a.azimuth, b.azimuth, 30 * slack) << i;
+      }
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(a.state.w_LB_B[k], b.state.w_LB_B[k], 1e3 * tolerance) << i;
+        ASSERT_NEAR(a.state.ref_w_LB_B[k], b.state.ref_w_LB_B[k], 1e-8) << i;
+        ASSERT_NEAR(a.state.q_LB.v[k], b.state.q_LB.v[k], 10 * tolerance) << i;
+        ASSERT_NEAR(a.state.ref_q_LB.v[k], b.state.ref_q_LB.v[k], 1e-9) << i;
+      }
+    }
+  }
+}
+
+TEST(LongHorizon, MotionIsTheRotatingMotionOfTheDrift) {
+  for (const auto& [name, scene, tolerance] : hard_cases()) {
+    SCOPED_TRACE(name);
+    const auto problem = make_problem<double>(scene);
+    const auto motion = integrate_motion(problem, by(Method::long_horizon, tolerance));
+    const auto drift = long_horizon(scene, tolerance);
+    ASSERT_EQ(motion.samples.size(), drift.samples.size());
+    for (std::size_t i = 0; i < motion.samples.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(motion.samples[i].q_LB.v[k], drift.samples[i].state.q_LB.v[k], 10 * tolerance) << i;
+        ASSERT_NEAR(motion.samples[i].w_LB_B[k], drift.samples[i].state.w_LB_B[k], 1e3 * tolerance) << i;
+      }
+  }
+}
+
+/// tests/data/headlines.json, 113 bits: 785,000 rad of nutation, in some thousand evaluations.
+TEST(LongHorizon, FastGyroscopeHasThePublishedDigits) {
+  const auto drift = long_horizon(fast_gyro(600, 60), 1e-10);
+  const auto& last = drift.samples.back();
+  EXPECT_NEAR(last.measures.axis, 2.568777690328439999e-02, 5e-12);
+  EXPECT_NEAR(last.measures.tilt, -2.297612074266608398e-04, 5e-12);
+  EXPECT_NEAR(last.azimuth, 2.966244218467281940e-02, 5e-12);
+  EXPECT_NEAR(last.measures.attitude, 2.596126284649218709e-02, 1e-10);
+  EXPECT_NEAR(last.spin, -3.758465528823392489e-03, 1e-10);
+  EXPECT_LT(drift.counters.evaluations, 10000);
+}
+
+TEST(LongHorizon, TheSpinCostsNothing) {
+  for (const double spin : {1e3, 1e4, 1e5, 1e6}) {
+    const auto drift = long_horizon(fast_gyro(86164, 60, spin), 1e-9);
+    ASSERT_EQ(drift.status, RunStatus::completed);
+    EXPECT_LT(drift.counters.evaluations, 80000) << spin;  // some 0.2 s; the nutation takes 1e8 to 1e11 rad
+  }
+}
+
+/// Steps near a multiple of the nutation period must not gather its error: over an octave of steps, in hundredths.
+TEST(LongHorizon, NoStepIsInResonanceWithTheNutation) {
+  const auto problem = make_problem<double>(fast_gyro(600, 1));
+  const auto axis = [&](double step_s) {
+    IntegrationOptions options = by(Method::long_horizon, 1e-9);
+    options.step_s = step_s;
+    return Vec3<double>(rotation_matrix(integrate_motion(problem, options).samples.back().q_LB).col(2));
+  };
+  const Vec3<double> exact(-0.8469779559481886600, 0.1801237044963939736, 0.5001837594487889119);  // as above
+  std::vector<double> errors;
+  for (double step = 5; step <= 10; step *= 1.01) errors.push_back(norm(Vec3<double>(axis(step) - exact)));
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors.back() / errors[errors.size() / 2], 10);
+  EXPECT_LT(errors.back(), 5e-12);
+}
+
+TEST(LongHorizon, WithoutEarthThereIsNoDrift) {
+  for (auto [name, scene, tolerance] : hard_cases()) {
+    SCOPED_TRACE(name);
+    scene.rotation_rate_rad_s = 0;
+    for (const auto& sample : long_horizon(scene, tolerance).samples) {
+      for (const double drift :
+           {sample.measures.axis, sample.measures.attitude, sample.measures.tilt, sample.spin, sample.azimuth}) {
+        EXPECT_EQ(drift, 0);
+        EXPECT_FALSE(std::signbit(drift));
+      }
+    }
+  }
+}
+
+/// Drift over rate, to 1e-8 of the largest, from rates of which a plain difference would leave nothing.
+TEST(LongHorizon, DriftOverRateIsTheSameForEveryTinyRate) {
+  for (Scenario scene : {testing::toy_top(), fast_gyro(20, 10)}) {
+    scene.duration_s = std::min(scene.duration_s, 20.0);
+    scene.output_step_s = 2;
+    const auto at = [&](double rate) {
+      scene.rotation_rate_rad_s = rate;
+      return long_horizon(scene);
+    };
+    const auto tiny = at(1e-300), small = at(1e-12), plain = at(1e-3), half = at(5e-4);
+    double largest = 0;
+    for (const auto& sample : tiny.samples) largest = std::max(largest, sample.measures.axis / 1e-300);
+    EXPECT_GT(largest, 1);
+    for (std::size_t i = 0; i < tiny.samples.size(); ++i) {
+      const auto ratio = [&](const DriftTrajectory<double>& t, double rate) {
+        return Vec3<double>(t.samples[i].measures.axis_difference_L_scaled * (t.samples[i].state.epsilon / rate));
+      };
+      const double slack = 1e-8 * largest;
+      EXPECT_NEAR(tiny.samples[i].measures.axis / 1e-300, small.samples[i].measures.axis / 1e-12, slack);
+      EXPECT_NEAR(tiny.samples[i].spin / 1e-300, small.samples[i].spin / 1e-12, slack);
+      // Taken to rate 0 from two plain differences: the square of the drift is left, the cube is not.
+      const Vec3<double> derivative = 2 * ratio(half, 5e-4) - ratio(plain, 1e-3);
+      const double square = 10 * std::pow(plain.samples[i].measures.attitude, 2) * largest;
+      const double unit = tiny.samples[i].state.epsilon / 1e-300;
+      EXPECT_LT(norm(Vec3<double>(tiny.samples[i].measures.axis_difference_L_scaled * unit - derivative)), slack + square);
+    }
+  }
+}
+
+/// Over a day the round-off of the attitude is far above the drift that a tiny rate makes.
+TEST(LongHorizon, ATinyRateDriftsForADay) {
+  Scenario scene = fast_gyro(86164, 4);
+  const auto ratio = [&](double rate) {
+    scene.rotation_rate_rad_s = rate;
+    return long_horizon(scene).samples.back().measures.axis / rate;
+  };
+  const double tiny = ratio(1e-300), small = ratio(1e-13);
+  EXPECT_GT(tiny, 1e4);  // s: nearly the time, times the sine of an angle
+  EXPECT_LT(tiny, 1e5);
+  EXPECT_NEAR(small / tiny, 1, 1e-7);
+}
+
+TEST(LongHorizon, ARunsBoundHoldsAndIsSmall) {
+  Scenario scene = fast_gyro(600, 60);
+  scene.numerics = by(Method::long_horizon, 1e-10);
+  const RunResult result = run(scene);
+  EXPECT_EQ(result.solution.method, Method::long_horizon);
+  EXPECT_EQ(result.certificate.method, Method::long_horizon);
+  const DriftRow& last = result.rows.back();
+  const double error = std::abs(last.drift_axis_rad - 2.568777690328439999e-02);
+  EXPECT_LE(error, last.drift_axis_bound_rad);
+  EXPECT_LT(last.drift_axis_bound_rad, 1e-9);
+
+  scene = testing::toy_top();
+  scene.duration_s = 5;
+  scene.numerics = by(Method::long_horizon, 1e-10);
+  EXPECT_EQ(run(scene).certificate.method, Method::extrapolation);
+}
+
+TEST(LongHorizon, ScenesThatItDoesNotFitAreRefused) {
+  Scenario s = testing::toy_top();
+  EXPECT_FALSE(method_refusal(Method::long_horizon, s));
+  const auto refusal = [](const Scenario& scene) { return method_refusal(Method::long_horizon, scene).value_or("none"); };
+  EXPECT_NE(refusal(testing::asymmetric_top()).find("symmetric"), std::string::npos);
+  s.effects.coriolis = false;
+  EXPECT_NE(refusal(s).find("torques"), std::string::npos);
+  s = testing::toy_top();
+  s.platform = PlatformSpec{};
+  EXPECT_NE(refusal(s).find("platform"), std::string::npos);
+  s = testing::toy_top();
+  s.numerics.observer = Observer::body;
+  EXPECT_NE(refusal(s).find("laboratory"), std::string::npos);
+  s = testing::toy_top();
+  s.body.center_of_mass_m = {0.03, 0, 0};
+  testing::set_principal(s.body, 4e-5, 1.2e-4, 1.2e-4);
+  EXPECT_NE(refusal(s).find("axis 3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earthtop
