@@ -49,7 +49,7 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   const double finer = std::max(asked / 100, least);
   second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
   if (first.step_s || first.method == Method::taylor) second.relative_tolerance = finer;
-  constexpr double kAffordable = 5e4;  // rad; half a second
+  constexpr double kAffordable = 3e5;  // rad; a second
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;
     second.relative_tolerance = std::max(asked / 100, least_tolerance(precision));
@@ -156,6 +156,7 @@ void request_interrupt() noexcept { stop_asked = true; }
 bool interrupt_requested() noexcept { return stop_asked; }
 
 RunResult run(const Scenario& scenario) {
+  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
   require_affordable(scenario);
   switch (scenario.precision) {
     case Precision::bits53: break;

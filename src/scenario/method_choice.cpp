@@ -18,16 +18,40 @@ bool takes_reduced_form(const Scenario& scenario) {
 IntegrationOptions with_taylor(const Scenario& scenario) {
   IntegrationOptions options = scenario.numerics;
   options.method = Method::taylor;
-  options.observer = takes_reduced_form(scenario) ? Observer::laboratory : Observer::body;
+  const bool reduced = scenario.numerics.observer != Observer::body && takes_reduced_form(scenario);
+  options.observer = reduced ? Observer::laboratory : Observer::body;
   return options;
 }
 
 /// Local errors add up over the thousands of steps of a run.
-IntegrationOptions with_finer_tolerance(const Scenario& scenario, Method method) {
+IntegrationOptions with_finer_tolerance(const Scenario& scenario, Method method, double times) {
   IntegrationOptions options = scenario.numerics;
   options.method = method;
-  options.relative_tolerance = std::max(options.relative_tolerance / 100, least_tolerance(scenario.precision));
+  options.relative_tolerance = std::max(options.relative_tolerance / times, least_tolerance(scenario.precision));
   return options;
+}
+
+double seconds_with(const Scenario& scenario, const IntegrationOptions& options) {
+  Scenario candidate = scenario;
+  candidate.numerics = options;
+  return estimated_seconds(candidate);
+}
+
+/// Where the difference of the two motions is a turn of the laboratory, closed forms cost their calls; elsewhere digits that
+/// only 113 bits have.
+bool has_cheap_closed_form(const Scenario& scenario) {
+  const bool one_motion = scenario.rotation_rate_rad_s == 0 || scenario.release.rates_relative_to == RatesRelativeTo::inertial;
+  return one_motion && !method_refusal(Method::closed_form, scenario);
+}
+
+/// The exact flows between kicks pay where the nutations are so many that to follow them takes long.
+bool has_long_horizon(const Scenario& scenario) {
+  constexpr double kWorthwhile_s = 0.3, kGain = 3;
+  if (method_refusal(Method::long_horizon, scenario)) return false;
+  IntegrationOptions options = scenario.numerics;
+  const double following = seconds_with(scenario, with_taylor(scenario));
+  options.method = Method::long_horizon;
+  return following > kWorthwhile_s && kGain * seconds_with(scenario, options) < following;
 }
 
 }  // namespace
@@ -38,13 +62,24 @@ MethodChoice method_choice(const Scenario& scenario) {
   if (asked.method != Method::automatic) return {asked, "asked for"};
 
   if (scenario.precision != Precision::bits53)
-    return {with_finer_tolerance(scenario, Method::extrapolation), "its order follows the digits asked for"};
+    return {with_finer_tolerance(scenario, Method::extrapolation, 100), "its order follows the digits asked for"};
   if (method_refusal(Method::taylor, scenario))
-    return {with_finer_tolerance(scenario, Method::rkf78), "a platform or a torque left out: no series is compiled for it"};
+    return {with_finer_tolerance(scenario, Method::dop853, 10),
+            "a platform or a torque left out: no series is compiled for it"};
   // Who names an observer or the general model wants those equations integrated; in body axes they are what the series is of.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)
-    return {with_finer_tolerance(scenario, Method::rkf78), "the equations of the observer asked for"};
+    return {with_finer_tolerance(scenario, Method::rkf78, 100), "the equations of the observer asked for"};
+  if (asked.observer == Observer::laboratory && has_cheap_closed_form(scenario)) {
+    IntegrationOptions options = asked;
+    options.method = Method::closed_form;
+    return {options, "the motion is known in closed form"};
+  }
+  if (has_long_horizon(scenario)) {
+    IntegrationOptions options = asked;
+    options.method = Method::long_horizon;
+    return {options, "a fast symmetric top over many nutations: exact flows step over them"};
+  }
   if (asked.observer == Observer::laboratory && takes_reduced_form(scenario))
     return {with_taylor(scenario), "a symmetric top, integrated without its spin: Taylor series take the fewest operations"};
   IntegrationOptions options = with_taylor(scenario);

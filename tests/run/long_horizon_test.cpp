@@ -240,6 +240,11 @@ TEST(LongHorizon, ScenesThatItDoesNotFitAreRefused) {
   s.body.center_of_mass_m = {0.03, 0, 0};
   testing::set_principal(s.body, 4e-5, 1.2e-4, 1.2e-4);
   EXPECT_NE(refusal(s).find("axis 3"), std::string::npos);
+  s = testing::toy_top();
+  s.release.spin_rad_s = 0;
+  EXPECT_NE(refusal(s).find("faster spin"), std::string::npos);
+  s.numerics.method = Method::long_horizon;
+  EXPECT_THROW(run(s), ScenarioError);
 }
 
 }  // namespace
