@@ -51,6 +51,13 @@ std::vector<Contender> standard_contenders(const Scenario& scenario) {
       if (workload == Workload::axis &&
           (options.form != ModelForm::reduced || symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2))
         continue;
+      options.method = Method::taylor;
+      const bool has_series = options.form == ModelForm::reduced || options.observer == Observer::body;
+      if (has_series && !method_refusal(Method::taylor, scenario))
+        for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-14}) {  // its errors are far below its tolerances
+          options.relative_tolerance = tolerance;
+          contenders.push_back({workload, options, Precision::bits53});
+        }
       for (const Method method : {Method::rkf78, Method::bulirsch_stoer, Method::extrapolation, Method::dopri5, Method::dop853,
                                   Method::gauss, Method::splitting})
         for (const double tolerance : {1e-8, 1e-10, 1e-12, 1e-14}) {
@@ -60,6 +67,13 @@ std::vector<Contender> standard_contenders(const Scenario& scenario) {
           options.relative_tolerance = tolerance;
           contenders.push_back({workload, options, Precision::bits53});
         }
+    }
+  if (!method_refusal(Method::long_horizon, scenario))
+    for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+      IntegrationOptions options;
+      options.method = Method::long_horizon;
+      options.relative_tolerance = tolerance;
+      contenders.push_back({Workload::drift, options, Precision::bits53});
     }
   if (exact_laboratory_motion<double>(scenario)) contenders.push_back({Workload::closed_form, {}, Precision::bits53});
   return contenders;

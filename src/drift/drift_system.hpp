@@ -48,6 +48,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
                                               WithSeries<GeneralDriftSeries<T>>, WithoutSeries> {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
+  static constexpr bool kBoundOnly = !kIntegrated;  ///< made for the second integration of a run, and for the series
   static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
   using State = std::array<T, kSize>;
   explicit DriftSystem(const Model<T>& model) : model_(model) {}

@@ -1,6 +1,6 @@
-/// Dormand and Prince's method of order 8(5,3) with dense output of order 7, on odeint's dense-output-stepper concept:
-/// initialize, do_step, calc_state, current_state ... The error is controlled by component groups (group_norms.hpp), the state
-/// summed with compensation.
+/// Dormand and Prince's method of order 8(5,3) with dense output of order 7, on odeint's dense-output-stepper concept, with
+/// steps that may be rejected. The error is controlled by component groups (group_norms.hpp), the state summed with
+/// compensation.
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., sections II.5 (the method and its error
 /// estimate, eq. (10.17)), II.4 (step control), II.6 (the interpolant).
@@ -29,7 +29,7 @@ class Dop853Stepper {
     x_ = before_ = x;
     carry_ = {};
     t_ = t_before_ = t;
-    t_carry_ = t_carry_before_ = 0;
+    t_carry_ = 0;
     dt_ = dt;
     first_ = true, rejected_ = interpolates_ = false;
   }
@@ -60,7 +60,7 @@ class Dop853Stepper {
     }
     system(after, k_[12], t_ + dt_);
     before_ = x_, x_ = after, carry_ = carry;
-    t_before_ = t_, t_carry_before_ = t_carry_;
+    t_before_ = t_;
     taken_ = dt_;
     const double y = dt_ + t_carry_;
     t_ = t_before_ + y;
@@ -87,8 +87,10 @@ class Dop853Stepper {
     interpolant_rows(std::make_index_sequence<4>());
   }
   /// The state at a time of the step last taken.
-  void calc_state(double t, State& x) const {
-    const double s = (t - t_before_ - t_carry_before_) / taken_, r = 1 - s;
+  void calc_state(double t, State& x) const { state_after(t - t_before_, x); }
+  /// The same at a time after its beginning.
+  void state_after(double dt, State& x) const {
+    const double s = dt / taken_, r = 1 - s;
     const auto& c = coefficient_;
     for (std::size_t i = 0; i < N; ++i)
       x[i] = before_[i] +
@@ -97,8 +99,10 @@ class Dop853Stepper {
 
   const State& current_state() const { return x_; }
   double current_time() const { return t_; }
-  double current_time_step() const { return dt_; }
-  void limit_time_step(double most) { dt_ = std::min(dt_, most); }
+  double current_time_step() const { return taken_; }
+  /// The one to try next, and an upper limit to it.
+  double next_step() const { return dt_; }
+  void limit_step(double most) { dt_ = std::min(dt_, most); }
   const State& previous_state() const { return before_; }
   double previous_time() const { return t_before_; }
 
@@ -155,7 +159,7 @@ class Dop853Stepper {
   double tolerance_;
   const GroupScales<double, System>* scales_;
   State x_, before_, carry_;
-  double t_ = 0, t_before_ = 0, t_carry_ = 0, t_carry_before_ = 0;
+  double t_ = 0, t_before_ = 0, t_carry_ = 0;
   double dt_ = 0, taken_ = 0;
   bool first_ = true, rejected_ = false, interpolates_ = false;
   std::array<State, dop853::kStages> k_;

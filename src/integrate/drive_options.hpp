@@ -62,6 +62,15 @@ constexpr bool is_watched() {
     return true;
 }
 
+/// Whether a system is integrated by extrapolation, rkf78 and its series only: every other stepper would cost its compilation.
+template <class System>
+constexpr bool is_bound_only() {
+  if constexpr (requires { System::kBoundOnly; })
+    return System::kBoundOnly;
+  else
+    return false;
+}
+
 /// An odeint multistep method as the driver's fixed steps take it.
 template <class Stepper>
 struct MultistepStepper {

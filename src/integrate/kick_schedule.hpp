@@ -1,13 +1,15 @@
 /// When and how hard the kicks of a step come, for a composition of exact flows A (the large one) and B (the kick).
 ///
 /// gauss(s): the s nodes and weights of Gauss and Legendre, ABA(2s, 2) in the language of near-integrable systems: a local
-/// error eps h^2s + eps^2 h^2, where B is of the size eps against A (J. Laskar, P. Robutel 2001). aba864: ABA(8, 6, 4) of S.
-/// Blanes, F. Casas, A. Farres, J. Laskar, J. Makazaga and A. Murua 2013 (arXiv 1208.0716), for an eps that is not small.
+/// error eps h^2s + eps^2 h^2, where B is of the size eps against A (J. Laskar, P. Robutel 2001). aba864 (compositions.hpp):
+/// for an eps that is not small.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "integrate/compositions.hpp"
 
 namespace earthtop {
 
@@ -45,20 +47,16 @@ inline KickSchedule gauss(int kicks) {
   return schedule;
 }
 
+/// ABA(8, 6, 4): of the flow of B in a composition, a kick.
 inline KickSchedule aba864() {
-  constexpr std::array<long double, 4> a{0.0711334264982231177779387300061549964174L,
-                                         0.241153427956640098736487795326289649618L, 0.521411761772814789212136078067994229991L,
-                                         -0.333698616227678005726562603400438876027L};
-  constexpr std::array<long double, 4> b{0.183083687472197221961703757166430291072L, 0.310782859898574869507522291054262796375L,
-                                         -0.0265646185119588006972121379164987592663L,
-                                         0.0653961422823734184559721793911134363710L};
+  const CompositionTable& table = composition_table(Composition::aba864);
   KickSchedule schedule;
-  schedule.kicks = 7;
-  long double now = 0;
-  for (int i = 0; i < 7; ++i) {
-    now += a[static_cast<std::size_t>(i < 4 ? i : 7 - i)];
-    schedule.at[static_cast<std::size_t>(i)] = static_cast<double>(now);
-    schedule.weight[static_cast<std::size_t>(i)] = static_cast<double>(b[static_cast<std::size_t>(i < 4 ? i : 6 - i)]);
+  schedule.kicks = table.stages;
+  double now = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(table.stages); ++i) {
+    now += table.a[i];
+    schedule.at[i] = now;
+    schedule.weight[i] = table.b[i];
   }
   return schedule;
 }

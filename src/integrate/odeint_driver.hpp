@@ -58,7 +58,7 @@ class Driver {
         return run_dense(stepper, series, x, times);
       }
     }
-    if constexpr (!std::is_same_v<T, float128>) {
+    if constexpr (!std::is_same_v<T, float128> && !is_bound_only<System>()) {
       if (method == Method::bulirsch_stoer) {
         // odeint's own checker, component by component: relative to each, with a floor a little above round-off.
         const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
@@ -66,14 +66,15 @@ class Driver {
         return run_controlled(stepper, x, times);
       }
     }
-    if constexpr (std::is_same_v<T, double>) {
+    if constexpr (std::is_same_v<T, double> && !is_bound_only<System>()) {
       if (method == Method::dopri5) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
       if (method == Method::abm8) return run_multistep(x, times);
       if (method == Method::splitting) return run_splitting(x, times);
       if (method == Method::gauss) return run_gauss(x, times);
       if (method == Method::dop853) {
         Dop853Stepper<System> stepper(options_.relative_tolerance, scales_);
-        return run_interpolated(stepper, x, times);
+        const auto system = counted_system();
+        return run_dense(stepper, system, x, times);
       }
     }
     throw std::logic_error("method not built for this precision");
@@ -142,24 +143,29 @@ class Driver {
   }
 
   /// Output times do not cut the steps: rows come from the stepper's dense output.
+  /// @param stepper  odeint's dense-output concept, with try_step(equations) -> whether the step was accepted
   template <class DenseStepper, class Equations>
   RunStatus run_dense(DenseStepper& stepper, Equations& equations, State& x, std::span<const T> times) {
     IntervalClock<T> clock(times.front(), times.back());
-    stepper.initialize(x, times.front(), clock.remaining());
+    stepper.initialize(x, times.front(), std::min(options_.first_step, clock.remaining()));
     if constexpr (requires { stepper.add_rest(system_.initial_rest()); }) stepper.add_rest(system_.initial_rest());
     for (std::size_t row = 1; row < times.size();) {
       if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
       const T remaining = clock.remaining();
-      stepper.limit_step(options_.largest_step > T(0) ? std::min(options_.largest_step, remaining) : remaining);
-      stepper.do_step(equations);
+      stepper.limit_step(remaining);
+      if (!stepper.try_step(equations)) {
+        ++counters_.rejected;
+        if (stepper.next_step() < least_step<T>()) return failure_at(x, clock.now(), RunStatus::step_underflow);
+        continue;
+      }
       ++counters_.accepted;
-      counters_.evaluations += stepper.evaluations();
+      if constexpr (requires { stepper.evaluations(); }) counters_.evaluations += stepper.evaluations();
       x = stepper.current_state();
       if (!all_finite(x)) return RunStatus::not_finite;
       const T step = stepper.current_time_step();
       const bool lands = step >= remaining;
       if (!lands && step < least_step<T>()) return RunStatus::step_underflow;
-      show_step(stepper, clock, step, lands, times, row);
+      show_step(stepper, equations, clock, step, lands, times, row);
       scales_.include(x);
       clock.advance(step);
     }
@@ -167,80 +173,41 @@ class Driver {
   }
 
   /// Rows within a step just made, and as many points between as the watcher needs to see every turn.
-  template <class DenseStepper>
-  void show_step(const DenseStepper& stepper, const IntervalClock<T>& clock, T step, bool lands, std::span<const T> times,
-                 std::size_t& row) {
-    constexpr int kMostPieces = 16;
-    int pieces = 1;
-    if constexpr (is_watched<System>()) pieces = 1 + static_cast<int>(std::min(stepper.turned(), T(kMostPieces - 1)));
+  template <class DenseStepper, class Equations>
+  void show_step(DenseStepper& stepper, Equations& equations, const IntervalClock<T>& clock, T step, bool lands,
+                 std::span<const T> times, std::size_t& row) {
     State seen;
+    const auto see = [&](T after, T t) {
+      if constexpr (requires { stepper.prepare_interpolant(equations); })
+        if (after < step) stepper.prepare_interpolant(equations);
+      if (after < step)
+        stepper.state_after(after, seen);
+      else
+        seen = stepper.current_state();
+      on_step_(t, seen);
+    };
+    const int pieces = pieces_of(stepper, step);
     for (int piece = 1; piece <= pieces; ++piece) {
       const bool ends = piece == pieces;
       const T end = ends ? step : step * T(piece) / T(pieces);
       for (; row < times.size() && (clock.until(times[row]) <= end || (ends && lands)); ++row) {
-        stepper.state_after(std::min(clock.until(times[row]), step), seen);
-        on_step_(times[row], seen);
+        see(clock.until(times[row]), times[row]);
         on_row_(row, seen);
       }
       if (row == times.size()) return;
-      if constexpr (is_watched<System>()) {
-        stepper.state_after(end, seen);
-        on_step_(clock.now() + end, seen);
-      }
+      if constexpr (is_watched<System>()) see(end, clock.now() + end);
     }
   }
-
-  /// Steps that no output time cuts: rows come from the stepper's interpolant.
-  /// @param stepper  odeint's dense-output concept, with try_step(system) -> whether it was accepted, and
-  /// prepare_interpolant(system) before calc_state
-  template <class Stepper>
-  RunStatus run_interpolated(Stepper& stepper, State& x, std::span<const T> times) {
-    const auto system = counted_system();
-    stepper.initialize(x, times.front(), options_.first_step);
-    State at;
-    for (std::size_t row = 1; row < times.size();) {
-      if (const RunStatus status = may_go_on(stepper.current_time(), times); status != RunStatus::completed) return status;
-      stepper.limit_time_step(times.back() - stepper.current_time());
-      if (!stepper.try_step(system)) {
-        ++counters_.rejected;
-        if (stepper.current_time_step() >= least_step<T>()) continue;
-        return failure_at(stepper.current_state(), stepper.current_time(), RunStatus::step_underflow);
-      }
-      ++counters_.accepted;
-      scales_.include(stepper.current_state());
-      const T begin = stepper.previous_time(), end = stepper.current_time();
-      const T slack = T(1e-12) * (end - begin);
-      T seen = begin;
-      // Angles that go round are to be seen at less than half a turn: more often than at the ends of long steps.
-      const auto look_until = [&](T t) {
-        if (!(options_.largest_step > T(0)) || !(t - seen > options_.largest_step)) return;
-        stepper.prepare_interpolant(system);
-        const auto parts = static_cast<int>(std::ceil((t - seen) / options_.largest_step));
-        const T from = seen;
-        for (int i = 1; i < parts; ++i) {
-          const T look = from + (t - from) * T(i) / T(parts);
-          stepper.calc_state(look, at);
-          on_step_(look, at);
-        }
-      };
-      for (; row < times.size() && times[row] <= end + slack; ++row) {
-        look_until(times[row]);
-        if (times[row] < end - slack) {
-          stepper.prepare_interpolant(system);
-          stepper.calc_state(times[row], at);
-        } else {
-          at = stepper.current_state();
-        }
-        if (!all_finite(at)) return RunStatus::not_finite;
-        on_step_(times[row], at);
-        on_row_(row, at);
-        seen = times[row];
-      }
-      look_until(end);
-      if (seen < end) on_step_(end, stepper.current_state());
+  /// In how many pieces the watcher has to see a step.
+  template <class DenseStepper>
+  int pieces_of(const DenseStepper& stepper, T step) const {
+    T pieces = T(1);
+    if constexpr (is_watched<System>()) {
+      constexpr int kMostByTurn = 15;  // where a guess is enough
+      if constexpr (requires { stepper.turned(); }) pieces += std::min(stepper.turned(), T(kMostByTurn));
+      if (options_.largest_step > T(0)) pieces = std::max(pieces, T(1) + step / options_.largest_step);
     }
-    x = stepper.current_state();
-    return RunStatus::completed;
+    return static_cast<int>(pieces);
   }
 
   /// Collocation at Gauss' nodes, of the step asked for, or of one that meets the tolerance.

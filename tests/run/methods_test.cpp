@@ -1,7 +1,10 @@
 /// Every method tells the same drift: each run within its stated bound of a run by another method.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "support/scenes.hpp"
+#include "support/soundness.hpp"
 
 namespace earthtop {
 namespace {
@@ -47,6 +50,49 @@ TEST(Methods, AgreeWithinTheirBounds) {
         EXPECT_NEAR(r.drift.spin_final_rad, expected.drift.spin_final_rad, 1e-9);
       }
   }
+}
+
+// Every method on the beginning of every shipped scenario that it fits; `auto` says what it took.
+TEST(Methods, AgreeOnEveryShippedScenario) {
+  constexpr std::array kAll{Method::taylor,        Method::dopri5, Method::rkf78,      Method::bulirsch_stoer,
+                            Method::extrapolation, Method::dop853, Method::gauss,      Method::splitting,
+                            Method::long_horizon,  Method::abm8,   Method::closed_form};
+  std::array<int, kAll.size()> taken{};
+  int scenarios = 0;
+  for (const auto& file : std::filesystem::directory_iterator(EARTHTOP_SCENARIOS)) {
+    if (file.path().extension() != ".json") continue;
+    ++scenarios;
+    Scenario scene = testing::shipped(file.path().stem());
+    SCOPED_TRACE(scene.name);
+    scene.duration_s = std::min(scene.duration_s, scene.name == "fast-gyro" ? 0.3 : 1.5);
+    scene.output_step_s = scene.duration_s / 15;
+    const RunResult expected = run(scene);
+    EXPECT_FALSE(expected.solution.reason.empty());
+    for (std::size_t m = 0; m < kAll.size(); ++m) {
+      Scenario s = scene;
+      s.numerics.method = kAll[m];
+      if (method_refusal(kAll[m], s)) continue;
+      ++taken[m];
+      if (kAll[m] == Method::abm8) s.numerics.step_s = 0.01 / fastest_rate_rad_s(s);
+      SCOPED_TRACE(to_string(kAll[m]));
+      const RunResult r = run(s);
+      ASSERT_EQ(r.status, RunStatus::completed);
+      ASSERT_EQ(r.rows.size(), expected.rows.size());
+      for (std::size_t i = 0; i < r.rows.size(); ++i) {
+        const DriftRow &row = r.rows[i], &other = expected.rows[i];
+        EXPECT_LE(std::abs(row.drift_axis_rad - other.drift_axis_rad), row.drift_axis_bound_rad + other.drift_axis_bound_rad);
+        EXPECT_LE(std::abs(row.drift_attitude_rad - other.drift_attitude_rad),
+                  row.drift_attitude_bound_rad + other.drift_attitude_bound_rad);
+      }
+      // A wide bound would agree with anything; the two unstable scenes' are wide.
+      if (expected.drift.axis_bound_rad < 1e-10) {
+        EXPECT_LT(r.drift.axis_bound_rad, 1e-8 * std::max(1e-3, r.drift.axis_max_rad));
+      }
+    }
+  }
+  EXPECT_EQ(taken[0], scenarios - 2);  // two platforms
+  EXPECT_EQ(taken[2], scenarios);
+  for (const int times : taken) EXPECT_GE(times, 4);
 }
 
 // A drift without cancellation: at 1e-300 rad/s as many digits as at the Earth's rate.

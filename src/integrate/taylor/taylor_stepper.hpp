@@ -68,7 +68,14 @@ class TaylorStepper {
     return {before, time_};
   }
 
+  /// The same as a stepper that may reject a step has it: this one never does.
+  bool try_step(Series& series) {
+    do_step(series);
+    return true;
+  }
+
   const State& current_state() const { return x_; }
+  T next_step() const { return step_; }
   T current_time() const { return time_; }
   T current_time_step() const { return step_; }
   T previous_time() const { return time_ - step_; }
