@@ -80,7 +80,8 @@ class LongHorizonWalk {
       for (int j = 0; j < kicks; ++j) {
         const bool backward = 2 * j + 1 == kicks ? backward_ : 2 * j + 1 > kicks;
         for (int part = 0; part < parts; ++part) {
-          const auto k = static_cast<std::size_t>(parts * j + (backward ? parts - 1 - part : part));
+          const int number = parts * j + (backward ? parts - 1 - part : part);
+          const auto k = static_cast<std::size_t>(number);
           target = (T(i) + time_[k]) * step_;
           move();
           top_.kick(weight_[k] * step_, x_);

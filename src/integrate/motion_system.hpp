@@ -72,7 +72,7 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
     const Vec3<T> W_B = rotation_matrix(release.q_LB).transpose() * model_.W_IL_L;
     for (int i = 0; i < 3; ++i) {
       const T sum = w_XB_B[i] + W_B[i], of_earth = sum - w_XB_B[i];
-      rest[static_cast<std::size_t>(4 + i)] = (w_XB_B[i] - (sum - of_earth)) + (W_B[i] - of_earth);
+      rest[4 + static_cast<std::size_t>(i)] = (w_XB_B[i] - (sum - of_earth)) + (W_B[i] - of_earth);
     }
     return rest;
   }

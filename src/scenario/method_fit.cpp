@@ -58,7 +58,7 @@ bool spins_fast(const Scenario& scenario) {
 /// A symmetric top's closed form, in laboratory axes. Of a slow top the drift at amplified rates, from which a small one is
 /// found, is no cubic in the rate.
 std::optional<std::string> need_fast_symmetric_top(const Scenario& scenario) {
-  if (const auto reason = need_plain_scene(Method::long_horizon, scenario)) return reason;
+  if (auto reason = need_plain_scene(Method::long_horizon, scenario)) return reason;
   if (symmetry_axis(make_body<double>(scenario.body)) != 2)
     return "\"long_horizon\" is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
            "centre of mass on the axis); take \"auto\"";

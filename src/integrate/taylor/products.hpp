@@ -33,7 +33,7 @@ class Products {
  public:
   /// One lane.
   void put(int order, int lane, T left, T right) {
-    const auto row = static_cast<std::size_t>(order * kPadded), l = static_cast<std::size_t>(lane);
+    const auto row = static_cast<std::size_t>(order) * kPadded, l = static_cast<std::size_t>(lane);
     left_[row + l] = left;
     right_[row + l] = right;
     outer_[l] = order == 0 ? left * right : left_[l] * right + left * right_[l];
