@@ -32,7 +32,7 @@ struct Jacobi {
 
 // Round-off walks at random: within 3 eps sqrt(N) of the energies after N steps, at every N up to the last.
 inline void expect_random_walk(Scenario scene, double duration_s, double least_steps) {
-  scene.duration_s = duration_s;
+  scene.duration_s = scene.output_step_s = duration_s;  // the rows are those below
   auto problem = make_problem<double>(scene);
   problem.times_s = {0};
   for (int k = 1; k <= 40; ++k) problem.times_s.push_back(duration_s * std::pow(10.0, (k - 40) / 20.0));
