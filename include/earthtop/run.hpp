@@ -48,6 +48,29 @@ struct LedgerReport {
   LedgerLargest largest;
 };
 
+/// What a drift is worth.
+enum class Verdict {
+  reliable,     ///< the error is within its bound
+  noise_floor,  ///< the drift is not above its error bound
+  unstable,     ///< disturbances grow exponentially along this one motion
+  chaotic,      ///< they do wherever the motion goes: what Earth rotation does cannot be told from any other disturbance
+  marginal      ///< at a limit of stability: the motion's character hangs on digits that no experiment knows
+};
+std::string_view to_string(Verdict verdict);
+
+struct VerdictReport {
+  Verdict verdict = Verdict::reliable;
+  /// From here on the drift is no longer to be trusted; none where it is to the end of the run.
+  std::optional<double> from_s;
+  double reliable_until_s = 0;  ///< `from_s`, or the end of the run
+  std::string reason;
+  /// Finite-time Lyapunov exponent of the motion, the larger of the two (1/s); none where closed forms say that nothing grows
+  /// exponentially.
+  std::optional<double> lyapunov_exponent_1_s;
+  std::optional<double> round_off_grown_s;  ///< when rounding has grown to a microradian, exponentially
+  std::optional<double> earth_grown_s;      ///< when the Earth's own disturbance has grown to 0.1 rad, exponentially
+};
+
 struct RunResult {
   Scenario scenario;
   RunStatus status = RunStatus::completed;
@@ -55,6 +78,7 @@ struct RunResult {
   std::vector<DriftRow> rows;
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full; none in double precision
   DriftSummary drift;
+  VerdictReport verdict;
   IntegrationReport solution;     ///< the rows come from this one
   IntegrationReport certificate;  ///< the bounds come from comparing with this one
   double attitude_bound_rad = 0;  ///< of q_LB and ref_q_LB themselves, largest of all rows
@@ -63,6 +87,9 @@ struct RunResult {
   std::optional<LedgerReport> ledger;  ///< where the scenario asks for one
   std::vector<std::string> notes;      ///< e.g. that a scene is non-physical
 };
+
+/// The last row before the verdict's time; null where there is none.
+const DriftRow* last_reliable_row(const RunResult& result);
 
 /// Asks a running integration to stop; safe in a signal handler.
 void request_interrupt() noexcept;

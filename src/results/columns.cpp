@@ -39,6 +39,7 @@ constexpr Column kColumns[] = {
     column("drift_attitude_rad", [](const auto& row) { return row.drift_attitude_rad; }),
     column("drift_attitude_bound_rad", [](const auto& row) { return row.drift_attitude_bound_rad; }),
     column("drift_spin_rad", [](const auto& row) { return row.drift_spin_rad; }),
+    column("drift_reliable", [](const auto& row) { return row.drift_reliable ? 1 : 0; }),
 };
 
 }  // namespace

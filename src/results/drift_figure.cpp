@@ -10,6 +10,8 @@
 namespace earthtop {
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 struct Unit {
   const char* name;
   double per_si;  ///< how many of it a second or a radian has
@@ -45,15 +47,19 @@ Panel axis_panel(const RunResult& result, Unit time) {
   const Unit unit = angle_unit(size);
   Line drift = make_line(result, "drift", LineColor::blue, LineStyle::solid, time);
   Line bound = make_line(result, "bound on its error", LineColor::vermillion, LineStyle::filled, time);
+  Line unreliable = make_line(result, "no longer reliable", LineColor::grey, LineStyle::dashed, time);
   for (const DriftRow& row : result.rows) {
-    drift.y.push_back(row.drift_axis_rad * unit.per_si);
+    const double angle = row.drift_axis_rad * unit.per_si;
+    drift.y.push_back(row.drift_reliable ? angle : kNone);
+    unreliable.y.push_back(row.drift_reliable ? kNone : angle);
     bound.y.push_back(row.drift_axis_bound_rad * unit.per_si);
   }
-  return {{"Angle between the two spin axes", unit.name, AxisScale::logarithmic}, {std::move(bound), std::move(drift)}};
+  std::vector<Line> lines{std::move(bound), std::move(drift)};
+  if (result.verdict.from_s) lines.push_back(std::move(unreliable));
+  return {{"Angle between the two spin axes", unit.name, AxisScale::logarithmic}, std::move(lines)};
 }
 
 Panel parts_panel(const RunResult& result, Unit time) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   double size = 0;
   for (const DriftRow& row : result.rows) size = largest(largest(size, row.drift_tilt_rad), row.drift_azimuth_rad.value_or(0));
   const Unit unit = angle_unit(size);

@@ -46,6 +46,10 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
     if (const DriftRow* row = row_at(result, *check.at_s)) check.computed = finite(column.value(*row));
   }
   if (!check.computed) return check;
+  if (result.verdict.from_s && check.at_s.value_or(result.scenario.duration_s) >= *result.verdict.from_s) {
+    check.computed.reset();  // past the verdict's time it is no figure
+    return check;
+  }
   check.difference = *check.computed - check.stated.value;
   check.met = result.status == RunStatus::completed && std::abs(*check.difference) <= check.stated.tolerance;
   return check;

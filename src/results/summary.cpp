@@ -25,6 +25,24 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 
+/// The drift where it can be trusted last.
+Json reliable_json(const RunResult& result) {
+  Json json = {{"until_s", result.verdict.reliable_until_s}};
+  const DriftRow* row = last_reliable_row(result);
+  json["at_s"] = row ? Json(row->t_s) : Json();
+  json["axis_rad"] = row ? Json(row->drift_axis_rad) : Json();
+  json["axis_bound_rad"] = row ? Json(row->drift_axis_bound_rad) : Json();
+  json["attitude_rad"] = row ? Json(row->drift_attitude_rad) : Json();
+  json["attitude_bound_rad"] = row ? Json(row->drift_attitude_bound_rad) : Json();
+  return json;
+}
+
+Json growth_json(const VerdictReport& verdict) {
+  return {{"lyapunov_exponent_1_s", or_null(verdict.lyapunov_exponent_1_s)},
+          {"round_off_grown_s", or_null(verdict.round_off_grown_s)},
+          {"earth_grown_s", or_null(verdict.earth_grown_s)}};
+}
+
 Json drift_json(const RunResult& result) {
   const DriftSummary& drift = result.drift;
   const std::optional<double>& threshold_rad = result.scenario.threshold_rad;
@@ -45,7 +63,10 @@ Json drift_json(const RunResult& result) {
                {"azimuth_final_rad", or_null(drift.azimuth_final_rad)},
                {"tilt_final_rad", drift.tilt_final_rad},
                {"axis_final_over_earth_angle", or_null(drift.axis_final_over_earth_angle)},
-               {"verdict", "unassessed"},
+               {"verdict", to_string(result.verdict.verdict)},
+               {"verdict_from_s", or_null(result.verdict.from_s)},
+               {"verdict_reason", result.verdict.reason},
+               {"reliable", reliable_json(result)},
                {"secular", std::move(secular)},
                {"oscillation", std::move(oscillation)},
                {"threshold_rad", or_null(threshold_rad)},
@@ -187,6 +208,7 @@ std::string summary_json(const RunResult& result) {
       {"matching_rule",
        {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
       {"drift", drift_json(result)},
+      {"growth_of_disturbances", growth_json(result.verdict)},
       {"headline", headline_json(check_headline(result))},
       {"solution", integration_json(result.solution)},
       {"certificate", integration_json(result.certificate)},

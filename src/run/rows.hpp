@@ -64,6 +64,7 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   cast.drift_attitude_rad = static_cast<To>(row.drift_attitude_rad);
   cast.drift_attitude_bound_rad = static_cast<To>(row.drift_attitude_bound_rad);
   cast.drift_spin_rad = static_cast<To>(row.drift_spin_rad);
+  cast.drift_reliable = row.drift_reliable;
   return cast;
 }
 

@@ -13,6 +13,7 @@
 #include "run/drift_bound.hpp"
 #include "run/rows.hpp"
 #include "run/setup.hpp"
+#include "run/verdict.hpp"
 
 namespace earthtop {
 namespace {
@@ -139,6 +140,9 @@ RunResult run_in(const Scenario& scenario) {
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
   result.drift.threshold_time_s = first.threshold_time_s;
+  if (stop_asked) return stopped(std::move(result), reached_s);
+  result.verdict = assess_verdict(result, stop_asked);
+  mark_rows(result);
   if (stop_asked) return stopped(std::move(result), reached_s);
   result.invariants = assess_invariants(result);
   if (stop_asked) return stopped(std::move(result), reached_s);

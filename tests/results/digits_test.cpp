@@ -80,7 +80,7 @@ TEST(Digits, StandInTheTrajectoryAndTheSummary) {
   for (int i = 0; i < 3; ++i) std::getline(csv, line);
   EXPECT_EQ(line,
             "60,1,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,1,0,0,1,0.3333333333333333333333333333333333,0,,0,0,0,"
-            "-0.6666666666666666666666666666666666");
+            "-0.6666666666666666666666666666666666,1");
   EXPECT_NE(summary_json(result).find("\"axis_final_rad\": \"0.3333333333333333333333333333333333\""), std::string::npos);
   EXPECT_FALSE(drift_digits(test::made_up_run()).has_value());
 }

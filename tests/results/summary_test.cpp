@@ -30,7 +30,7 @@ TEST(Summary, HasTheContractsKeys) {
   EXPECT_EQ(drift.at("axis_bound_rad").get<double>(), result.drift.axis_bound_rad);
   EXPECT_EQ(drift.at("attitude_final_rad").get<double>(), result.drift.attitude_final_rad);
   EXPECT_EQ(drift.at("attitude_bound_rad").get<double>(), result.drift.attitude_bound_rad);
-  EXPECT_EQ(drift.at("verdict"), "unassessed");
+  EXPECT_EQ(drift.at("verdict"), "reliable");
 }
 
 TEST(Summary, HoldsTheRestOfTheResult) {

@@ -53,7 +53,8 @@ TEST(TrajectoryCsv, HeaderIsTheContracts) {
             "ref_axis_L_x,ref_axis_L_y,ref_axis_L_z,"
             "drift_axis_rad,drift_axis_bound_rad,"
             "drift_azimuth_rad,drift_tilt_rad,"
-            "drift_attitude_rad,drift_attitude_bound_rad,drift_spin_rad");
+            "drift_attitude_rad,drift_attitude_bound_rad,drift_spin_rad,"
+            "drift_reliable");
 }
 
 TEST(TrajectoryCsv, EveryColumnHoldsItsOwnNumber) {
@@ -75,7 +76,9 @@ TEST(TrajectoryCsv, EveryColumnHoldsItsOwnNumber) {
   row.drift_attitude_bound_rad = 26;
   row.drift_spin_rad = 27;
   EXPECT_EQ(lines_of(trajectory_csv(result)).at(1),
-            "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27");
+            "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,1");
+  row.drift_reliable = false;
+  EXPECT_TRUE(lines_of(trajectory_csv(result)).at(1).ends_with(",27,0"));
 }
 
 TEST(TrajectoryCsv, NumbersReadBackToTheSameBits) {
@@ -87,9 +90,9 @@ TEST(TrajectoryCsv, NumbersReadBackToTheSameBits) {
     result.rows[1].drift_spin_rad = value;
     result.rows[1].t_s = value;
     const auto fields = fields_of(lines_of(trajectory_csv(result)).at(2));
-    ASSERT_EQ(fields.size(), 28U);
+    ASSERT_EQ(fields.size(), 29U);
     EXPECT_EQ(std::bit_cast<std::uint64_t>(parse(fields.front())), std::bit_cast<std::uint64_t>(value)) << value;
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(parse(fields.back())), std::bit_cast<std::uint64_t>(value)) << value;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(parse(fields.at(27))), std::bit_cast<std::uint64_t>(value)) << value;
   }
 }
 
@@ -105,7 +108,7 @@ TEST(TrajectoryCsv, AbsentAzimuthIsAnEmptyField) {
   const auto lines = lines_of(trajectory_csv(result));
   EXPECT_FALSE(fields_of(lines.at(1)).at(kAzimuthColumn).empty());
   const auto fields = fields_of(lines.at(2));
-  ASSERT_EQ(fields.size(), 28U);
+  ASSERT_EQ(fields.size(), 29U);
   for (std::size_t i = 0; i < fields.size(); ++i) EXPECT_EQ(fields[i].empty(), i == kAzimuthColumn) << i;
 }
 
@@ -116,7 +119,7 @@ TEST(TrajectoryCsv, WhatIsNotFiniteIsAnEmptyField) {
   row.w_LB_B[1] = -std::numeric_limits<double>::infinity();
   row.drift_azimuth_rad = std::numeric_limits<double>::quiet_NaN();
   const auto fields = fields_of(lines_of(trajectory_csv(result)).at(2));
-  ASSERT_EQ(fields.size(), 28U);
+  ASSERT_EQ(fields.size(), 29U);
   EXPECT_EQ(fields[6], "");
   EXPECT_EQ(fields[22], "");
   EXPECT_EQ(fields[kAzimuthColumn], "");

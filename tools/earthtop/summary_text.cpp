@@ -92,15 +92,37 @@ void write_scene(Page& page, const Scenario& scenario, double reached_s) {
   page.entry("", matching_rule(scenario));
 }
 
+/// The drift of the rows that can be trusted: of all of them, mostly.
+DriftSummary reliable_drift(const RunResult& result) {
+  if (!result.verdict.from_s) return result.drift;
+  std::vector<DriftRow> rows = result.rows;
+  std::erase_if(rows, [](const DriftRow& row) { return !row.drift_reliable; });
+  return summarize_drift(rows, result.scenario.rotation_rate_rad_s);
+}
+
+void write_verdict(Page& page, const RunResult& result) {
+  const VerdictReport& verdict = result.verdict;
+  std::string text = spoken(std::string(to_string(verdict.verdict)));
+  if (verdict.from_s) text = page.warning(fmt::format("{} from {:.6g} s on", text, *verdict.from_s));
+  page.entry("Verdict", text);
+  page.entry("", verdict.reason);
+}
+
 void write_drift(Page& page, const RunResult& result) {
-  const DriftSummary& drift = result.drift;
-  const double reached_s = result.reached_s;
-  page.heading(fmt::format("Drift after {} s", reached_s));
+  const DriftRow* last = last_reliable_row(result);
+  if (last == nullptr || (last->t_s == 0 && result.rows.size() > 1)) {
+    page.heading("Drift");
+    page.line("  none that can be trusted; all rows are written, marked as not reliable");
+    return;
+  }
+  const DriftSummary drift = reliable_drift(result);
+  page.heading(fmt::format("Drift after {} s", last->t_s));
   std::string share;
   if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
   page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad)),
             page.strong(pictured(drift.axis_final_rad)), share);
-  if (const auto digits = drift_digits(result)) page.line("  in full     {} rad", digits->axis_final_rad);
+  if (const auto digits = drift_digits(result); digits && !result.verdict.from_s)
+    page.line("  in full     {} rad", digits->axis_final_rad);
   page.line("  at most     {:.6e} rad = {}", drift.axis_max_rad, pictured(drift.axis_max_rad));
   if (drift.azimuth_final_rad)
     page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
@@ -112,10 +134,11 @@ void write_drift(Page& page, const RunResult& result) {
   page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad));
+  if (result.verdict.from_s) page.line("  later rows are written, marked as not reliable");
 }
 
 void write_trend(Page& page, const RunResult& result) {
-  if (const auto& secular = result.drift.secular) {
+  if (const auto secular = reliable_drift(result).secular) {
     page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise",
                                     secular->mean_precession_rate_change_rad_s, secular->azimuth_rate_standard_error_rad_s));
     for (const TheoryReport& report : result.theory)
@@ -181,6 +204,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   page.line("");
   write_drift(page, result);
   page.line("");
+  write_verdict(page, result);
   write_trend(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
   page.entry("Computed", described(result.solution));

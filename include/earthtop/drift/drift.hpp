@@ -28,6 +28,7 @@ struct BasicDriftRow {
   T drift_attitude_rad = T(0);        ///< angle of R_ref^T R_rot, 0 to pi
   T drift_attitude_bound_rad = T(0);  ///< bound on the error of the above
   T drift_spin_rad = T(0);            ///< spin phase, continuous
+  bool drift_reliable = true;         ///< false from the verdict's time on
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;

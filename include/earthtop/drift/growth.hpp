@@ -1,0 +1,48 @@
+/// How fast the smallest disturbance of a motion grows: its variational equations, integrated beside it.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "earthtop/integrate/motion_integration.hpp"
+
+namespace earthtop {
+
+/// The motion on the rotating Earth, or the non-rotating prediction.
+enum class MotionKind { rotating, reference };
+
+/// By when a disturbance had grown how far for the first time.
+struct GrowthPoint {
+  double t_s = 0;
+  double log_growth = 0;  ///< natural logarithm of |xi(t)| / |xi(0)|
+};
+
+/// Growth of a disturbance xi = (theta, dw / w0): theta the turn of the attitude in body axes, dw the change of the inertial
+/// rate, w0 the scene's fastest rate. Of a regular motion it grows like the angle w0 t that the motion turns through, as rates
+/// shear phases apart; of an unstable one exponentially.
+struct GrowthReport {
+  std::vector<GrowthPoint> rises;       ///< ascending in both; a tenth of an e-folding apart, or more
+  std::optional<double> exponential_s;  ///< when it was a hundred times 1 + w0 t for the first time
+  double exponent_1_s = 0;              ///< finite-time Lyapunov exponent: log growth at the end over the time
+  double end_s = 0;
+  /// How far the motion itself went from its state at release by `exponential_s`, as seen from the body: the change of
+  /// gravity's direction and of rate / w0. Next to 0 for an equilibrium and a steady turn.
+  double departure = 0;
+  bool completed = false;
+
+  /// When the growth first passed exp(log_growth).
+  std::optional<double> passes_s(double log_growth) const;
+};
+
+/// Integrates the variational equations of three disturbances that are no symmetry's of a body,
+///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
+/// from the release to `duration_s`.
+/// @param problem  its times are not read
+/// @param relative_tolerance  of the integration: some percent of growth need no more than 1e-7, but a motion on a separatrix
+/// leaves it by its own error as soon as that has grown
+/// @param stop  ends it early, not completed; may be null
+GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
+                                double relative_tolerance, const std::atomic<bool>* stop = nullptr);
+
+}  // namespace earthtop

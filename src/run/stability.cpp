@@ -1,0 +1,84 @@
+#include "run/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "closed_form/principal_axes.hpp"
+#include "earthtop/closed_form/exact_motion.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kUpright = 0.05;      // rad, and in units of the falling rate
+constexpr double kFarModulus = 0.9;    // k^2
+constexpr double kSafelyAsleep = 1.2;  // of the square of the spin ratio
+
+Vec3<double> release_rate(const MotionProblem<double>& problem) {
+  return problem.units.rate_from_rad_s(problem.release.w_XB_B);
+}
+
+/// The rates with which the two motions start, in inertial space.
+std::array<Vec3<double>, 2> inertial_rates(const MotionProblem<double>& problem) {
+  const Vec3<double> w = release_rate(problem);
+  const Vec3<double> W_B = transposed_times(rotation_matrix(problem.release.q_LB), problem.model.W_IL_L);
+  return {w, problem.release.X == RatesRelativeTo::laboratory ? Vec3<double>(w + W_B) : w};
+}
+
+bool is_free(const Model<double>& model) { return norm(model.mass_moment_B) == 0 || norm(model.apparent_gravity_L) == 0; }
+
+/// Of Euler's equations: k^2 = (B - A)(2 T C - L^2) / ((C - B)(L^2 - 2 T A)), or its inverse, with moments A < B < C; 1 on the
+/// separatrix.
+double free_modulus(const PrincipalAxes<double>& axes, const Vec3<double>& w_B) {
+  const Vec3<double> w = transposed_times(rotation_matrix(axes.q_BP), w_B);
+  std::array<std::pair<double, double>, 3> sorted;  // moment, rate
+  for (std::size_t i = 0; i < 3; ++i) sorted[i] = {axes.moments[static_cast<int>(i)], w[static_cast<int>(i)]};
+  std::sort(sorted.begin(), sorted.end());
+  const auto [a, b, c] = sorted;
+  const double A = a.first, B = b.first, C = c.first;
+  const auto square = [](double x) { return x * x; };
+  const double above = (B - A) * (A * (C - A) * square(a.second) + B * (C - B) * square(b.second));
+  const double below = (C - B) * (B * (B - A) * square(b.second) + C * (C - A) * square(c.second));
+  const double larger = std::max(above, below);
+  return larger > 0 ? std::min(above, below) / larger : 0;
+}
+
+}  // namespace
+
+bool is_integrable(const Model<double>& model) {
+  return model.kind == SceneKind::plain && (is_free(model) || is_reducible(model));
+}
+
+std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
+  const Model<double>& model = problem.model;
+  const int axis = model.kind == SceneKind::plain ? symmetry_axis(model.I_BP_B, model.mass_moment_B) : -1;
+  if (axis < 0 || is_free(model)) return std::nullopt;
+  const double mgl = model.mass_moment_B[axis] * norm(model.apparent_gravity_L);
+  const Vec3<double> n_L = rotation_matrix(problem.release.q_LB).col(axis), w = release_rate(problem);
+  const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), I3 = model.I_BP_B(axis, axis);
+  const double falling_rate = std::sqrt(std::abs(mgl) / I1);
+  const double across = std::hypot(w[(axis + 1) % 3], w[(axis + 2) % 3]);
+  if (!(mgl * n_L[2] > 0) || std::hypot(n_L[0], n_L[1]) > kUpright || across > kUpright * falling_rate) return std::nullopt;
+  const double momentum = I3 * w[axis];
+  return UprightTop{momentum * momentum / (4 * std::abs(mgl) * I1), problem.units.rate_to_rad_s(falling_rate)};
+}
+
+bool is_regular(const MotionProblem<double>& problem) {
+  const Model<double>& model = problem.model;
+  if (!is_integrable(model)) return false;
+  const auto far = [&](auto modulus) {
+    const auto rates = inertial_rates(problem);
+    return std::all_of(rates.begin(), rates.end(), [&](const Vec3<double>& w) { return modulus(w) < kFarModulus; });
+  };
+  if (is_free(model)) {
+    if (symmetry_axis(model.I_BP_B, Vec3<double>(Vec3<double>::Zero())) >= 0) return true;
+    const auto axes = principal_axes(model.I_BP_B);
+    return far([&](const Vec3<double>& w) { return free_modulus(axes, w); });
+  }
+  if (symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2) return false;
+  if (const auto upright = upright_top(problem); upright && upright->spin_ratio_squared < kSafelyAsleep) return false;
+  const ReducedTop<double> top = reduced_top(model);
+  const SymmetricTop<double> symmetric{top.I1, top.I3, model.mass_moment_B[2] * norm(model.apparent_gravity_L)};
+  return far([&](const Vec3<double>& w) { return LagrangeTop<double>(symmetric, problem.release.q_LB, w).parameter(); });
+}
+
+}  // namespace earthtop

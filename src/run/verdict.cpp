@@ -1,0 +1,185 @@
+#include "run/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/drift/growth.hpp"
+#include "run/setup.hpp"
+#include "run/stability.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kLostAngle = 1e-6;    // rad: rounding that has grown to this takes digits that a drift needs
+constexpr double kRoundings = 8;       // units in the last place that the scene's own numbers are off by
+constexpr double kGrownAngle = 0.1;    // rad: a disturbance as large no longer grows in proportion
+constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its release is a steady one
+constexpr double kLoose = 1e-2;  // rad: a bound that has grown to this, where disturbances grow, says that the motion is lost
+constexpr double kResolved = 3;  // a drift so many times its bound is more than noise
+constexpr double kStill = 1e-3;  // of the attitude's drift: an axis that moves less stands still beside it
+constexpr double kCritical = 1e-3;  // of the square of an upright top's spin ratio
+
+double epsilon_of(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
+    case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
+  }
+  return real::epsilon<double>();
+}
+
+std::optional<double> earlier(std::optional<double> a, std::optional<double> b) {
+  if (!a || !b) return a ? a : b;
+  return std::min(*a, *b);
+}
+
+/// An upright top near its critical spin: neither asleep nor falling in the time of the run, or so near that the Earth's own
+/// part of the spin decides.
+std::optional<std::string> marginal_reason(const MotionProblem<double>& problem, double duration_s) {
+  const auto upright = upright_top(problem);
+  if (!upright) return std::nullopt;
+  const double distance = std::abs(upright->spin_ratio_squared - 1);
+  const double phase = upright->falling_rate_1_s * duration_s;
+  if (distance > kCritical && distance * phase * phase > 1) return std::nullopt;
+  return fmt::format(
+      "an upright top at {:.6g} of its critical spin: it neither stands nor falls, and what decides is smaller than "
+      "what is known of spin and moments",
+      std::sqrt(upright->spin_ratio_squared));
+}
+
+/// The growth along both motions, put together.
+struct Growth {
+  std::optional<double> exponential_s, round_off_s, earth_s;
+  double exponent_1_s = 0;
+  double departure = 0;
+  bool completed = true;
+};
+
+Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const std::atomic<bool>& stop) {
+  const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
+  const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
+  const double log_earth = std::log(kGrownAngle / earth_share);
+  const double tolerance = is_integrable(problem.model) ? 1e-13 : 1e-7;
+  Growth growth;
+  for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
+    if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
+    const GrowthReport report = disturbance_growth(problem, kind, result.reached_s, tolerance, &stop);
+    growth.exponent_1_s = std::max(growth.exponent_1_s, report.exponent_1_s);
+    growth.completed = growth.completed && report.completed;
+    if (!report.exponential_s) continue;
+    growth.departure = std::max(growth.departure, kind == MotionKind::reference ? report.departure : 0);
+    growth.exponential_s = earlier(growth.exponential_s, report.exponential_s);
+    growth.round_off_s = earlier(growth.round_off_s, report.passes_s(log_round_off));
+    if (earth_share > 0) growth.earth_s = earlier(growth.earth_s, report.passes_s(log_earth));
+  }
+  return growth;
+}
+
+std::string when(std::optional<double> time_s, std::string_view what) {
+  return time_s ? fmt::format("; {} at {:.4g} s", what, *time_s) : "";
+}
+
+/// The first row from which on the largest drift so far, of the axis and of the attitude, is not clear of its bound.
+std::optional<double> noise_from_s(const RunResult& result) {
+  double axis = 0, attitude = 0;
+  std::optional<double> from_s;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s == 0) continue;
+    axis = std::max(axis, row.drift_axis_rad);
+    attitude = std::max(attitude, row.drift_attitude_rad);
+    const double axis_bound = row.drift_axis_bound_rad, attitude_bound = row.drift_attitude_bound_rad;
+    // An axis that does not move has noise of its own, far below that of an attitude which does.
+    const bool axis_noise = axis <= kResolved * axis_bound && axis_bound > kStill * attitude;
+    const bool noise = axis_noise || (attitude_bound > 0 && attitude <= kResolved * attitude_bound);
+    if (!noise)
+      from_s.reset();
+    else if (!from_s)
+      from_s = row.t_s;
+  }
+  return from_s;
+}
+
+std::optional<double> loose_from_s(const std::vector<DriftRow>& rows) {
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [](const DriftRow& r) { return r.drift_attitude_bound_rad > kLoose; });
+  return row == rows.end() ? std::nullopt : std::optional(row->t_s);
+}
+
+void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool integrable, VerdictReport& report) {
+  report.lyapunov_exponent_1_s = growth.exponent_1_s;
+  if (!growth.exponential_s) {
+    report.reason = growth.completed ? "disturbances grow no faster than the motion's own angles"
+                                     : "no exponential growth of disturbances, as far as it was followed";
+    return;
+  }
+  report.round_off_grown_s = growth.round_off_s;
+  report.earth_grown_s = growth.earth_s;
+  const std::optional<double> loose_s = loose_from_s(rows);
+  const std::string loose = when(loose_s, "the bound on the drift's error has passed 0.01 rad");
+  const std::string rounding = when(growth.round_off_s, "rounding has grown to a microradian");
+  const std::string earth = when(growth.earth_s, "the Earth's own disturbance has grown to 0.1 rad");
+  if (integrable || growth.departure < kEquilibrium) {
+    report.verdict = Verdict::unstable;
+    report.from_s = earlier(growth.round_off_s, loose_s);
+    report.reason = fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
+                                growth.exponent_1_s, earth, rounding, loose);
+  } else {
+    report.verdict = Verdict::chaotic;
+    report.from_s = earlier(growth.earth_s, earlier(growth.round_off_s, loose_s));
+    report.reason =
+        fmt::format("disturbances grow exponentially wherever the motion goes, Lyapunov exponent about {:.4g} per second{}{}{}",
+                    growth.exponent_1_s, earth, rounding, loose);
+  }
+}
+
+}  // namespace
+
+VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& stop) {
+  VerdictReport report;
+  const auto problem = make_problem<double>(result.scenario);
+  if (const auto reason = marginal_reason(problem, result.reached_s)) {
+    report.verdict = Verdict::marginal;
+    report.from_s = 0;
+    report.reason = *reason;
+    return report;
+  }
+  if (is_regular(problem))
+    report.reason = "a motion in closed form, far from every separatrix: no disturbance grows exponentially";
+  else
+    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem.model), report);
+  report.reliable_until_s = report.from_s.value_or(result.reached_s);
+  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
+    report.verdict = Verdict::noise_floor;
+    report.from_s = from_s;
+    report.reliable_until_s = *from_s;
+    report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
+  }
+  return report;
+}
+
+void mark_rows(RunResult& result) {
+  if (!result.verdict.from_s) return;
+  const double from_s = *result.verdict.from_s;
+  for (DriftRow& row : result.rows) row.drift_reliable = row.t_s < from_s;
+  for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = static_cast<double>(row.t_s) < from_s;
+}
+
+const DriftRow* last_reliable_row(const RunResult& result) {
+  const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(), [](const DriftRow& r) { return r.drift_reliable; });
+  return row == result.rows.rend() ? nullptr : &*row;
+}
+
+std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reliable: return "reliable";
+    case Verdict::noise_floor: return "noise_floor";
+    case Verdict::unstable: return "unstable";
+    case Verdict::chaotic: return "chaotic";
+    case Verdict::marginal: return "marginal";
+  }
+  return "unknown";
+}
+
+}  // namespace earthtop
