@@ -1,0 +1,236 @@
+#include "bounds/strata.hpp"
+
+#include <algorithm>
+
+namespace earthtop::testing {
+namespace {
+
+double sign(Random& random) { return random.coin() ? 1 : -1; }
+double spin_rate(Random& random) { return sign(random) * random.log_uniform(1, 1e5); }
+
+/// Place, Earth, attitude and matching rule.
+Scenario somewhere(Random& random) {
+  Scenario s;
+  constexpr std::array kSpecial{90.0, -90.0, 0.0};
+  const double where = random.uniform(0, 1);
+  s.site = {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
+            random.uniform(9.76, 9.84)};
+  const double rate = random.uniform(0, 1);
+  if (rate < 0.1) s.rotation_rate_rad_s = random.log_uniform(1e-12, 1e-5);
+  if (rate > 0.9) s.rotation_rate_rad_s = sign(random) * random.log_uniform(1e-3, 1);
+  s.release.tilt_deg = random.uniform(1, 179);
+  s.release.azimuth_deg = random.uniform(-180, 180);
+  s.release.spin_angle_deg = random.uniform(-180, 180);
+  s.release.rates_relative_to = random.coin() ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
+  return s;
+}
+
+/// Moments about the centre of mass from three second moments: always a physical body.
+void set_body(Scenario& s, double s1, double s2, double s3, double mass, const std::array<double, 3>& center) {
+  s.body.mass_kg = mass;
+  set_principal(s.body, s2 + s3, s1 + s3, s1 + s2);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.body.center_of_mass_m = center;
+}
+
+Scenario symmetric_top(Random& random) {
+  Scenario s = somewhere(random);
+  const double size = random.log_uniform(1e-5, 1e-3), across = size * random.log_uniform(0.05, 1);
+  set_body(s, across, across, size * random.log_uniform(0.02, 1), random.log_uniform(0.02, 2),
+           {0, 0, random.log_uniform(0.003, 0.05)});
+  return s;
+}
+
+Scenario asymmetric_body(Random& random) {
+  Scenario s = somewhere(random);
+  const double size = random.log_uniform(1e-5, 1e-3), l = random.log_uniform(0.003, 0.05);
+  set_body(s, size * random.uniform(0.1, 1), size * random.uniform(0.1, 1), size * random.uniform(0.05, 1),
+           random.log_uniform(0.02, 2), {l * random.uniform(-1, 1), l * random.uniform(-1, 1), l * random.uniform(-1, 1)});
+  return s;
+}
+
+struct TopNumbers {
+  double I1, I3, mgl;
+  double falling_rate() const { return std::sqrt(std::abs(mgl) / I1); }
+  double critical_spin() const { return 2 * std::sqrt(I1 * std::abs(mgl)) / I3; }
+};
+TopNumbers numbers(const Scenario& s) {
+  const auto body = make_body<double>(s.body);
+  return {body.I_BP_B(0, 0), body.I_BP_B(2, 2), body.mass * s.site.gravity_m_s2 * body.p_PBcm_B[2]};
+}
+
+Scenario any_spin(Random& random) {
+  Scenario s = symmetric_top(random);
+  s.release.spin_rad_s = spin_rate(random);
+  return s;
+}
+Scenario fast_top(Random& random) {
+  Scenario s = symmetric_top(random);
+  s.release.spin_rad_s = sign(random) * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(2, 1e3));
+  return s;
+}
+Scenario slow_top(Random& random) {
+  Scenario s = symmetric_top(random);
+  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * random.log_uniform(0.01, 1);
+  return s;
+}
+Scenario precessing_top(Random& random) {
+  Scenario s = any_spin(random);
+  s.release.precession = Precession::given;
+  s.release.precession_rate_rad_s = numbers(s).falling_rate() * random.uniform(-2, 2);
+  return s;
+}
+Scenario steady_top(Random& random) {
+  Scenario s = fast_top(random);
+  s.release.tilt_deg = random.uniform(5, 85);
+  s.release.precession = random.coin() ? Precession::steady_slow : Precession::steady_fast;
+  return s;
+}
+Scenario sleeping_top(Random& random) {
+  Scenario s = symmetric_top(random);
+  s.release.tilt_deg = random.coin() ? 0 : random.log_uniform(1e-12, 1e-2);
+  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * (1 + random.log_uniform(1e-2, 10));
+  return s;
+}
+Scenario falling_sleeper(Random& random) {
+  Scenario s = sleeping_top(random);
+  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * random.uniform(0.05, 0.99);
+  return s;
+}
+Scenario critical_sleeper(Random& random) {
+  Scenario s = sleeping_top(random);
+  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * (1 + sign(random) * random.log_uniform(1e-6, 1e-1));
+  return s;
+}
+Scenario pendulum(Random& random) {
+  Scenario s = symmetric_top(random);
+  s.body.center_of_mass_m[2] *= -1;
+  s.release.tilt_deg = random.log_uniform(1e-3, 90);
+  s.release.spin_rad_s = random.coin() ? 0 : spin_rate(random) / 100;
+  return s;
+}
+Scenario homoclinic_top(Random& random) {
+  Scenario s = symmetric_top(random);
+  const TopNumbers top = numbers(s);
+  s.release.tilt_deg = 60;
+  s.release.precession = Precession::given;
+  s.release.precession_rate_rad_s = 2 * top.falling_rate() / std::sqrt(3.0);
+  s.release.spin_rad_s =
+      std::sqrt(3.0) * top.falling_rate() * top.I1 / top.I3 * (1 + sign(random) * random.log_uniform(1e-12, 1e-2));
+  return s;
+}
+Scenario needle_or_disc(Random& random) {
+  Scenario s = any_spin(random);
+  const double size = random.log_uniform(1e-5, 1e-3), small = size * random.log_uniform(1e-9, 1e-3);
+  const bool needle = random.coin();
+  set_body(s, needle ? small : size, needle ? small : size, needle ? size : 0, s.body.mass_kg, s.body.center_of_mass_m);
+  s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  return s;
+}
+Scenario nearly_symmetric(Random& random) {
+  Scenario s = any_spin(random);
+  auto& moments = s.body.inertia_kg_m2;
+  moments[1][1] = moments[0][0] * (1 + random.log_uniform(1e-15, 1e-3));
+  s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  return s;
+}
+Scenario balanced_gyro(Random& random) {
+  Scenario s = any_spin(random);
+  s.body.center_of_mass_m = {0, 0, 0};
+  return s;
+}
+Scenario free_body(Random& random) {
+  Scenario s = asymmetric_body(random);
+  s.body.center_of_mass_m = {0, 0, 0};
+  const double rate = random.log_uniform(1, 1e4);
+  s.release.angular_velocity_body_rad_s = {rate * random.uniform(-1, 1), rate * random.uniform(-1, 1),
+                                           rate * random.uniform(-1, 1)};
+  return s;
+}
+Scenario middle_axis(Random& random) {
+  Scenario s = somewhere(random);
+  set_principal(s.body, 1, 1 + random.uniform(0.2, 0.8), 2);
+  s.body.mass_kg = 10;
+  const double rate = random.log_uniform(1, 1e3), seed = rate * random.log_uniform(1e-12, 1e-1);
+  s.release.angular_velocity_body_rad_s = {seed, rate, -seed};
+  return s;
+}
+Scenario asymmetric_fast(Random& random) {
+  Scenario s = asymmetric_body(random);
+  const TopNumbers top = numbers(s);
+  const double rate = sign(random) * std::max(top.falling_rate(), 20.0) * random.log_uniform(5, 300);
+  s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.2, 0.2), rate * random.uniform(-0.2, 0.2), rate};
+  return s;
+}
+Scenario asymmetric_slow(Random& random) {
+  Scenario s = asymmetric_body(random);
+  const double rate = 10 * random.log_uniform(0.01, 3);
+  s.release.angular_velocity_body_rad_s = {rate * random.uniform(-1, 1), rate * random.uniform(-1, 1),
+                                           rate * random.uniform(-1, 1)};
+  return s;
+}
+Scenario on_platform(Random& random) {
+  Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(10, 1e3);
+  constexpr std::array kMotions{PlatformMotion::constant, PlatformMotion::ramp, PlatformMotion::harmonic};
+  s.platform = PlatformSpec{kMotions[static_cast<std::size_t>(random.uniform(0, 3))],
+                            {random.uniform(-1, 1), random.uniform(-1, 1), 1},
+                            random.uniform(-3, 3),
+                            random.uniform(-1, 1),
+                            random.uniform(0, 0.3),
+                            random.log_uniform(0.05, 2),
+                            random.uniform(-180, 180),
+                            {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)}};
+  return s;
+}
+Scenario torque_left_out(Random& random) {
+  Scenario s = random.coin() ? fast_top(random) : asymmetric_fast(random);
+  (random.coin() ? s.effects.coriolis : s.effects.centrifugal) = false;
+  return s;
+}
+Scenario long_horizon(Random& random) {
+  Scenario s = fast_top(random);
+  s.release.spin_rad_s = sign(random) * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(3, 300));
+  s.numerics.method = Method::long_horizon;  // in minutes where auto takes it from half an hour on
+  return s;
+}
+
+constexpr Stratum kStrata[] = {
+    {"any spin, let go at rest", any_spin},
+    {"fast top", fast_top},
+    {"slow top", slow_top},
+    {"given precession", precessing_top},
+    {"steady precession", steady_top},
+    {"sleeping", sleeping_top},
+    {"falling sleeper", falling_sleeper},
+    {"near the critical spin", critical_sleeper},
+    {"pendulum", pendulum},
+    {"near the homoclinic", homoclinic_top},
+    {"needle or disc", needle_or_disc},
+    {"nearly symmetric", nearly_symmetric},
+    {"balanced gyroscope", balanced_gyro},
+    {"free body", free_body},
+    {"about the middle axis", middle_axis},
+    {"asymmetric, fast", asymmetric_fast},
+    {"asymmetric, slow", asymmetric_slow},
+    {"on a platform", on_platform},
+    {"a torque left out", torque_left_out},
+    {"long horizon", long_horizon},
+};
+
+}  // namespace
+
+std::span<const Stratum> strata() { return kStrata; }
+
+Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase) {
+  const auto number = static_cast<std::uint64_t>(&stratum - kStrata);
+  Random random(number * 1'000'003 + index);
+  Scenario s = stratum.make(random);
+  s.name = "random-" + std::to_string(number) + "-" + std::to_string(index);
+  s.duration_s = 1;  // for a platform that spins up
+  s.duration_s = random.log_uniform(least_phase, largest_phase) / fastest_rate_rad_s(s);
+  s.output_step_s = s.duration_s / 12;
+  return s;
+}
+
+}  // namespace earthtop::testing

@@ -1,0 +1,22 @@
+/// Random scenes in strata: every regime of tops and free bodies, latitudes with poles and equator, both matching rules, Earth
+/// rates from tiny to as fast as a top precesses, spins from 1 to 1e5 rad/s.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "support/scenes.hpp"
+
+namespace earthtop::testing {
+
+struct Stratum {
+  std::string_view name;
+  Scenario (*make)(Random&);
+};
+std::span<const Stratum> strata();
+
+/// Scene `index` of a stratum: a dozen rows over a duration in which the fastest rate turns through `least_phase` to
+/// `largest_phase` rad, log-uniformly; the same on every platform.
+Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
+
+}  // namespace earthtop::testing
