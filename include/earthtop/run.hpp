@@ -71,6 +71,21 @@ struct VerdictReport {
   std::optional<double> earth_grown_s;      ///< when the Earth's own disturbance has grown to 0.1 rad, exponentially
 };
 
+/// How the last reliable drift changes with one input (rad per unit of the input), and what the input's error makes of it.
+struct InputSensitivity {
+  std::string_view name;  ///< one of kInputNames
+  double value = 0;       ///< of the input
+  double axis_rad = 0, attitude_rad = 0, tilt_rad = 0;
+  std::optional<double> azimuth_rad;  ///< none where an axis is vertical
+  double axis_error_rad = 0;          ///< standard error of the axis drift from this input; 0 where none is given
+};
+struct SensitivityReport {
+  double at_s = 0;
+  std::vector<InputSensitivity> inputs;  ///< in the order of kInputNames; none where they could not be had
+  std::string unavailable;               ///< why there are none; empty where there are
+  double axis_error_rad = 0;             ///< standard error of the axis drift from all inputs, taken as independent
+};
+
 struct RunResult {
   Scenario scenario;
   RunStatus status = RunStatus::completed;
@@ -84,8 +99,9 @@ struct RunResult {
   double attitude_bound_rad = 0;  ///< of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;
-  std::optional<LedgerReport> ledger;  ///< where the scenario asks for one
-  std::vector<std::string> notes;      ///< e.g. that a scene is non-physical
+  std::optional<SensitivityReport> sensitivities;  ///< where the scenario asks for them
+  std::optional<LedgerReport> ledger;              ///< where the scenario asks for one
+  std::vector<std::string> notes;                  ///< e.g. that a scene is non-physical
 };
 
 /// The last row before the verdict's time; null where there is none.

@@ -128,6 +128,34 @@ Json theory_json(const std::vector<TheoryReport>& theory) {
   return list;
 }
 
+Json sensitivities_json(const SensitivityReport& report) {
+  if (!report.unavailable.empty()) return {{"at_s", report.at_s}, {"unavailable", report.unavailable}};
+  Json inputs = Json::array();
+  for (const InputSensitivity& input : report.inputs)
+    inputs.push_back({{"name", input.name},
+                      {"value", input.value},
+                      {"d_axis_rad", input.axis_rad},
+                      {"d_attitude_rad", input.attitude_rad},
+                      {"d_tilt_rad", input.tilt_rad},
+                      {"d_azimuth_rad", or_null(input.azimuth_rad)},
+                      {"axis_error_rad", input.axis_error_rad}});
+  return {{"at_s", report.at_s}, {"per", "one unit of the input, as its name says"}, {"inputs", std::move(inputs)}};
+}
+
+/// The last reliable drift of the axis with what is known of its errors: from the inputs (a standard error, inputs independent)
+/// and from the numerics (a bound).
+Json uncertainty_json(const RunResult& result) {
+  const SensitivityReport& report = *result.sensitivities;
+  if (!report.unavailable.empty()) return {{"unavailable", report.unavailable}};
+  const DriftRow* row = last_reliable_row(result);
+  const auto largest = std::max_element(report.inputs.begin(), report.inputs.end(),
+                                        [](const auto& a, const auto& b) { return a.axis_error_rad < b.axis_error_rad; });
+  return {{"axis_rad", row->drift_axis_rad},
+          {"from_inputs_rad", report.axis_error_rad},
+          {"from_numerics_rad", row->drift_axis_bound_rad},
+          {"largest_from", largest->axis_error_rad > 0 ? Json(largest->name) : Json()}};
+}
+
 Json ledger_json(const LedgerReport& ledger) {
   return {{"observer", to_string(ledger.observer)},      {"tau_phys_max_N_m", ledger.largest.tau_phys},
           {"tau_cor_max_N_m", ledger.largest.tau_cor},   {"tau_trans_max_N_m", ledger.largest.tau_trans},
@@ -215,6 +243,8 @@ std::string summary_json(const RunResult& result) {
       {"attitude_bound_rad", result.attitude_bound_rad},
       {"invariants", invariants_json(result.invariants)},
       {"theory", theory_json(result.theory)}};
+  if (result.sensitivities) summary["sensitivities"] = sensitivities_json(*result.sensitivities);
+  if (result.sensitivities && result.scenario.uncertainty) summary["uncertainty"] = uncertainty_json(result);
   if (result.ledger) summary["ledger"] = ledger_json(*result.ledger);
   summary["effects"] = effects_json(scenario);
   summary["notes"] = result.notes;

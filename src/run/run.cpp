@@ -12,6 +12,7 @@
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
 #include "run/rows.hpp"
+#include "run/sensitivities.hpp"
 #include "run/setup.hpp"
 #include "run/verdict.hpp"
 
@@ -143,6 +144,8 @@ RunResult run_in(const Scenario& scenario) {
   if (stop_asked) return stopped(std::move(result), reached_s);
   result.verdict = assess_verdict(result, stop_asked);
   mark_rows(result);
+  if (stop_asked) return stopped(std::move(result), reached_s);
+  result.sensitivities = assess_sensitivities(result, stop_asked);
   if (stop_asked) return stopped(std::move(result), reached_s);
   result.invariants = assess_invariants(result);
   if (stop_asked) return stopped(std::move(result), reached_s);

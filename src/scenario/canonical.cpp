@@ -114,7 +114,12 @@ std::string canonical_json(const Scenario& scenario) {
                {"numerics", numerics_json(scenario)}};
   if (scenario.ledger) json["numerics"]["ledger"] = std::string(to_string(*scenario.ledger));
   if (scenario.platform) json["platform"] = platform_json(*scenario.platform);
-  if (scenario.threshold_rad) json["report"] = {{"threshold_rad", *scenario.threshold_rad}};
+  if (scenario.threshold_rad) json["report"]["threshold_rad"] = *scenario.threshold_rad;
+  if (scenario.uncertainty)
+    for (std::size_t i = 0; i < kInputNames.size(); ++i)
+      json["uncertainty"][std::string(kInputNames[i])] = (*scenario.uncertainty)[i];
+  else if (scenario.sensitivities)
+    json["report"]["sensitivities"] = true;
   return json.dump();
 }
 

@@ -90,6 +90,12 @@ void check_method(const Section& numerics, const Scenario& scenario) {
   if (const auto reason = method_refusal(scenario.numerics.method, scenario)) numerics.refuse("method", *reason);
 }
 
+std::array<double, kInputNames.size()> decode_uncertainty(const Section& uncertainty) {
+  std::array<double, kInputNames.size()> standard_errors = {};
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) standard_errors[i] = uncertainty.number(kInputNames[i]).value_or(0);
+  return standard_errors;
+}
+
 void decode(const Section& root, const std::string& file, Scenario& scenario) {
   decode_name(root, file, scenario);
   const bool gravity = decode_site(root, scenario);
@@ -107,6 +113,8 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
+  scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
+  if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));
   if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root.section("motion"), scenario);
   warn_of_implausible(root, scenario);
 }

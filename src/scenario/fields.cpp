@@ -141,6 +141,17 @@ constexpr Field kFields[] = {
 
     {"/report", object, "", any(), "", "", "{}", "what else to report"},
     {"/report/threshold_rad", number, "rad", above(0, kPi), "", "", "", "the first time the axis drift passes it is reported"},
+    {"/report/sensitivities", flag, "", any(), "", "", "false", "derivatives of the last reliable drift by the inputs"},
+
+    {"/uncertainty", object, "", any(), "", "", "", "standard errors of the inputs: what they make of the drift is reported"},
+    {"/uncertainty/latitude_deg", number, "deg", from(0, 90), "", "", "0", "of the latitude"},
+    {"/uncertainty/gravity_m_s2", number, "m/s^2", from(0, 1e6), "", "", "0", "of apparent gravity"},
+    {"/uncertainty/spin_rad_s", number, "rad/s", from(0, 1e9), "", "", "0", "of the spin, the rate about body axis 3"},
+    {"/uncertainty/tilt_deg", number, "deg", from(0, 180), "", "", "0", "of the tilt at release"},
+    {"/uncertainty/rotation_rate_rad_s", number, "rad/s", from(0, 1e9), "", "", "0", "of the Earth's rate"},
+    {"/uncertainty/inertia_ratio", number, "", from(0, 1e6), "", "", "0", "of I3/I1 about the pivot, I1 and I2 unchanged"},
+    {"/uncertainty/center_of_mass_m", number, "m", from(0, 1e6), "", "", "0",
+     "of the distance from the pivot to the centre of mass, moments about the pivot unchanged"},
 };
 
 }  // namespace

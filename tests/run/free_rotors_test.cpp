@@ -65,7 +65,7 @@ FreeMotion euler_poinsot(const Vec& I, const FreeMotion& start, Real t) {
   const Real phi = L / I[2] * t + L * (I[2] - I[0]) / (I[0] * I[2] * frequency) * third_kind;
 
   // From axes with the third along L to the body's: Rz(phi) Rx(theta) Rz(psi); L is its third row.
-  const auto from_momentum_axes = [L](const Vec& L_B, Real precession) {
+  const auto from_momentum_axes = [](const Vec& L_B, Real precession) {
     return turn(unit(2), precession) * turn(unit(0), std::atan2(std::hypot(L_B[0], L_B[1]), L_B[2])) *
            turn(unit(2), std::atan2(L_B[0], L_B[1]));
   };

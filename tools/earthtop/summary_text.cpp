@@ -164,6 +164,23 @@ void write_trend(Page& page, const RunResult& result) {
   }
 }
 
+void write_sensitivities(Page& page, const RunResult& result) {
+  const SensitivityReport& report = *result.sensitivities;
+  if (!report.unavailable.empty()) {
+    page.entry("Inputs", page.warning("no sensitivities: " + report.unavailable));
+    return;
+  }
+  page.entry("Inputs", fmt::format("the axis drift at {} s changes, per unit of the input, by", report.at_s));
+  for (const InputSensitivity& input : report.inputs)
+    page.entry("",
+               fmt::format("{:+.5e} rad  {:<20} (now {:.9g}){}", input.axis_rad, input.name, input.value,
+                           input.axis_error_rad > 0 ? fmt::format(", its error makes {:.2e} rad", input.axis_error_rad) : ""));
+  if (!result.scenario.uncertainty) return;
+  const DriftRow* row = last_reliable_row(result);
+  page.entry("Known to", fmt::format("{:.6e} rad ± {:.1e} from the inputs (standard error) ± {:.1e} from the numerics (bound)",
+                                     row->drift_axis_rad, report.axis_error_rad, row->drift_axis_bound_rad));
+}
+
 void write_headline(Page& page, const RunResult& result, const HeadlineCheck& check, bool changed) {
   const std::string quantity =
       check.at_s ? fmt::format("{} at {} s", check.stated.quantity, *check.at_s) : check.stated.quantity;
@@ -206,6 +223,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   page.line("");
   write_verdict(page, result);
   write_trend(page, result);
+  if (result.sensitivities) write_sensitivities(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
   page.entry("Computed", described(result.solution));
   page.entry("Checked", described(result.certificate));

@@ -35,6 +35,10 @@ struct HeadlineSpec {
   std::string origin;
 };
 
+/// The inputs by which a drift's derivatives are taken, each named by its key and unit.
+inline constexpr std::array<std::string_view, 7> kInputNames{
+    "latitude_deg", "gravity_m_s2", "spin_rad_s", "tilt_deg", "rotation_rate_rad_s", "inertia_ratio", "center_of_mass_m"};
+
 struct Scenario {
   std::string name = "unnamed";
   std::string title;
@@ -52,6 +56,9 @@ struct Scenario {
   Precision precision = Precision::bits53;
   std::optional<LedgerObserver> ledger;  ///< whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
+  bool sensitivities = false;  ///< whether the drift's derivatives by the inputs are wanted
+  /// Standard errors of the inputs, in the order and units of kInputNames; 0 where not given.
+  std::optional<std::array<double, kInputNames.size()>> uncertainty;
 };
 
 /// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is

@@ -1,0 +1,97 @@
+/// A number with its derivatives by N inputs: arithmetic carries them along by the chain rule, exactly but for rounding.
+///
+/// Lives in `real` and has to be included before any header whose templates call the functions of that namespace.
+#pragma once
+
+#include <array>
+
+#include "earthtop/real.hpp"
+
+namespace earthtop::real {
+
+template <std::size_t N>
+struct Jet {
+  double value = 0;
+  std::array<double, N> d = {};
+
+  Jet() = default;
+  Jet(double x) : value(x) {}  // NOLINT(google-explicit-constructor): numbers in formulas are constants
+  explicit Jet(int x) : value(x) {}
+
+  Jet& operator+=(const Jet& y) {
+    value += y.value;
+    for (std::size_t i = 0; i < N; ++i) d[i] += y.d[i];
+    return *this;
+  }
+  Jet& operator-=(const Jet& y) {
+    value -= y.value;
+    for (std::size_t i = 0; i < N; ++i) d[i] -= y.d[i];
+    return *this;
+  }
+  Jet& operator*=(const Jet& y) {
+    for (std::size_t i = 0; i < N; ++i) d[i] = d[i] * y.value + value * y.d[i];
+    value *= y.value;
+    return *this;
+  }
+  Jet& operator/=(const Jet& y) {
+    value /= y.value;
+    for (std::size_t i = 0; i < N; ++i) d[i] = (d[i] - value * y.d[i]) / y.value;
+    return *this;
+  }
+  friend Jet operator+(Jet x, const Jet& y) { return x += y; }
+  friend Jet operator-(Jet x, const Jet& y) { return x -= y; }
+  friend Jet operator*(Jet x, const Jet& y) { return x *= y; }
+  friend Jet operator/(Jet x, const Jet& y) { return x /= y; }
+  friend Jet operator-(Jet x) {
+    x.value = -x.value;
+    for (double& di : x.d) di = -di;
+    return x;
+  }
+  friend bool operator<(const Jet& x, const Jet& y) { return x.value < y.value; }
+  friend bool operator>(const Jet& x, const Jet& y) { return x.value > y.value; }
+  friend bool operator<=(const Jet& x, const Jet& y) { return x.value <= y.value; }
+  friend bool operator>=(const Jet& x, const Jet& y) { return x.value >= y.value; }
+  friend bool operator==(const Jet& x, const Jet& y) { return x.value == y.value; }
+};
+
+/// f(x) with slope f'(x).
+template <std::size_t N>
+Jet<N> composed(const Jet<N>& x, double f, double slope) {
+  Jet<N> y = f;
+  for (std::size_t i = 0; i < N; ++i) y.d[i] = slope * x.d[i];
+  return y;
+}
+template <std::size_t N>
+Jet<N> sqrt(const Jet<N>& x) {
+  const double root = std::sqrt(x.value);
+  return composed(x, root, 0.5 / root);
+}
+template <std::size_t N>
+Jet<N> atan2(const Jet<N>& y, const Jet<N>& x) {
+  // Scaled: squares of the deviations of a tiny Earth rate would underflow.
+  const double size = hypot(x.value, y.value), c = x.value / size, s = y.value / size;
+  Jet<N> angle = std::atan2(y.value, x.value);
+  for (std::size_t i = 0; i < N; ++i) angle.d[i] = c * (y.d[i] / size) - s * (x.d[i] / size);
+  return angle;
+}
+template <std::size_t N>
+Jet<N> sin(const Jet<N>& x) {
+  return composed(x, std::sin(x.value), std::cos(x.value));
+}
+template <std::size_t N>
+Jet<N> cos(const Jet<N>& x) {
+  return composed(x, std::cos(x.value), -std::sin(x.value));
+}
+
+}  // namespace earthtop::real
+
+namespace Eigen {
+template <std::size_t N>
+struct NumTraits<earthtop::real::Jet<N>> : GenericNumTraits<double> {
+  using Real = earthtop::real::Jet<N>;
+  using NonInteger = Real;
+  using Literal = Real;
+  using Nested = Real;
+  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = N, AddCost = N, MulCost = 2 * N };
+};
+}  // namespace Eigen

@@ -1,0 +1,73 @@
+/// The measures of a drift, for the scalars of measures.cpp and for jets.
+#pragma once
+
+#include "earthtop/drift/drift_integration.hpp"
+
+namespace earthtop {
+namespace drift_measures {
+
+/// atan2 that never gives -0.
+template <class T>
+T angle_of(T y, T x) {
+  return real::atan2(y, x) + T(0);
+}
+
+/// Body axis 3 of the reference (n) and what the rotating one differs from it by (d), in East, North, Up.
+template <class T>
+struct AxisPair {
+  Vec3<T> n, d_scaled, d;
+  T horizontal_ref, horizontal_rot;
+  bool ref_defined, azimuth_defined;
+
+  explicit AxisPair(const DriftState<T>& s) {
+    const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
+    n = R_ref.col(2);
+    d_scaled = times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, Vec3<T>(Vec3<T>::UnitZ())));
+    d = s.epsilon * d_scaled;
+    horizontal_ref = real::hypot(n[0], n[1]);
+    horizontal_rot = real::hypot(T(n[0] + d[0]), T(n[1] + d[1]));
+    const T round_off = T(8) * real::epsilon<T>();
+    ref_defined = horizontal_ref > round_off;
+    azimuth_defined = ref_defined && horizontal_rot > round_off;
+  }
+  /// Compass azimuth of n + d less that of n: its sine is n x d, without subtracting two directions. + 0 turns -0 into 0.
+  T azimuth_sine() const { return n[1] * d[0] - n[0] * d[1] + T(0); }
+  T azimuth_cosine() const { return horizontal_ref * horizontal_ref + n[0] * d[0] + n[1] * d[1]; }
+};
+
+}  // namespace drift_measures
+
+template <class T>
+DriftPhases<T> drift_phases(const DriftState<T>& s) {
+  const drift_measures::AxisPair<T> axes(s);
+  return {s.epsilon * s.e_v_scaled[2] + T(0), s.e_w, axes.azimuth_defined, axes.azimuth_sine(), axes.azimuth_cosine()};
+}
+
+template <class T>
+DriftMeasures<T> measure_drift(const DriftState<T>& s) {
+  using drift_measures::angle_of;
+  const T epsilon = s.epsilon;
+  const T size = real::hypot(s.e_w, T(epsilon * norm(s.e_v_scaled)));
+  const T w = s.e_w / size;
+  const Vec3<T> y = s.e_v_scaled / size;
+  DriftMeasures<T> m;
+  m.axis = T(2) * angle_of(T(epsilon * real::hypot(y[0], y[1])), real::hypot(w, T(epsilon * y[2])));
+  m.attitude = T(2) * angle_of(T(epsilon * norm(y)), real::abs(w));
+  m.half_spin = angle_of(T(epsilon * y[2] + T(0)), w);
+
+  const drift_measures::AxisPair<T> axes(s);
+  const Vec3<T>&n = axes.n, &d = axes.d;
+  m.axis_difference_L_scaled = axes.d_scaled;
+  m.attitude_vector_L_scaled = times(rotation_matrix(s.ref_q_LB), y);
+  m.azimuth_defined = axes.azimuth_defined;
+  m.azimuth = axes.azimuth_defined ? angle_of(axes.azimuth_sine(), axes.azimuth_cosine()) : T(0);
+  // The horizontal lengths differ by (2 n.d + d.d) / (their sum), without subtracting them.
+  const T sum = axes.horizontal_ref + axes.horizontal_rot;
+  const T longer = axes.horizontal_ref > T(0) ? T((T(2) * (n[0] * d[0] + n[1] * d[1]) + d[0] * d[0] + d[1] * d[1]) / sum)
+                                              : axes.horizontal_rot;
+  m.tilt = angle_of(T(longer * n[2] - d[2] * axes.horizontal_ref),
+                    T(axes.horizontal_rot * axes.horizontal_ref + (n[2] + d[2]) * n[2]));
+  return m;
+}
+
+}  // namespace earthtop
