@@ -111,7 +111,8 @@ const DriftRow* last_reliable_row(const RunResult& result);
 void request_interrupt() noexcept;
 bool interrupt_requested() noexcept;
 
-/// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run.
+/// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run;
+/// ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers.
 /// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none.
 RunResult run(const Scenario& scenario);
 

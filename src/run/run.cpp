@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "earthtop/arithmetic.hpp"
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
 #include "run/rows.hpp"
@@ -163,6 +164,7 @@ void request_interrupt() noexcept { stop_asked = true; }
 bool interrupt_requested() noexcept { return stop_asked; }
 
 RunResult run(const Scenario& scenario) {
+  require_ieee_arithmetic();
   if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
   require_affordable(scenario);
   switch (scenario.precision) {

@@ -9,6 +9,7 @@
 #include <new>
 #include <string_view>
 
+#include "earthtop/arithmetic.hpp"
 #include "earthtop/results/results.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
@@ -63,6 +64,7 @@ int guarded_main(int argc, char** argv) {
   if (argc > 1 && std::find(kNotAvailable.begin(), kNotAvailable.end(), argv[1]) != kNotAvailable.end())
     return usage_error(fmt::format("{}: not available in this version", argv[1]), json);
   try {
+    require_ieee_arithmetic();
     return parse_and_do(argc, argv);
   } catch (const ScenarioError& error) {
     return report_errors(error.file(), error.diagnostics(), json, kRefused);
@@ -73,6 +75,8 @@ int guarded_main(int argc, char** argv) {
     const bool lost = error.file() == kStandardOutput;
     const char* remedy = lost ? "" : "; see to space and permission there, or choose another place";
     return report_errors(error.file(), {{0, 0, "", error.reason() + remedy}}, json && !lost, kWriteFailed);
+  } catch (const ArithmeticError& error) {
+    return report_errors("", {{0, 0, "", error.what()}}, json, kNumericalFailure);
   } catch (const std::bad_alloc&) {
     return report_errors("", {{0, 0, "", "out of memory; take fewer rows (a longer output_step_s, no ledger)"}}, json,
                          kNumericalFailure);

@@ -1,0 +1,48 @@
+#include "earthtop/arithmetic.hpp"
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+
+namespace earthtop {
+namespace {
+
+/// Kept from the compiler's knowledge, so that the processor has to compute with it.
+double opaque(double x) {
+  volatile double kept = x;
+  return kept;
+}
+
+}  // namespace
+
+std::string arithmetic_faults() {
+  std::string faults;
+  const auto expect = [&](bool sound, const char* fault) {
+    if (sound) return;
+    if (!faults.empty()) faults += ", ";
+    faults += fault;
+  };
+  expect(std::fegetround() == FE_TONEAREST, "numbers are not rounded to nearest");
+  const double least = opaque(std::numeric_limits<double>::denorm_min()), normal = opaque(std::numeric_limits<double>::min());
+  expect(least + least == 2 * std::numeric_limits<double>::denorm_min() && opaque(normal / 2) > 0,
+         "subnormal numbers are flushed to zero");
+  // (1 + u)^2 = 1 + 2u + u^2, of which rounding leaves 1 + 2u: a fused sum would see u^2.
+  const double u = 0x1p-30, a = opaque(1 + u), b = opaque(-(1 + 2 * u));
+  expect(a * a + b == 0, "products are contracted into sums");
+  const double one = opaque(1), tiny = opaque(0x1p-60);
+  expect((one + tiny) - one == 0, "sums are reassociated");
+  const double zero = opaque(0), nan = opaque(std::numeric_limits<double>::quiet_NaN());
+  expect(nan != nan && !(nan == nan), "NaN is not kept");
+  expect(std::signbit(opaque(-zero)) && std::signbit(-zero * one), "signed zeros are not kept");
+  return faults;
+}
+
+void require_ieee_arithmetic() {
+  if (const std::string faults = arithmetic_faults(); !faults.empty())
+    throw ArithmeticError(
+        "the arithmetic is not that of IEEE 754: " + faults +
+        "; the results would have other digits: build without -ffast-math and -ffp-contract, and let nothing in "
+        "the process change rounding or subnormal numbers");
+}
+
+}  // namespace earthtop
