@@ -21,9 +21,9 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
       EXPECT_LE(coverage.used, 3);
       ++scenes, beyond += coverage.used > 1, tight += coverage.tight;
     }
-  EXPECT_EQ(scenes, 60);
+  EXPECT_EQ(scenes, 66);
   EXPECT_LE(beyond, 1);
-  EXPECT_GE(tight, 50);
+  EXPECT_GE(tight, 57);
 }
 
 }  // namespace

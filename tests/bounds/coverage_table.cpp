@@ -1,4 +1,4 @@
-/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]: over COUNT random scenes in each stratum (50 by
+/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]: over COUNT random scenes in each stratum (46 by
 /// default) how often the true error is below the stated bound, as a Markdown table; with --scenes every scene first.
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     else
       numbers.push_back(std::atof(argv[i]));
   }
-  const auto count = static_cast<std::uint64_t>(numbers.empty() ? 50 : numbers[0]);
+  const auto count = static_cast<std::uint64_t>(numbers.empty() ? 46 : numbers[0]);
   const double least = numbers.size() > 2 ? numbers[1] : 3, largest = numbers.size() > 2 ? numbers[2] : 1500;
   std::vector<std::pair<std::string_view, Row>> table;
   std::map<std::string, int> verdicts, methods;

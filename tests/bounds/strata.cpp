@@ -195,6 +195,20 @@ Scenario long_horizon(Random& random) {
   return s;
 }
 
+Scenario in_long_double(Random& random) {
+  Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(10, 1e3);
+  s.precision = Precision::bits64;
+  s.numerics.relative_tolerance = default_tolerance(s.precision);
+  return s;
+}
+Scenario other_observer(Random& random) {
+  Scenario s = random.coin() ? precessing_top(random) : asymmetric_body(random);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  s.numerics.observer = random.coin() ? Observer::inertial : Observer::body;
+  return s;
+}
+
 constexpr Stratum kStrata[] = {
     {"any spin, let go at rest", any_spin},
     {"fast top", fast_top},
@@ -215,6 +229,8 @@ constexpr Stratum kStrata[] = {
     {"asymmetric, slow", asymmetric_slow},
     {"on a platform", on_platform},
     {"a torque left out", torque_left_out},
+    {"another observer's equations", other_observer},
+    {"in long double", in_long_double},
     {"long horizon", long_horizon},
 };
 
