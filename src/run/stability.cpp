@@ -12,6 +12,7 @@ namespace {
 constexpr double kUpright = 0.05;      // rad, and in units of the falling rate
 constexpr double kFarModulus = 0.9;    // k^2
 constexpr double kSafelyAsleep = 1.2;  // of the square of the spin ratio
+constexpr double kSlowEarth = 0.01;    // of the nutation rate
 
 Vec3<double> release_rate(const MotionProblem<double>& problem) {
   return problem.units.rate_from_rad_s(problem.release.w_XB_B);
@@ -44,8 +45,15 @@ double free_modulus(const PrincipalAxes<double>& axes, const Vec3<double>& w_B) 
 
 }  // namespace
 
-bool is_integrable(const Model<double>& model) {
-  return model.kind == SceneKind::plain && (is_free(model) || is_reducible(model));
+bool is_integrable(const MotionProblem<double>& problem) {
+  const Model<double>& model = problem.model;
+  if (model.kind != SceneKind::plain) return false;
+  if (is_free(model)) return true;
+  if (!is_reducible(model)) return false;
+  const ReducedTop<double> top = reduced_top(model);
+  const double nutation = std::abs(top.spin_ratio * release_rate(problem)[top.axis]);
+  const double pendulum = std::sqrt(norm(model.apparent_gravity_L) * std::abs(top.moment_ratio));
+  return norm(model.W_IL_L) <= kSlowEarth * std::max(nutation, pendulum);
 }
 
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
@@ -59,12 +67,12 @@ std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
   const double across = std::hypot(w[(axis + 1) % 3], w[(axis + 2) % 3]);
   if (!(mgl * n_L[2] > 0) || std::hypot(n_L[0], n_L[1]) > kUpright || across > kUpright * falling_rate) return std::nullopt;
   const double momentum = I3 * w[axis];
-  return UprightTop{momentum * momentum / (4 * std::abs(mgl) * I1), problem.units.rate_to_rad_s(falling_rate)};
+  return UprightTop{momentum * momentum / (4 * std::abs(mgl) * I1)};
 }
 
 bool is_regular(const MotionProblem<double>& problem) {
   const Model<double>& model = problem.model;
-  if (!is_integrable(model)) return false;
+  if (!is_integrable(problem)) return false;
   const auto far = [&](auto modulus) {
     const auto rates = inertial_rates(problem);
     return std::all_of(rates.begin(), rates.end(), [&](const Vec3<double>& w) { return modulus(w) < kFarModulus; });

@@ -5,21 +5,19 @@
 
 namespace earthtop {
 
-/// Whether the non-rotating motion has a closed form: a free body, or a symmetric top. Such motions may be unstable, but none
-/// is chaotic.
-bool is_integrable(const Model<double>& model);
+/// Whether the motion is one with a closed form, or so near one that the Earth cannot make it chaotic: a free body; a symmetric
+/// top whose nutation is a hundred times as fast as the Earth turns. Such motions may be unstable, but none is chaotic.
+bool is_integrable(const MotionProblem<double>& problem);
 
 /// Whether both motions are such, and far from every separatrix: nothing in them grows faster than with the time. A free body
 /// far from its middle axis, a top symmetric about axis 3 that does not come near the upright with all its energy.
 bool is_regular(const MotionProblem<double>& problem);
 
-/// An upright symmetric top: the square of its spin over the critical one, (I3 w3)^2 / (4 m g l I1), and the rate at which it
-/// would fall without spin (rad/s).
+/// An upright symmetric top: the square of its spin over the critical one, (I3 w3)^2 / (4 m g l I1).
 struct UprightTop {
   double spin_ratio_squared;
-  double falling_rate_1_s;
 };
-/// None for every other motion: unlike body or attitude, or a transverse rate of a twentieth of the falling rate.
+/// None for every other motion: unlike body or attitude, or a transverse rate of a twentieth of sqrt(m g l / I1).
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem);
 
 }  // namespace earthtop

@@ -35,17 +35,13 @@ std::optional<double> earlier(std::optional<double> a, std::optional<double> b) 
   return std::min(*a, *b);
 }
 
-/// An upright top near its critical spin: neither asleep nor falling in the time of the run, or so near that the Earth's own
-/// part of the spin decides.
-std::optional<std::string> marginal_reason(const MotionProblem<double>& problem, double duration_s) {
+/// An upright top near its critical spin.
+std::optional<std::string> marginal_reason(const MotionProblem<double>& problem) {
   const auto upright = upright_top(problem);
-  if (!upright) return std::nullopt;
-  const double distance = std::abs(upright->spin_ratio_squared - 1);
-  const double phase = upright->falling_rate_1_s * duration_s;
-  if (distance > kCritical && distance * phase * phase > 1) return std::nullopt;
+  if (!upright || std::abs(upright->spin_ratio_squared - 1) > kCritical) return std::nullopt;
   return fmt::format(
-      "an upright top at {:.6g} of its critical spin: it neither stands nor falls, and what decides is smaller than "
-      "what is known of spin and moments",
+      "an upright top at {:.6g} of its critical spin: whether it stands or falls hangs on digits of spin and moments that are "
+      "not known",
       std::sqrt(upright->spin_ratio_squared));
 }
 
@@ -61,7 +57,7 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
   const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
   const double log_earth = std::log(kGrownAngle / earth_share);
-  const double tolerance = is_integrable(problem.model) ? 1e-13 : 1e-7;
+  const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
@@ -139,7 +135,7 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
 VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& stop) {
   VerdictReport report;
   const auto problem = make_problem<double>(result.scenario);
-  if (const auto reason = marginal_reason(problem, result.reached_s)) {
+  if (const auto reason = marginal_reason(problem)) {
     report.verdict = Verdict::marginal;
     report.from_s = 0;
     report.reason = *reason;
@@ -148,7 +144,7 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
   if (is_regular(problem))
     report.reason = "a motion in closed form, far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem.model), report);
+    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem), report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
   if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
     report.verdict = Verdict::noise_floor;
