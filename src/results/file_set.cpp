@@ -24,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
-
 void stop_if_asked() {
   if (interrupt_requested()) throw Interrupted();
 }
@@ -98,6 +96,8 @@ class Descriptor {
 
 }  // namespace
 
+void fail_to_write(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
+
 bool discard_temporaries() noexcept {
   if (committing) return false;
   for (const auto& slot : names_on_disk)
@@ -120,11 +120,11 @@ struct FileSet::File {
     if (::rename(place.c_str(), last.c_str()) == 0)
       is_set_aside = true;
     else if (errno != ENOENT)
-      fail(place, errno);
+      fail_to_write(place, errno);
   }
   void put_in_place() {
     if (!is_written) return;
-    if (::rename(next.c_str(), place.c_str()) != 0) fail(place, errno);
+    if (::rename(next.c_str(), place.c_str()) != 0) fail_to_write(place, errno);
     is_written = false;
     is_in_place = true;
   }
@@ -182,7 +182,7 @@ void FileSet::lock() {
   directory_ = ::open(dir_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory_ < 0) {
     if (errno == EACCES) return;  // a directory that may be written to, but not read
-    fail(dir_, errno);
+    fail_to_write(dir_, errno);
   }
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds kPatience{10};
@@ -213,16 +213,16 @@ FileSet::File& FileSet::file(std::string_view name) {
 void FileSet::add(std::string_view name, const std::function<void(const Sink&)>& produce) {
   File& file = this->file(name);
   // A file of this name is of a killed run with the same process number.
-  if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail(file.place, errno);
+  if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail_to_write(file.place, errno);
   Descriptor descriptor(::open(file.next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (descriptor.get() < 0) fail(file.place, errno);
+  if (descriptor.get() < 0) fail_to_write(file.place, errno);
   file.is_written = true;
   produce([&](std::string_view content) {
-    if (const int error = write_all(descriptor.get(), content); error != 0) fail(file.place, error);
+    if (const int error = write_all(descriptor.get(), content); error != 0) fail_to_write(file.place, error);
   });
   stop_if_asked();
-  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail(file.place, errno);
-  if (descriptor.close() != 0) fail(file.place, errno);
+  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_to_write(file.place, errno);
+  if (descriptor.close() != 0) fail_to_write(file.place, errno);
 }
 
 void FileSet::add(std::string_view name, std::string_view content) {
@@ -231,7 +231,7 @@ void FileSet::add(std::string_view name, std::string_view content) {
 
 /// Makes the names themselves last. Some file systems cannot sync a directory (EINVAL): then there is nothing to do.
 void FileSet::sync() const {
-  if (directory_ >= 0 && ::fsync(directory_) != 0 && errno != EINVAL) fail(dir_, errno);
+  if (directory_ >= 0 && ::fsync(directory_) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
 }
 
 void FileSet::replace() {

@@ -11,6 +11,9 @@
 
 namespace earthtop {
 
+/// @throws WriteError for the file, with what errno means by `error`
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
 /// The next version of the files of a directory. The last of their names is the seal: where it is, the others belong to it.
 ///
 /// Every file is complete on disk under a temporary name (`.NAME.PID-N.tmp`) before anything is changed. Then the old seal is

@@ -10,12 +10,12 @@ namespace earthtop {
 namespace {
 
 /// Figures of summary.json: their dotted path there, and where they stand in a result.
-struct Figure {
+struct SummaryFigure {
   std::string_view path;
   std::optional<double> (*value)(const DriftSummary&);
 };
 
-constexpr Figure kFigures[] = {
+constexpr SummaryFigure kFigures[] = {
     {"drift.axis_max_rad", [](const DriftSummary& drift) { return std::optional(drift.axis_max_rad); }},
     {"drift.threshold_time_s", [](const DriftSummary& drift) { return drift.threshold_time_s; }},
     {"drift.secular.azimuth_rate_rad_s",
@@ -38,7 +38,7 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   if (!result.scenario.headline) return std::nullopt;
   HeadlineCheck check{*result.scenario.headline, {}, {}, {}, false};
   const std::string_view quantity = check.stated.quantity;
-  for (const Figure& figure : kFigures)
+  for (const SummaryFigure& figure : kFigures)
     if (figure.path == quantity) check.computed = finite(figure.value(result.drift));
   for (const Column& column : trajectory_columns()) {
     if (column.name != quantity) continue;

@@ -28,8 +28,6 @@ constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.c
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, dir.string());
 }
 
-[[noreturn]] void fail(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
-
 /// The scenario whose results `summary` holds; empty if it is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
   constexpr std::uintmax_t kLargest = 64U << 20U;
@@ -48,7 +46,7 @@ std::string scenario_of(const fs::path& summary) {
 bool is_there(const fs::path& path) {
   struct stat status = {};
   if (::lstat(path.c_str(), &status) == 0) return true;
-  if (errno != ENOENT && errno != ENOTDIR) fail(path, errno);
+  if (errno != ENOENT && errno != ENOTDIR) fail_to_write(path, errno);
   return false;
 }
 
@@ -91,7 +89,7 @@ void check_output_directory(const fs::path& dir, const Scenario& scenario, bool 
     refuse(present, link ? "is a link that leads to no directory; mend it, or choose another --out"
                          : "is not a directory; choose another --out");
   }
-  if (::access(present.c_str(), W_OK | X_OK) != 0) fail(present, errno);
+  if (::access(present.c_str(), W_OK | X_OK) != 0) fail_to_write(present, errno);
   if (fs::is_directory(dir, error)) check_present_files(dir, scenario, force);
 }
 
