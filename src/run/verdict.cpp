@@ -142,7 +142,7 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
     return report;
   }
   if (is_regular(problem))
-    report.reason = "a motion in closed form, far from every separatrix: no disturbance grows exponentially";
+    report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
     judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem), report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
