@@ -1,75 +1,136 @@
 #include "earthtop/bench/bench.hpp"
 
-#include <time.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 
+#include "bench/deadline.hpp"
 #include "bench/errors.hpp"
-#include "bench/exact_motion.hpp"
 #include "run/setup.hpp"
 
 namespace earthtop {
 namespace {
 
-/// Processor time of this thread (s): what other programs do meanwhile is not in it.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// One contender's work, ready to be repeated, and what it last said.
+/// One contender's work, ready to be repeated, and what it said at first.
 struct Racer {
   std::function<void()> compute;
   RunStatus status = RunStatus::completed;
   StepCounters counters;
   std::vector<Checkpoint> checkpoints;
+  double first_seconds = 0;
   std::vector<double> seconds;
-  int calls_a_repetition = 1;
+  int repetitions = 0, calls_a_repetition = 1;
 };
 
-template <class Trajectory>
-void note(const Trajectory& trajectory, Racer& racer) {
+/// Both of a peer's motions; its drift is their difference.
+struct PeerDrift {
+  RunStatus status;
+  std::vector<Checkpoint> samples;
+  StepCounters counters;
+};
+
+Checkpoint checkpoint_of(const Checkpoint& checkpoint) { return checkpoint; }
+
+/// Computes once, stopped where it takes too long, and notes what came out; then ready to compute again without noting.
+template <class Compute>
+void prepare(const Compute& compute, double most_seconds, Racer& racer) {
+  const Deadline deadline(most_seconds);
+  const double start = thread_seconds();
+  const auto trajectory = compute(deadline.passed());
+  racer.first_seconds = thread_seconds() - start;
   racer.status = trajectory.status;
   racer.counters = trajectory.counters;
-  racer.checkpoints.clear();
   for (const auto& sample : trajectory.samples) racer.checkpoints.push_back(checkpoint_of(sample));
+  racer.compute = [compute] { compute(nullptr); };
 }
 
-/// Computes once and notes what came out, then once more without noting whenever called.
+PeerDrift subtract(const MotionTrajectory<double>& rotating, const MotionTrajectory<double>& reference) {
+  PeerDrift drift{rotating.status != RunStatus::completed ? rotating.status : reference.status, {}, rotating.counters};
+  drift.counters.accepted += reference.counters.accepted;
+  drift.counters.rejected += reference.counters.rejected;
+  drift.counters.evaluations += reference.counters.evaluations;
+  for (std::size_t i = 0; i < std::min(rotating.samples.size(), reference.samples.size()); ++i)
+    drift.samples.push_back(subtracted(checkpoint_of(rotating.samples[i]).q_LB, checkpoint_of(reference.samples[i]).q_LB));
+  return drift;
+}
+
+void prepare_peer(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+                  Racer& racer) {
+  const auto problem_of = [&](const Scenario& scene) {
+    MotionProblem<double> problem = make_problem<double>(scene);
+    problem.times_s = times_s;
+    return problem;
+  };
+  const Peer peer = *contender.peer;
+  const double tolerance = contender.options.relative_tolerance;
+  const MotionProblem<double> rotating = problem_of(scenario);
+  if (contender.workload != Workload::drift)
+    return prepare([=](const std::atomic<bool>* stop) { return integrate_with_peer(peer, rotating, tolerance, stop); },
+                   most_seconds, racer);
+  Scenario still = scenario;
+  still.rotation_rate_rad_s = 0;
+  prepare(
+      [=, reference = problem_of(still)](const std::atomic<bool>* stop) {
+        const auto first = integrate_with_peer(peer, rotating, tolerance, stop);
+        return subtract(first, integrate_with_peer(peer, reference, tolerance, stop));
+      },
+      most_seconds, racer);
+}
+
 template <class T>
-void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, Racer& racer) {
-  if (contender.workload == Workload::closed_form) {
-    const ExactLaboratoryMotion<T> motion = exact_laboratory_motion<T>(scenario);
-    if (!motion) throw std::invalid_argument("bench: this scene has no closed form");
-    for (const double t : times_s) racer.checkpoints.push_back(checkpoint_of(motion(T(t))));
-    racer.counters.evaluations = static_cast<std::int64_t>(times_s.size());
-    racer.compute = [motion, times_s] {
-      for (const double t : times_s) static_cast<void>(motion(T(t)));
-    };
-    return;
-  }
+void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+             Racer& racer) {
   auto problem = make_problem<T>(scenario);
   problem.times_s = times_s;
-  if (contender.workload == Workload::drift) {
-    note(integrate_drift(problem, contender.options), racer);
-    racer.compute = [problem, options = contender.options] { integrate_drift(problem, options); };
-  } else {
-    const MotionSought sought = contender.workload == Workload::axis ? MotionSought::symmetry_axis : MotionSought::attitude;
-    note(integrate_motion<T>(problem, contender.options, sought), racer);
-    racer.compute = [problem, sought, options = contender.options] { integrate_motion<T>(problem, options, sought); };
+  const IntegrationOptions& options = contender.options;
+  if (contender.workload == Workload::drift)
+    return prepare([=](const std::atomic<bool>* stop) { return integrate_drift(problem, options, stop); }, most_seconds, racer);
+  const MotionSought sought = contender.workload == Workload::axis ? MotionSought::symmetry_axis : MotionSought::attitude;
+  prepare([=](const std::atomic<bool>* stop) { return integrate_motion<T>(problem, options, sought, stop); }, most_seconds,
+          racer);
+}
+
+/// @throws std::invalid_argument for a method that does not fit the scene
+void require_fit(const Contender& contender, Scenario scenario) {
+  scenario.numerics = {};
+  if (contender.peer) {
+    if (scenario.platform || !scenario.effects.all_on()) throw std::invalid_argument("bench: no peer is made for this scene");
+  } else if (const auto reason = method_refusal(contender.options.method, scenario)) {
+    throw std::invalid_argument("bench: " + *reason);
   }
 }
 
-void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, Racer& racer) {
+void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+             Racer& racer) {
+  if (contender.peer) return prepare_peer(contender, scenario, times_s, most_seconds, racer);
   switch (contender.precision) {
-    case Precision::bits53: return prepare<double>(contender, scenario, times_s, racer);
-    case Precision::bits64: return prepare<long double>(contender, scenario, times_s, racer);
-    case Precision::bits113: return prepare<float128>(contender, scenario, times_s, racer);
+    case Precision::bits53: return prepare<double>(contender, scenario, times_s, most_seconds, racer);
+    case Precision::bits64: return prepare<long double>(contender, scenario, times_s, most_seconds, racer);
+    case Precision::bits113: return prepare<float128>(contender, scenario, times_s, most_seconds, racer);
   }
+}
+
+/// How often to repeat, and how often to call in each; what is slow has been measured by its first call.
+void plan_repetitions(const BenchOptions& options, Racer& racer) {
+  const double calls = std::ceil(options.least_seconds / std::max(racer.first_seconds, 1e-9));
+  racer.calls_a_repetition = static_cast<int>(std::clamp(calls, 1.0, 1e6));
+  const double left = racer.status == RunStatus::completed ? options.most_seconds - racer.first_seconds : 0;
+  const double affordable = std::max(left, 0.0) / std::max(racer.first_seconds, options.least_seconds);
+  racer.repetitions = std::min(std::max(options.repetitions, 1), static_cast<int>(std::min(affordable, 1e6)));
+  if (racer.repetitions < 2) {
+    racer.repetitions = 0;
+    racer.seconds.push_back(racer.first_seconds);
+  }
+}
+
+/// Whether the same at a coarser tolerance was too slow already.
+bool is_hopeless(const Contender& contender, const Contender& before, const Racer& racer) {
+  return racer.status == RunStatus::interrupted && method_name(contender) == method_name(before) &&
+         equations_name(contender) == equations_name(before) && contender.precision == before.precision &&
+         !contender.options.step_s && contender.options.relative_tolerance < before.options.relative_tolerance;
 }
 
 void time_once(Racer& racer) {
@@ -89,6 +150,7 @@ BenchEntry entry_of(const Contender& contender, Racer& racer, const std::vector<
   entry.seconds = racer.seconds[racer.seconds.size() / 2];
   entry.seconds_least = racer.seconds.front();
   entry.seconds_most = racer.seconds.back();
+  entry.repetitions = entry.seconds > 0 ? static_cast<int>(racer.seconds.size()) : 0;
   return entry;
 }
 
@@ -96,26 +158,44 @@ BenchEntry entry_of(const Contender& contender, Racer& racer, const std::vector<
 
 BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options) {
   require_affordable(scenario);
+  for (const Contender& contender : contenders) require_fit(contender, scenario);
   BenchReport report;
   report.scenario = scenario.name;
+  report.title = scenario.title;
   report.duration_s = scenario.duration_s;
+  report.options = options;
+  if (!contenders.empty()) report.workload = contenders[0].workload;
   std::vector<double> times_s;
   for (std::size_t k = 0; k <= options.checkpoints; ++k)
     times_s.push_back(scenario.duration_s * static_cast<double>(k) / static_cast<double>(options.checkpoints));
-  report.reference = certified_reference(scenario, times_s, options.reference_tolerance);
-  std::vector<Checkpoint> reference;
-  for (const auto& sample : report.reference.samples) reference.push_back(checkpoint_of(sample));
+  const auto tell = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  tell("reference");
+  const bool full = estimated_reference_seconds(scenario, Precision::bits113) <= options.reference_seconds;
+  report.reference = certified_reference(scenario, times_s, full ? Precision::bits113 : Precision::bits64);
+  const std::vector<Checkpoint>& reference = report.reference.checkpoints;
+  for (const Checkpoint& checkpoint : reference)
+    report.largest_drift = std::max(report.largest_drift, static_cast<double>(checkpoint.drift_axis.value_or(0)));
 
   std::vector<Racer> racers(contenders.size());
+  int rounds = 0;
   for (std::size_t i = 0; i < racers.size(); ++i) {
-    prepare(contenders[i], scenario, times_s, racers[i]);
-    time_once(racers[i]);  // warms up, and says how often a repetition has to call
-    const double calls = std::ceil(options.least_seconds / std::max(racers[i].seconds.front(), 1e-9));
-    racers[i].calls_a_repetition = static_cast<int>(std::clamp(calls, 1.0, 1e6));
-    racers[i].seconds.clear();
+    tell(fmt::format("contender {} of {}: {}", i + 1, racers.size(), describe(contenders[i])));
+    if (i > 0 && is_hopeless(contenders[i], contenders[i - 1], racers[i - 1])) {
+      racers[i].status = RunStatus::interrupted;
+      racers[i].seconds = {0};
+      continue;
+    }
+    prepare(contenders[i], scenario, times_s, options.most_seconds, racers[i]);
+    plan_repetitions(options, racers[i]);
+    rounds = std::max(rounds, racers[i].repetitions);
   }
-  for (int repetition = 0; repetition < std::max(options.repetitions, 1); ++repetition)
-    for (Racer& racer : racers) time_once(racer);
+  for (int round = 0; round < rounds; ++round) {
+    tell(fmt::format("repetition {} of {}", round + 1, rounds));
+    for (Racer& racer : racers)
+      if (round < racer.repetitions) time_once(racer);
+  }
 
   for (std::size_t i = 0; i < racers.size(); ++i) report.entries.push_back(entry_of(contenders[i], racers[i], reference));
   return report;

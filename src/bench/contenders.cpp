@@ -1,82 +1,151 @@
-// Who runs: the standard contenders of a scenario, and their names.
-#include <fmt/format.h>
+// Who runs: the standard contenders of a scenario.
+#include <algorithm>
 
-#include "bench/exact_motion.hpp"
 #include "earthtop/bench/bench.hpp"
 #include "run/setup.hpp"
 
 namespace earthtop {
+namespace {
 
-std::string_view to_string(Workload workload) {
-  switch (workload) {
-    case Workload::axis: return "axis";
-    case Workload::motion: return "motion";
-    case Workload::drift: return "drift";
-    case Workload::closed_form: return "closed_form";
+/// A state and its equations: whose, and in which form.
+struct Equations {
+  Observer observer;
+  ModelForm form;
+};
+constexpr Equations kReduced{Observer::laboratory, ModelForm::reduced};
+constexpr Equations kBody{Observer::body, ModelForm::general};
+constexpr Equations kLaboratory{Observer::laboratory, ModelForm::general};
+constexpr Equations kOwn{Observer::laboratory, ModelForm::automatic};
+
+/// From coarse to as fine as the scalar allows. A Taylor series errs far less than its tolerance, and the long-horizon method's
+/// is the error itself.
+std::vector<double> tolerances(Method method, Precision precision) {
+  if (method == Method::closed_form) return {default_tolerance(precision)};  // it reads none
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return {1e-14, 1e-17};
+    case Precision::bits113: return {1e-20, 1e-26};
   }
-  return "unknown";
+  if (method == Method::taylor) return {1e-2, 1e-3, 1e-5, 1e-8, 1e-11, 1e-14};
+  if (method == Method::long_horizon) return {1e-6, 1e-8, 1e-10, 1e-12};
+  if (method == Method::dopri5) return {1e-5, 1e-8, 1e-10};
+  return {1e-5, 1e-8, 1e-11, 1e-14};
 }
 
-std::string describe(const Contender& contender) {
-  const IntegrationOptions& options = contender.options;
-  std::string text;
-  if (contender.workload == Workload::closed_form)
-    text = "closed form";
-  else if (options.step_s)
-    text = fmt::format("{} step {:g} s", to_string(options.method), *options.step_s);
-  else
-    text = fmt::format("{} {:.0e}", to_string(options.method), options.relative_tolerance);
-  if (contender.workload != Workload::closed_form)
-    text += fmt::format(", {}, {}", to_string(options.form), to_string(options.observer));
-  if (contender.precision != Precision::bits53) text += fmt::format(", {}", to_string(contender.precision));
-  return text;
-}
+class Contenders {
+ public:
+  Contenders(const Scenario& scenario, Workload workload)
+      : scenario_(scenario), workload_(workload), reducible_(is_reducible(make_model<double>(scenario))) {
+    const auto model = make_model<double>(scenario);
+    if (workload == Workload::axis && symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2) reducible_ = false;
+  }
 
-std::vector<Contender> standard_contenders(const Scenario& scenario) {
-  const auto model = make_model<double>(scenario);
-  std::vector<IntegrationOptions> equations;
-  const auto add_equations = [&](Observer observer, ModelForm form) {
-    IntegrationOptions options;
-    options.observer = observer;
-    options.form = form;
-    equations.push_back(options);
-  };
-  if (is_reducible(model)) add_equations(Observer::laboratory, ModelForm::reduced);
-  for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
-    add_equations(observer, ModelForm::general);
+  std::vector<Contender> all() {
+    add(Method::closed_form, {kOwn});
+    add(Method::long_horizon, {kOwn});
+    add(Method::taylor, {kReduced, kBody});
+    if (reducible_)
+      for (const Composition composition :
+           {Composition::automatic, Composition::aba864, Composition::aba1064, Composition::kahan_li8})
+        add(Method::splitting, {kReduced}, composition);
+    for (const Method method : {Method::dop853, Method::rkf78}) add(method, {kReduced, kBody, kLaboratory});
+    for (const Method method : {Method::gauss, Method::extrapolation, Method::bulirsch_stoer, Method::dopri5})
+      add(method, {kReduced, kBody});
+    add_adams();
+    add_peers();
+    mark_automatic();
+    return std::move(contenders_);
+  }
 
-  std::vector<Contender> contenders;
-  for (const Workload workload : {Workload::axis, Workload::motion, Workload::drift})
-    for (IntegrationOptions options : equations) {
-      if (workload == Workload::axis &&
-          (options.form != ModelForm::reduced || symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2))
-        continue;
-      options.method = Method::taylor;
-      const bool has_series = options.form == ModelForm::reduced || options.observer == Observer::body;
-      if (has_series && !method_refusal(Method::taylor, scenario))
-        for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-14}) {  // its errors are far below its tolerances
-          options.relative_tolerance = tolerance;
-          contenders.push_back({workload, options, Precision::bits53});
-        }
-      for (const Method method : {Method::rkf78, Method::bulirsch_stoer, Method::extrapolation, Method::dopri5, Method::dop853,
-                                  Method::gauss, Method::splitting})
-        for (const double tolerance : {1e-8, 1e-10, 1e-12, 1e-14}) {
-          if (method == Method::splitting && options.form != ModelForm::reduced) continue;
-          if (method == Method::dopri5 && tolerance < 1e-12) continue;  // of order 5: minutes
+ private:
+  void add(Method method, std::initializer_list<Equations> forms, Composition composition = Composition::automatic) {
+    if (method_refusal(method, as_asked())) return;
+    for (const Equations& equations : forms) {
+      if (equations.form == ModelForm::reduced && !reducible_) continue;
+      for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
+        if (!is_built(method, precision)) continue;
+        if (precision != Precision::bits53 && equations.observer == Observer::laboratory &&
+            equations.form == ModelForm::general)
+          continue;
+        for (const double tolerance : tolerances(method, precision)) {
+          IntegrationOptions options;
           options.method = method;
+          options.observer = equations.observer;
+          options.form = equations.form;
+          options.composition = composition;
           options.relative_tolerance = tolerance;
-          contenders.push_back({workload, options, Precision::bits53});
+          contenders_.push_back({workload_, options, precision});
         }
+      }
     }
-  if (!method_refusal(Method::long_horizon, scenario))
-    for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+  }
+
+  /// Its step is given: some hundredths of the fastest motion's radian.
+  void add_adams() {
+    for (const double radians : {0.1, 0.05, 0.02}) {
       IntegrationOptions options;
-      options.method = Method::long_horizon;
-      options.relative_tolerance = tolerance;
-      contenders.push_back({Workload::drift, options, Precision::bits53});
+      options.method = Method::abm8;
+      options.observer = Observer::body;
+      options.form = ModelForm::general;
+      options.step_s = radians / fastest_rate_rad_s(scenario_);
+      contenders_.push_back({workload_, options, Precision::bits53});
     }
-  if (exact_laboratory_motion<double>(scenario)) contenders.push_back({Workload::closed_form, {}, Precision::bits53});
-  return contenders;
+  }
+
+  void add_peers() {
+    if (scenario_.platform || !scenario_.effects.all_on()) return;
+    for (const Peer peer : peers_built())
+      for (const double tolerance : {1e-5, 1e-8, 1e-11, 1e-13}) {
+        IntegrationOptions options;
+        options.observer = Observer::body;
+        options.form = ModelForm::general;
+        options.relative_tolerance = tolerance;
+        contenders_.push_back({workload_, options, Precision::bits53, peer});
+      }
+  }
+
+  /// The scene with the numerics that decide whether a method fits left out.
+  Scenario as_asked() const {
+    Scenario scenario = scenario_;
+    scenario.numerics = {};
+    return scenario;
+  }
+
+  void mark_automatic() {
+    Scenario scenario = scenario_;
+    scenario.numerics.method = Method::automatic;
+    scenario.numerics.step_s.reset();
+    Contender automatic{workload_, method_choice(scenario).options, scenario.precision};
+    IntegrationOptions& options = automatic.options;
+    const bool own = options.method == Method::closed_form || options.method == Method::long_horizon;
+    if (own)
+      options.form = ModelForm::automatic;
+    else
+      options.form = takes_reduced_form(make_model<double>(scenario), options) ? ModelForm::reduced : ModelForm::general;
+    automatic.is_auto = true;
+    const auto is_same = [&](const Contender& other) {
+      return !other.peer && other.precision == automatic.precision && other.options.method == options.method &&
+             other.options.form == options.form && other.options.observer == options.observer &&
+             other.options.composition == options.composition && other.options.step_s == options.step_s &&
+             (options.method == Method::closed_form || other.options.relative_tolerance == options.relative_tolerance);
+    };
+    const auto same = std::find_if(contenders_.begin(), contenders_.end(), is_same);
+    if (same != contenders_.end())
+      same->is_auto = true;
+    else
+      contenders_.insert(contenders_.begin(), automatic);
+  }
+
+  const Scenario& scenario_;
+  Workload workload_;
+  bool reducible_;
+  std::vector<Contender> contenders_;
+};
+
+}  // namespace
+
+std::vector<Contender> standard_contenders(const Scenario& scenario, Workload workload) {
+  return Contenders(scenario, workload).all();
 }
 
 }  // namespace earthtop

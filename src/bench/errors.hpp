@@ -5,27 +5,22 @@
 #include <vector>
 
 #include "earthtop/bench/bench.hpp"
-#include "earthtop/closed_form/special_cases.hpp"
 
 namespace earthtop {
-
-/// What a contender said at a checkpoint.
-struct Checkpoint {
-  Quaternion<float128> q_LB;
-  std::optional<float128> drift_axis;
-};
 
 template <class T>
 Checkpoint checkpoint_of(const MotionSample<T>& sample) {
   return {{float128(sample.q_LB.w), sample.q_LB.v.template cast<float128>()}, std::nullopt};
 }
 template <class T>
-Checkpoint checkpoint_of(const LaboratoryState<T>& state) {
-  return {{float128(state.q_LB.w), state.q_LB.v.template cast<float128>()}, std::nullopt};
-}
-template <class T>
 Checkpoint checkpoint_of(const DriftSample<T>& sample) {
   return {{float128(sample.state.q_LB.w), sample.state.q_LB.v.template cast<float128>()}, float128(sample.measures.axis)};
+}
+
+/// A motion, and the angle between its axis and that of another one.
+inline Checkpoint subtracted(const Quaternion<float128>& q_LB, const Quaternion<float128>& other_q_LB) {
+  const Quaternion<float128> e = other_q_LB.conjugate() * q_LB;
+  return {q_LB, 2 * real::atan2(real::hypot(e.v[0], e.v[1]), real::hypot(e.w, e.v[2]))};
 }
 
 /// The errors of checkpoints against those of a reference, the largest of all. @param attitude  whether it was computed

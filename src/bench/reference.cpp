@@ -1,6 +1,7 @@
-// The certified reference: 113 bits, from two unrelated sources.
+// The certified reference: 113 or 64 bits, from two unrelated sources.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "bench/errors.hpp"
@@ -10,25 +11,58 @@
 namespace earthtop {
 namespace {
 
-DriftTrajectory<float128> integrate_exactly(const DriftProblem<float128>& problem, Method method, Observer observer,
-                                            ModelForm form, double tolerance) {
-  IntegrationOptions options;
-  options.method = method;
-  options.observer = observer;
-  options.form = form;
-  options.relative_tolerance = tolerance;
-  DriftTrajectory<float128> trajectory = integrate_drift(problem, options);
-  if (trajectory.status != RunStatus::completed)
-    throw std::runtime_error(
-        fmt::format("no reference: {} in 113 bits ended with {}", to_string(method), to_string(trajectory.status)));
-  return trajectory;
+/// How one of the two is computed.
+struct Recipe {
+  Method method;
+  Observer observer;
+  ModelForm form;
+};
+struct Plan {
+  Recipe source, witness;
+  double tolerance;
+};
+
+/// In 113 bits the source is the general model by the method that takes a tenth of the evaluations; in 64 the series, without
+/// the spin where that can be. The witness has other variables, other equations and another method.
+Plan plan_of(const Scenario& scenario, Precision precision) {
+  const bool reducible = is_reducible(make_model<double>(scenario));
+  const Recipe extrapolation{Method::extrapolation, Observer::body, ModelForm::general};
+  const ModelForm form = reducible ? ModelForm::reduced : ModelForm::general;
+  if (precision == Precision::bits113) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-20};
+  if (method_refusal(Method::taylor, scenario)) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-17};
+  if (reducible) return {{Method::taylor, Observer::laboratory, form}, extrapolation, 1e-17};
+  return {{Method::taylor, Observer::body, form}, {Method::extrapolation, Observer::inertial, form}, 1e-17};
 }
 
-std::vector<Checkpoint> checkpoints_of(const std::vector<DriftSample<float128>>& samples) {
+std::string in_words(const Recipe& recipe, Precision precision, double tolerance) {
+  return fmt::format("{} of the {} model in {} axes, {}, tolerance {:.0e}", to_string(recipe.method), to_string(recipe.form),
+                     to_string(recipe.observer), to_string(precision), tolerance);
+}
+
+template <class T>
+std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::vector<double>& times_s, const Recipe& recipe,
+                                          double tolerance) {
+  auto problem = make_problem<T>(scenario);
+  problem.times_s = times_s;
+  IntegrationOptions options;
+  options.method = recipe.method;
+  options.observer = recipe.observer;
+  options.form = recipe.form;
+  options.relative_tolerance = tolerance;
+  const DriftTrajectory<T> trajectory = integrate_drift(problem, options);
+  if (trajectory.status != RunStatus::completed)
+    throw std::runtime_error(fmt::format("no reference: {} in extended precision ended with {}", to_string(recipe.method),
+                                         to_string(trajectory.status)));
   std::vector<Checkpoint> checkpoints;
-  checkpoints.reserve(samples.size());
-  for (const auto& sample : samples) checkpoints.push_back(checkpoint_of(sample));
+  checkpoints.reserve(trajectory.samples.size());
+  for (const auto& sample : trajectory.samples) checkpoints.push_back(checkpoint_of(sample));
   return checkpoints;
+}
+
+std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::vector<double>& times_s, const Recipe& recipe,
+                                          double tolerance, Precision precision) {
+  if (precision == Precision::bits113) return integrate_exactly<float128>(scenario, times_s, recipe, tolerance);
+  return integrate_exactly<long double>(scenario, times_s, recipe, tolerance);
 }
 
 /// Both motions in closed form, and the angle between their axes: subtracted, which 113 bits can afford.
@@ -38,12 +72,7 @@ std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::v
   const auto rotating = exact_laboratory_motion<float128>(scenario), reference = exact_laboratory_motion<float128>(still);
   if (!rotating || !reference) return {};
   std::vector<Checkpoint> checkpoints;
-  for (const double t : times_s) {
-    Checkpoint checkpoint{rotating(float128(t)).q_LB, std::nullopt};
-    const Quaternion<float128> e = reference(float128(t)).q_LB.conjugate() * checkpoint.q_LB;
-    checkpoint.drift_axis = 2 * real::atan2(real::hypot(e.v[0], e.v[1]), real::hypot(e.w, e.v[2]));
-    checkpoints.push_back(checkpoint);
-  }
+  for (const double t : times_s) checkpoints.push_back(subtracted(rotating(float128(t)).q_LB, reference(float128(t)).q_LB));
   return checkpoints;
 }
 
@@ -56,26 +85,50 @@ BenchErrors stated(BenchErrors distance) {
   return distance;
 }
 
+double estimated_seconds_of(Scenario scenario, const Recipe& recipe, double tolerance, Precision precision) {
+  scenario.numerics = {};
+  scenario.numerics.method = recipe.method;
+  scenario.numerics.observer = recipe.observer;
+  if (recipe.form == ModelForm::general) scenario.numerics.form = recipe.form;
+  scenario.numerics.relative_tolerance = tolerance;
+  scenario.precision = precision;
+  constexpr std::size_t kRows = 60;
+  scenario.output_step_s = scenario.duration_s / kRows;
+  return estimated_seconds(scenario) / 2;  // one integration
+}
+
 }  // namespace
 
-CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s, double tolerance) {
-  auto problem = make_problem<float128>(scenario);
-  problem.times_s = times_s;
+CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s, Precision precision) {
+  const Plan plan = plan_of(scenario, precision);
   CertifiedReference reference;
-  // The general model by the method that takes a tenth of the evaluations; what it is held against has other variables, other
-  // equations and another method, and without the spin where that can be.
-  reference.samples = integrate_exactly(problem, Method::extrapolation, Observer::body, ModelForm::general, tolerance).samples;
-  reference.source = fmt::format("extrapolation of the general model in body axes, float128, tolerance {:.0e}", tolerance);
+  reference.checkpoints = integrate_exactly(scenario, times_s, plan.source, plan.tolerance, precision);
+  reference.source = in_words(plan.source, precision, plan.tolerance);
   std::vector<Checkpoint> witness = exact_checkpoints(scenario, times_s);
   reference.witness = "closed form, float128";
   if (witness.empty()) {
-    const ModelForm form = is_reducible(problem.model) ? ModelForm::reduced : ModelForm::general;
-    witness = checkpoints_of(integrate_exactly(problem, Method::rkf78, Observer::inertial, form, tolerance).samples);
-    reference.witness =
-        fmt::format("rkf78 of the {} model in inertial axes, float128, tolerance {:.0e}", to_string(form), tolerance);
+    witness = integrate_exactly(scenario, times_s, plan.witness, plan.tolerance, precision);
+    reference.witness = in_words(plan.witness, precision, plan.tolerance);
   }
-  reference.error = stated(largest_errors(checkpoints_of(reference.samples), witness, true));
+  reference.error = stated(largest_errors(reference.checkpoints, witness, true));
   return reference;
+}
+
+double estimated_reference_seconds(const Scenario& scenario, Precision precision) {
+  const Plan plan = plan_of(scenario, precision);
+  return estimated_seconds_of(scenario, plan.source, plan.tolerance, precision) +
+         estimated_seconds_of(scenario, plan.witness, plan.tolerance, precision);
+}
+
+Scenario shortened_for_reference(const Scenario& scenario, double reference_seconds) {
+  Scenario shortened = scenario;
+  const double seconds = estimated_reference_seconds(scenario, Precision::bits64);
+  if (seconds <= reference_seconds) return shortened;
+  const double duration_s = scenario.duration_s * reference_seconds / seconds;
+  const double unit = std::pow(10, std::floor(std::log10(duration_s)));
+  shortened.duration_s = std::floor(duration_s / unit) * unit;  // one digit
+  shortened.output_step_s = std::min(shortened.output_step_s, shortened.duration_s);
+  return shortened;
 }
 
 }  // namespace earthtop

@@ -14,7 +14,7 @@ namespace earthtop {
 namespace {
 
 // Lengths in px; one character of the 12 px face takes about 6.4.
-constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 102, kPanelHeight = 210, kPanelGap = 58, kBottom = 62;
+constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 102, kPanelGap = 58, kBottom = 62;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 constexpr double kCharacter = 6.4;
 
@@ -144,6 +144,24 @@ class Piece {
   Point first_, low_, high_, last_;
 };
 
+const char* stroke_kind(LineStyle style) {
+  if (style == LineStyle::dashed) return " stroke-dasharray=\"6 4\"";
+  if (style == LineStyle::dotted) return " stroke-dasharray=\"1 4\"";
+  return style == LineStyle::broad ? " stroke-opacity=\"0.4\"" : "";
+}
+
+double stroke_width(LineStyle style) {
+  switch (style) {
+    case LineStyle::solid:
+    case LineStyle::dashed: break;
+    case LineStyle::filled:
+    case LineStyle::thin:
+    case LineStyle::dotted: return 1.2;
+    case LineStyle::broad: return 7;
+  }
+  return 1.8;
+}
+
 void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) {
   if (piece.empty()) return;
   const std::string path = piece.path();
@@ -151,12 +169,23 @@ void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) 
   if (line.style == LineStyle::filled)
     fmt::format_to(Out(out), "<path d=\"{}V{:.2f}H{:.2f}Z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", path, floor,
                    piece.first_x(), color);
-  const char* dash = line.style == LineStyle::dashed ? " stroke-dasharray=\"6 4\"" : "";
-  const double width = line.style == LineStyle::filled ? 1.2 : 1.8;
   fmt::format_to(Out(out),
                  "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
                  "stroke-linecap=\"round\"{}/>\n",
-                 path, color, width, dash);
+                 path, color, stroke_width(line.style), stroke_kind(line.style));
+}
+
+void draw_marker(std::string& out, const Line& line, double x, double y) {
+  const auto path = [&](const char* from) {
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}{}z\" fill=\"{}\"/>\n", x, y, from, hex(line.color));
+  };
+  switch (line.marker) {
+    case Marker::none: return;
+    case Marker::circle: return path("m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0");
+    case Marker::square: return path("m-2.9-2.9h5.8v5.8h-5.8");
+    case Marker::triangle: return path("m0-3.9l3.7 6.4h-7.4");
+    case Marker::diamond: return path("m0-4l4 4l-4 4l-4-4");
+  }
 }
 
 void draw_line(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
@@ -171,6 +200,8 @@ void draw_line(std::string& out, const Line& line, const Mapping& x, const Mappi
     }
   }
   draw_piece(out, piece, line, y.from);
+  for (std::size_t i = 0; i < count; ++i)
+    if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) draw_marker(out, line, x(line.x[i]), y(line.y[i]));
 }
 
 void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text) {
@@ -182,21 +213,61 @@ void draw_rule(std::string& out, const char* style, double x1, double y1, double
   fmt::format_to(Out(out), "<path class=\"{}\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", style, x1, y1, x2, y2);
 }
 
-/// Right-aligned above the panel, so that it never hides a line.
-void draw_legend(std::string& out, const Panel& panel, double baseline) {
-  double right = kLeft + kPlotWidth;
-  for (auto line = panel.lines.rbegin(); line != panel.lines.rend(); ++line) {
-    if (line->label.empty()) continue;
-    right -= kCharacter * static_cast<double>(character_count(line->label));
-    draw_text(out, right, baseline, "start", "", line->label);
-    right -= 8;
-    if (line->style == LineStyle::filled)
-      fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", right - 22,
-                     baseline - 4, hex(line->color));
-    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", right - 22, baseline - 4,
-                   hex(line->color), line->style == LineStyle::dashed ? " stroke-dasharray=\"6 4\"" : "");
-    right -= 22 + 18;
+double legend_width(const Line& line) { return kCharacter * static_cast<double>(character_count(line.label)) + 8 + 22 + 18; }
+
+void draw_legend_entry(std::string& out, const Line& line, double left, double baseline) {
+  if (line.style == LineStyle::filled)
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", left, baseline - 4,
+                   hex(line.color));
+  const double width = line.style == LineStyle::broad ? stroke_width(line.style) : 2;
+  fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
+                 hex(line.color), width, stroke_kind(line.style));
+  draw_marker(out, line, left + 11, baseline - 4);
+  draw_text(out, left + 30, baseline, "start", "", line.label);
+}
+
+/// Above the panel, so that it never hides a line: right-aligned beside the panel's caption where it fits, else in columns
+/// under it.
+class Legend {
+ public:
+  Legend(const Panel& panel, double caption_width) {
+    double width = 0, widest = 0;
+    for (const Line& line : panel.lines) {
+      if (line.label.empty()) continue;
+      lines_.push_back(&line);
+      width += legend_width(line);
+      widest = std::max(widest, legend_width(line));
+    }
+    if (caption_width + width <= kPlotWidth) return;
+    columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(kPlotWidth / widest));
+    rows_ = (lines_.size() + columns_ - 1) / columns_;
   }
+  /// What it takes beyond a caption's line.
+  double height() const { return kRow * static_cast<double>(rows_); }
+
+  void draw(std::string& out, double baseline) const {
+    if (rows_ > 0) {
+      for (std::size_t i = 0; i < lines_.size(); ++i)
+        draw_legend_entry(out, *lines_[i],
+                          kLeft + kPlotWidth / static_cast<double>(columns_) * static_cast<double>(i % columns_),
+                          baseline - height() + kRow * static_cast<double>(i / columns_ + 1));
+      return;
+    }
+    double right = kLeft + kPlotWidth + 18;
+    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
+      right -= legend_width(**line);
+      draw_legend_entry(out, **line, right, baseline);
+    }
+  }
+
+ private:
+  static constexpr double kRow = 17;
+  std::vector<const Line*> lines_;
+  std::size_t columns_ = 0, rows_ = 0;  ///< 0: in the caption's line
+};
+
+double caption_width(const Panel& panel) {
+  return 7.5 * static_cast<double>(character_count(panel.y.label) + character_count(panel.y.unit) + 3);
 }
 
 void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, std::size_t index) {
@@ -204,11 +275,12 @@ void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const 
   for (const Line& line : panel.lines)
     for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
       if (drawable(line.x[i], x_axis.scale) && drawable(line.y[i], panel.y.scale)) range.include(line.y[i]);
-  const double floor = top + kPanelHeight;
+  const double floor = top + panel.height;
   const Mapping y = map_axis(range, panel.y.scale, false, 6, floor, top);
 
-  draw_text(out, kLeft, top - 14, "start", " class=\"et-b\"", caption(panel.y, y.axis));
-  draw_legend(out, panel, top - 14);
+  const Legend legend(panel, caption_width(panel));
+  draw_text(out, kLeft, top - 14 - legend.height(), "start", " class=\"et-b\"", caption(panel.y, y.axis));
+  legend.draw(out, top - 14);
   for (const Tick& tick : x.axis.ticks)
     draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", x(tick.value), top, x(tick.value), floor);
   for (const Tick& tick : y.axis.ticks) {
@@ -220,7 +292,7 @@ void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const 
   fmt::format_to(Out(out),
                  "<clipPath id=\"et-clip{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
                  "<g clip-path=\"url(#et-clip{})\">\n",
-                 index, kLeft, top - 2, kPlotWidth + 2, kPanelHeight + 4, index);
+                 index, kLeft, top - 2, kPlotWidth + 2, panel.height + 4, index);
   for (const Line& line : panel.lines) draw_line(out, line, x, y);
   out += "</g>\n";
   draw_rule(out, "et-frame", kLeft, floor, kLeft + kPlotWidth, floor);
@@ -236,8 +308,8 @@ std::string svg(const Figure& figure) {
         if (drawable(value, figure.x.scale)) range.include(value);
   const Mapping x = map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
 
-  const double panels = static_cast<double>(figure.panels.size());
-  const double bottom = kTop + panels * (kPanelHeight + kPanelGap) - kPanelGap + 18;
+  double bottom = kTop - kPanelGap + 18;
+  for (const Panel& panel : figure.panels) bottom += Legend(panel, caption_width(panel)).height() + panel.height + kPanelGap;
   const double height = bottom - 18 + kBottom;
   std::string out;
   fmt::format_to(Out(out),
@@ -249,8 +321,12 @@ std::string svg(const Figure& figure) {
   draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 80));
   draw_text(out, kLeft, 49, "start", " class=\"et-s\"", shorten(figure.subtitle, 116));
   double top = kTop;
-  for (std::size_t i = 0; i < figure.panels.size(); ++i, top += kPanelHeight + kPanelGap)
-    draw_panel(out, figure.panels[i], figure.x, x, top, i);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const Panel& panel = figure.panels[i];
+    top += Legend(panel, caption_width(panel)).height();
+    draw_panel(out, panel, figure.x, x, top, i);
+    top += panel.height + kPanelGap;
+  }
   for (const Tick& tick : x.axis.ticks) draw_text(out, x(tick.value), bottom, "middle", "", tick.label);
   draw_text(out, kLeft + kPlotWidth / 2, bottom + 26, "middle", " class=\"et-b\"", caption(figure.x, x.axis));
   out += "</svg>\n";

@@ -161,8 +161,10 @@ std::string fish_script(const std::vector<Verb>& verbs) {
       text += fmt::format("{} -l {} -d '{}'", here, flag.name.substr(2), quoted(flag.help));
       if (flag.name == "--set")
         text += fmt::format(" -x -a '{}'", set_words());
-      else if (flag.takes_value)
+      else if (flag.name == "--out")
         text += " -r -a '(__fish_complete_directories)'";
+      else if (flag.takes_value)
+        text += " -x";
       text += '\n';
     }
   }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "earthtop/bench/peers.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
@@ -14,17 +15,17 @@ int version_verb(bool json) {
   if (json) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
     for (const auto& [name, version] : build.libraries) libraries[name] = version;
-    const nlohmann::ordered_json document = {{"program", "earthtop"},  {"version", build.version},
-                                             {"commit", build.commit}, {"compiler", build.compiler},
-                                             {"flags", build.flags},   {"libraries", libraries}};
+    const nlohmann::ordered_json document = {
+        {"program", "earthtop"}, {"version", build.version}, {"commit", build.commit},      {"compiler", build.compiler},
+        {"flags", build.flags},  {"libraries", libraries},   {"peers", peers_description()}};
     print(document.dump(2) + '\n');
     return kDone;
   }
   std::string libraries;
   for (const auto& [name, version] : build.libraries)
     libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
-  print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\n", build.version, build.commit,
-                    build.compiler, build.flags, libraries));
+  print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\npeers      {}\n", build.version,
+                    build.commit, build.compiler, build.flags, libraries, peers_description()));
   return kDone;
 }
 

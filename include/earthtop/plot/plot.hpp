@@ -12,7 +12,11 @@ enum class LineStyle {
   solid,
   dashed,
   filled,  ///< a thin line with a tint down to the panel's floor
+  thin,
+  dotted,
+  broad,  ///< faint and wide, to lie under others
 };
+enum class Marker { none, circle, square, triangle, diamond };
 enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
 
 struct Axis {
@@ -28,11 +32,13 @@ struct Line {
   std::vector<double> y;
   LineColor color = LineColor::blue;
   LineStyle style = LineStyle::solid;
+  Marker marker = Marker::none;  ///< at every point
 };
 
 struct Panel {
   Axis y;
   std::vector<Line> lines;  ///< drawn in this order
+  double height = 210;      ///< px
 };
 
 struct Figure {

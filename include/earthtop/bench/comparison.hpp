@@ -1,0 +1,58 @@
+/// What a bench report says: the Pareto front, the cost at equal error, and the documents made of them.
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include "earthtop/bench/bench.hpp"
+#include "earthtop/plot/plot.hpp"
+
+namespace earthtop {
+
+/// Which of an entry's errors.
+enum class ErrorKind { axis, attitude, drift };
+std::string_view to_string(ErrorKind kind);
+
+/// The error of an entry that completed, no smaller than what the reference can tell. None where it has no such error.
+std::optional<double> error_of(const BenchEntry& entry, const CertifiedReference& reference, ErrorKind kind);
+
+/// Which entries no other beats: none is as fast and as exact, and better in one of the two.
+std::vector<bool> pareto_front(const BenchReport& report, ErrorKind kind);
+
+/// Entries that differ in nothing but the tolerance, or the step.
+struct BenchFamily {
+  Contender first;
+  std::vector<std::size_t> entries;
+};
+std::vector<BenchFamily> families(const BenchReport& report);
+
+/// The errors at which costs are compared (rad).
+inline constexpr std::array<double, 3> kEqualErrors = {1e-6, 1e-9, 1e-12};
+
+/// What it costs a family to reach an error (s): between two of its entries, or at most the cheapest that is better already.
+struct FamilyCost {
+  double seconds = 0;
+  bool at_most = false;
+};
+std::optional<FamilyCost> family_cost(const BenchReport& report, const BenchFamily& family, ErrorKind kind, double error);
+
+/// E.g. "AMD EPYC, 2 cores", from /proc/cpuinfo.
+std::string processor_description();
+
+/// One header line and one line an entry; seconds, rad; the errors as computed, empty where there are none.
+std::string bench_csv(const BenchReport& report, ErrorKind kind);
+
+/// All reports as one JSON document with a final newline.
+std::string bench_json(std::span<const BenchReport> reports, ErrorKind kind);
+
+/// Error against processor time, both logarithmic: a line a family, the Pareto front under them.
+Figure bench_figure(const BenchReport& report, ErrorKind kind);
+
+/// Whether NAME.csv and NAME.svg of these scenarios may be written to `dir`, which need not exist.
+/// @param force  overwrite what is there   @throws ScenarioError, WriteError
+void check_bench_directory(const std::filesystem::path& dir, std::span<const std::string> scenarios, bool force);
+
+/// Writes them, all or none. @throws as check_bench_directory, which it calls; WriteError
+void write_bench(std::span<const BenchReport> reports, ErrorKind kind, const std::filesystem::path& dir, bool force);
+
+}  // namespace earthtop

@@ -1,0 +1,34 @@
+/// Integrators of other libraries, as far as they are compiled in: what a motion costs without earthtop's own methods.
+///
+/// Each integrates the seven variables of any body in its own axes (Euler's equation, the rotation of q / |q|), the same
+/// right-hand side that earthtop's methods take there; the drift is the difference of two such motions.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "earthtop/integrate/motion_integration.hpp"
+
+namespace earthtop {
+
+/// GSL's Prince-Dormand 8(9) and its Adams method of varying order; SUNDIALS' Adams method (CVODE) and Fehlberg's 7(8)
+/// (ARKODE).
+enum class Peer { gsl_rk8pd, gsl_msadams, cvode_adams, arkode_erk };
+std::string_view to_string(Peer peer);
+
+/// Those that this program has; SUNDIALS' where its headers and libraries were found at configuration.
+std::vector<Peer> peers_built();
+
+/// E.g. "GSL 2.7.1 odeiv2, SUNDIALS 6.4.1 CVODE and ARKODE".
+std::string peers_description();
+
+/// The rotating motion at the output times, which the steps of Runge-Kutta methods land on.
+/// @param problem  a plain scene: no platform, all torques   @param tolerance  relative and absolute, in natural units
+/// @param stop  set from outside to end early with RunStatus::interrupted; may be null
+/// @throws std::invalid_argument for a scene that is not plain, and for a peer that is not compiled in
+MotionTrajectory<double> integrate_with_peer(Peer peer, const MotionProblem<double>& problem, double tolerance,
+                                             const std::atomic<bool>* stop = nullptr);
+
+}  // namespace earthtop

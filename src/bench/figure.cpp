@@ -1,0 +1,118 @@
+// A bench report as a picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "earthtop/bench/comparison.hpp"
+
+namespace earthtop {
+namespace {
+
+struct Look {
+  LineColor color;
+  Marker marker;
+};
+
+/// The same in every picture; other libraries' are grey.
+Look look_of(const Contender& contender) {
+  if (contender.peer) {
+    switch (*contender.peer) {
+      case Peer::gsl_rk8pd: return {LineColor::grey, Marker::circle};
+      case Peer::gsl_msadams: return {LineColor::grey, Marker::square};
+      case Peer::cvode_adams: return {LineColor::grey, Marker::triangle};
+      case Peer::arkode_erk: return {LineColor::grey, Marker::diamond};
+    }
+  }
+  switch (contender.options.method) {
+    case Method::automatic: break;
+    case Method::taylor: return {LineColor::blue, Marker::circle};
+    case Method::long_horizon: return {LineColor::vermillion, Marker::circle};
+    case Method::closed_form: return {LineColor::green, Marker::circle};
+    case Method::splitting: return {LineColor::purple, Marker::circle};
+    case Method::rkf78: return {LineColor::orange, Marker::square};
+    case Method::dop853: return {LineColor::sky, Marker::square};
+    case Method::gauss: return {LineColor::green, Marker::triangle};
+    case Method::extrapolation: return {LineColor::vermillion, Marker::triangle};
+    case Method::bulirsch_stoer: return {LineColor::purple, Marker::triangle};
+    case Method::dopri5: return {LineColor::orange, Marker::diamond};
+    case Method::abm8: return {LineColor::sky, Marker::diamond};
+  }
+  return {LineColor::grey, Marker::none};
+}
+
+LineStyle style_of(const Contender& contender) {
+  if (contender.precision != Precision::bits53) return LineStyle::dotted;
+  return contender.options.form == ModelForm::general ? LineStyle::dashed : LineStyle::thin;
+}
+
+std::string label_of(const Contender& contender) {
+  return std::string(contender.peer ? to_string(*contender.peer) : to_string(contender.options.method));
+}
+
+struct Point {
+  double seconds, error;
+};
+
+Line line_through(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
+  Line line;
+  for (const Point& point : points) {
+    line.x.push_back(point.seconds);
+    line.y.push_back(point.error);
+  }
+  return line;
+}
+
+/// A step from each point of the front to the next: what is below and to the left of it, none reaches.
+Line front_line(const BenchReport& report, ErrorKind kind) {
+  std::vector<Point> points;
+  const std::vector<bool> front = pareto_front(report, kind);
+  for (std::size_t i = 0; i < front.size(); ++i)
+    if (front[i]) points.push_back({report.entries[i].seconds, *error_of(report.entries[i], report.reference, kind)});
+  const Line corners = line_through(std::move(points));
+  Line line;
+  for (std::size_t i = 0; i < corners.x.size(); ++i) {
+    if (i > 0) {
+      line.x.push_back(corners.x[i]);
+      line.y.push_back(corners.y[i - 1]);
+    }
+    line.x.push_back(corners.x[i]);
+    line.y.push_back(corners.y[i]);
+  }
+  line.label = "Pareto front";
+  line.color = LineColor::grey;
+  line.style = LineStyle::broad;
+  return line;
+}
+
+}  // namespace
+
+Figure bench_figure(const BenchReport& report, ErrorKind kind) {
+  Figure figure;
+  figure.title = fmt::format("{}, {:g} s: error against cost", report.scenario, report.duration_s);
+  figure.subtitle =
+      fmt::format("{}; one core of {}; dashed: the general form; dotted: more than double precision",
+                  report.workload == Workload::drift ? "both motions and the drift" : "one motion", processor_description());
+  figure.x = {"processor time", "s", AxisScale::logarithmic};
+  Panel panel{{fmt::format("largest error of the {}", to_string(kind)), "rad", AxisScale::logarithmic}, {}, 430};
+  panel.lines.push_back(front_line(report, kind));
+  std::set<std::string> named;
+  for (const BenchFamily& family : families(report)) {
+    std::vector<Point> points;
+    for (const std::size_t i : family.entries)
+      if (const auto error = error_of(report.entries[i], report.reference, kind); error && *error > 0)
+        points.push_back({report.entries[i].seconds, *error});
+    if (points.empty()) continue;
+    Line line = line_through(std::move(points));
+    if (const std::string label = label_of(family.first); named.insert(label).second) line.label = label;
+    line.color = look_of(family.first).color;
+    line.marker = look_of(family.first).marker;
+    line.style = style_of(family.first);
+    panel.lines.push_back(std::move(line));
+  }
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+}  // namespace earthtop

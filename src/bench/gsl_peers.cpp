@@ -1,0 +1,51 @@
+// GSL's odeiv2 as a peer.
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <memory>
+
+#include "bench/peer_system.hpp"
+
+namespace earthtop {
+namespace {
+
+/// Failures are returned, not fatal, as long as this lives.
+class QuietErrors {
+ public:
+  QuietErrors() : before_(gsl_set_error_handler_off()) {}
+  ~QuietErrors() { gsl_set_error_handler(before_); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  gsl_error_handler_t* before_;
+};
+
+int rates(double, const double* x, double* dxdt, void* system) {
+  return static_cast<PeerSystem*>(system)->rates(x, dxdt) ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+}  // namespace
+
+MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
+                                            const std::atomic<bool>* stop) {
+  const QuietErrors quiet;
+  PeerSystem top(problem, stop);
+  gsl_odeiv2_system system{rates, nullptr, PeerSystem::kSize, &top};
+  const gsl_odeiv2_step_type* type = peer == Peer::gsl_msadams ? gsl_odeiv2_step_msadams : gsl_odeiv2_step_rk8pd;
+  const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
+      gsl_odeiv2_driver_alloc_standard_new(&system, type, top.first_step(), tolerance, tolerance, 1, 0),
+      gsl_odeiv2_driver_free);
+  if (!driver) throw std::bad_alloc();
+  PeerSystem::State x = top.initial_state();
+  auto trajectory = top.trajectory(x, [&](double from, double to) {
+    const int status = gsl_odeiv2_driver_apply(driver.get(), &from, to, x.data());
+    if (top.is_stopped()) return RunStatus::interrupted;
+    return status == GSL_SUCCESS ? RunStatus::completed : RunStatus::step_underflow;
+  });
+  trajectory.counters.accepted = static_cast<std::int64_t>(driver->e->count);
+  trajectory.counters.rejected = static_cast<std::int64_t>(driver->e->failed_steps);
+  return trajectory;
+}
+
+}  // namespace earthtop

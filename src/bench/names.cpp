@@ -1,0 +1,53 @@
+// Contenders in words.
+#include <fmt/format.h>
+
+#include "earthtop/bench/bench.hpp"
+
+namespace earthtop {
+
+std::string_view to_string(Workload workload) {
+  switch (workload) {
+    case Workload::axis: return "axis";
+    case Workload::motion: return "motion";
+    case Workload::drift: return "drift";
+  }
+  return "unknown";
+}
+
+std::string method_name(const Contender& contender) {
+  if (contender.peer) return std::string(to_string(*contender.peer));
+  std::string name(to_string(contender.options.method));
+  if (contender.options.method == Method::splitting) {
+    const Composition composition = contender.options.composition;
+    name += ' ';
+    name += to_string(composition == Composition::automatic ? Composition::rkn6 : composition);
+  }
+  return name;
+}
+
+std::string equations_name(const Contender& contender) {
+  const IntegrationOptions& options = contender.options;
+  if (contender.peer) return contender.workload == Workload::drift ? "difference of two" : "general, body";
+  if (options.method == Method::closed_form || options.method == Method::long_horizon) return "its own";
+  return fmt::format("{}, {}", to_string(options.form), to_string(options.observer));
+}
+
+std::string setting_name(const Contender& contender) {
+  const IntegrationOptions& options = contender.options;
+  if (!contender.peer && options.method == Method::closed_form) return "-";
+  if (options.step_s) return fmt::format("step {:.3g} s", *options.step_s);
+  return fmt::format("{:.0e}", options.relative_tolerance);
+}
+
+std::string describe(const Contender& contender) {
+  std::string text = fmt::format("{} {}, {}", method_name(contender), setting_name(contender), equations_name(contender));
+  if (contender.precision != Precision::bits53) text += fmt::format(", {}", to_string(contender.precision));
+  return text;
+}
+
+std::string_view outcome(const BenchEntry& entry) {
+  if (entry.status != RunStatus::interrupted) return to_string(entry.status);
+  return entry.repetitions > 0 ? "too_slow" : "not_tried";
+}
+
+}  // namespace earthtop

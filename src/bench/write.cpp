@@ -1,0 +1,58 @@
+// The files of a bench.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "earthtop/bench/comparison.hpp"
+#include "results/file_set.hpp"
+
+namespace earthtop {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const char* reason) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", reason}}, path.string());
+}
+
+std::vector<std::string> file_names(std::span<const std::string> scenarios) {
+  std::vector<std::string> names;
+  for (const std::string& scenario : scenarios)
+    for (const char* kind : {".csv", ".svg"}) names.push_back(scenario + kind);
+  return names;
+}
+
+}  // namespace
+
+void check_bench_directory(const fs::path& dir, std::span<const std::string> scenarios, bool force) {
+  if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
+  std::error_code error;
+  fs::path present = fs::absolute(dir, error).lexically_normal();
+  while (!fs::exists(fs::symlink_status(present, error)) && present.has_relative_path()) present = present.parent_path();
+  if (!fs::is_directory(present, error)) refuse(present, "is not a directory; choose another --out");
+  if (::access(present.c_str(), W_OK | X_OK) != 0) throw WriteError(present.string(), std::strerror(errno));
+  for (const std::string& name : file_names(scenarios)) {
+    const fs::file_status status = fs::symlink_status(dir / name, error);
+    if (fs::is_directory(status)) refuse(dir / name, "is a directory; choose another --out");
+    if (!force && fs::exists(status)) refuse(dir / name, "is there already; choose another --out, or --force to overwrite it");
+  }
+}
+
+void write_bench(std::span<const BenchReport> reports, ErrorKind kind, const fs::path& dir, bool force) {
+  std::vector<std::string> scenarios;
+  for (const BenchReport& report : reports) scenarios.push_back(report.scenario);
+  check_bench_directory(dir, scenarios, force);
+  const std::vector<std::string> names = file_names(scenarios);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  FileSet files(dir, views);
+  for (const BenchReport& report : reports) {
+    files.add(report.scenario + ".csv", bench_csv(report, kind));
+    files.add(report.scenario + ".svg", svg(bench_figure(report, kind)));
+  }
+  files.commit();
+}
+
+}  // namespace earthtop

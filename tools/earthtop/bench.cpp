@@ -1,0 +1,201 @@
+#include "earthtop/bench/bench.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "bench_text.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct BenchArguments {
+  std::vector<std::string> files;
+  std::vector<std::string> sets;
+  std::optional<std::string> out;
+  std::string workload = "drift";
+  std::optional<std::string> error;
+  std::vector<std::string> methods;
+  std::optional<double> duration_s;
+  double limit_s = 1;
+  double reference_s = 15;
+  int repetitions = 5;
+  bool force = false, json = false, quiet = false, brief = false;
+};
+
+template <class Enum>
+Enum named(const std::string& name, std::initializer_list<Enum> values) {
+  return *std::find_if(values.begin(), values.end(), [&](Enum value) { return to_string(value) == name; });
+}
+
+Workload workload_of(const BenchArguments& arguments) {
+  return named(arguments.workload, {Workload::axis, Workload::motion, Workload::drift});
+}
+
+/// Which errors are compared: the one asked for, or the one that the workload is about.
+ErrorKind error_kind(const BenchArguments& arguments) {
+  const Workload workload = workload_of(arguments);
+  if (arguments.error) return named(*arguments.error, {ErrorKind::axis, ErrorKind::attitude, ErrorKind::drift});
+  return workload == Workload::drift ? ErrorKind::drift : workload == Workload::axis ? ErrorKind::axis : ErrorKind::attitude;
+}
+
+[[noreturn]] void refuse(std::string what) { throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(what)}}); }
+
+void check_arguments(const BenchArguments& arguments) {
+  const ErrorKind kind = error_kind(arguments);
+  const Workload workload = workload_of(arguments);
+  if ((kind == ErrorKind::drift && workload != Workload::drift) || (kind == ErrorKind::attitude && workload == Workload::axis))
+    refuse(fmt::format("--error {}: the workload \"{}\" has no such error; take another --workload", to_string(kind),
+                       to_string(workload)));
+  const std::pair<const char*, double> seconds[] = {{"--duration", arguments.duration_s.value_or(1)},
+                                                    {"--limit", arguments.limit_s},
+                                                    {"--reference-limit", arguments.reference_s}};
+  for (const auto& [option, value] : seconds)
+    if (!(value > 0 && value <= 1e9)) refuse(fmt::format("{} {}: must be a number above 0 and at most 1e9 (s)", option, value));
+  if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) refuse("standard input (-) can be read once only");
+}
+
+/// All scenarios, or the errors of all. @throws ScenarioError
+std::vector<Scenario> read_scenarios(const BenchArguments& arguments) {
+  const auto overrides = split_sets(arguments.sets);
+  std::vector<Scenario> scenarios;
+  std::set<std::string> names;
+  for (const std::string& file : arguments.files) {
+    const ScenarioSource source = read_scenario_source(file);
+    ScenarioReport report = examine_scenario(source, overrides);
+    if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+    if (!arguments.quiet) report_warnings(source.file, report.warnings);
+    if (!names.insert(report.scenario->name).second)
+      refuse(fmt::format("two scenarios are named \"{}\"; give them different names", report.scenario->name));
+    scenarios.push_back(*std::move(report.scenario));
+  }
+  return scenarios;
+}
+
+/// As much of the scenario as is asked for or, where nothing is, as a reference can be had of within its seconds.
+Scenario to_be_benched(const Scenario& scenario, const BenchArguments& arguments) {
+  if (!arguments.duration_s) {
+    Scenario shortened = shortened_for_reference(scenario, arguments.reference_s);
+    if (shortened.duration_s < scenario.duration_s && !arguments.quiet)
+      message(
+          fmt::format("earthtop: {}: the first {:g} s of {:g} s: a reference of more would take longer than {:g} s; "
+                      "--duration or --reference-limit change it",
+                      scenario.name, shortened.duration_s, scenario.duration_s, arguments.reference_s));
+    return shortened;
+  }
+  Scenario shortened = scenario;
+  shortened.duration_s = std::min(scenario.duration_s, *arguments.duration_s);
+  shortened.output_step_s = std::min(scenario.output_step_s, shortened.duration_s);
+  return shortened;
+}
+
+/// Those of the standard contenders that are asked for.
+std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArguments& arguments) {
+  std::vector<Contender> all = standard_contenders(scenario, workload_of(arguments));
+  if (arguments.methods.empty()) return all;
+  const auto is_asked = [&](const Contender& contender) {
+    const std::string name(contender.peer ? to_string(*contender.peer) : to_string(contender.options.method));
+    const auto has = [&](const std::string& method) {
+      return std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
+    };
+    return has(name) || (contender.is_auto && has("auto"));
+  };
+  std::erase_if(all, [&](const Contender& contender) { return !is_asked(contender); });
+  if (all.empty())
+    refuse(fmt::format("--methods {}: none of these fits \"{}\"", fmt::join(arguments.methods, ","), scenario.name));
+  return all;
+}
+
+/// A line on a terminal that is written over again and again.
+std::function<void(const std::string&)> progress_of(const std::string& scenario, const BenchArguments& arguments) {
+  if (arguments.quiet || ::isatty(STDERR_FILENO) != 1) return {};
+  return [scenario](const std::string& what) { fmt::print(stderr, "\r\033[K{}: {}", printable(scenario), what); };
+}
+
+BenchReport bench_one(const Scenario& scenario, const BenchArguments& arguments) {
+  BenchOptions options;
+  options.repetitions = arguments.repetitions;
+  options.most_seconds = arguments.limit_s;
+  options.reference_seconds = arguments.reference_s;
+  options.progress = progress_of(scenario.name, arguments);
+  BenchReport report = bench(scenario, contenders_of(scenario, arguments), options);
+  if (options.progress) fmt::print(stderr, "\r\033[K");
+  return report;
+}
+
+int bench_verb(const BenchArguments& arguments) {
+  check_arguments(arguments);
+  const ErrorKind kind = error_kind(arguments);
+  std::vector<Scenario> scenarios;
+  std::vector<std::string> names;
+  for (const Scenario& scenario : read_scenarios(arguments)) {
+    scenarios.push_back(to_be_benched(scenario, arguments));
+    names.push_back(scenario.name);
+    require_affordable(scenarios.back());
+    contenders_of(scenarios.back(), arguments);
+  }
+  if (arguments.out) check_bench_directory(*arguments.out, names, arguments.force);
+
+  std::vector<BenchReport> reports;
+  for (const Scenario& scenario : scenarios) {
+    reports.push_back(bench_one(scenario, arguments));
+    if (!arguments.json && !arguments.quiet)
+      print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), kind, arguments.brief));
+  }
+  if (arguments.out) write_bench(reports, kind, *arguments.out, arguments.force);
+  if (arguments.json) print(bench_json(reports, kind));
+  return kDone;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method :
+       {Method::automatic, Method::closed_form, Method::long_horizon, Method::taylor, Method::splitting, Method::dop853,
+        Method::rkf78, Method::gauss, Method::extrapolation, Method::bulirsch_stoer, Method::dopri5, Method::abm8})
+    names.emplace_back(to_string(method));
+  for (const Peer peer : peers_built()) names.emplace_back(to_string(peer));
+  return names;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<BenchArguments>();
+  BenchArguments& a = *arguments;
+  CLI::App* bench = app.add_subcommand("bench", "speed against error: every method, tolerance and precision on scenarios");
+  bench->add_option("SCENARIO", a.files, "scenario files (JSON); - is standard input")->required();
+  bench->add_option("--out", a.out, "write NAME.csv and NAME.svg of each scenario there")->type_name("DIR");
+  bench->add_flag("--force", a.force, "overwrite files that are there");
+  bench->add_option("--workload", a.workload, "drift: both motions and the drift (default); motion: one; axis: its axis")
+      ->check(CLI::IsMember({"drift", "motion", "axis"}))
+      ->type_name("WHAT");
+  bench->add_option("--error", a.error, "which error is compared; default: that of the workload")
+      ->check(CLI::IsMember({"drift", "attitude", "axis"}))
+      ->type_name("WHICH");
+  bench->add_option("--methods", a.methods, "only these, with commas between them; auto: what auto takes")
+      ->delimiter(',')
+      ->check(CLI::IsMember(method_names()))
+      ->type_name("NAMES")
+      ->allow_extra_args(false);
+  bench->add_option("--duration", a.duration_s, "at most the first S seconds; default: what the reference can afford")
+      ->type_name("S");
+  bench->add_option("--repetitions", a.repetitions, "how often each contender is timed; default 5")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  bench->add_option("--limit", a.limit_s, "stop a contender after S seconds; default 1")->type_name("S");
+  bench->add_option("--reference-limit", a.reference_s, "seconds that the reference may take, by estimate; default 15")
+      ->type_name("S");
+  bench->add_flag("--brief", a.brief, "of the table print the Pareto front and auto only");
+  bench->add_flag("--json", a.json, "print everything as one JSON document, errors too");
+  bench->add_flag("--quiet", a.quiet, "print nothing but errors (and what --json asks for)");
+  add_set_option(*bench, a.sets);
+  bench->callback([&action, arguments] { action = [arguments] { return bench_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool

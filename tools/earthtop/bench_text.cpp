@@ -1,0 +1,116 @@
+#include "bench_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.1e}", *value) : "-"; }
+
+std::string seconds_text(double seconds) { return fmt::format("{:#.3g}", seconds); }
+
+const char* workload_text(Workload workload) {
+  switch (workload) {
+    case Workload::axis: return "one motion, the axis alone where the method allows it";
+    case Workload::motion: return "one motion";
+    case Workload::drift: break;
+  }
+  return "both motions and the drift between them";
+}
+
+std::string head(const BenchReport& report, ErrorKind kind) {
+  const BenchErrors& error = report.reference.error;
+  std::string text = fmt::format("{}, {:g} s: {}\n", report.scenario, report.duration_s, workload_text(report.workload));
+  text += fmt::format("Processor  {}; seconds of one core, median of up to {} repetitions, [least, most]\n",
+                      processor_description(), report.options.repetitions);
+  text += fmt::format("Errors     largest of {} checkpoints (rad); the largest drift is {:.3g} rad; compared: {}\n",
+                      report.options.checkpoints, report.largest_drift, to_string(kind));
+  text += fmt::format(
+      "Reference  {}\n           against {}\n           good to {} rad in the axis, {} in the attitude, {} in the drift\n",
+      report.reference.source, report.reference.witness, number(error.axis), number(error.attitude), number(error.drift));
+  text += fmt::format("Peers      {}\n", peers_description());
+  for (const BenchEntry& entry : report.entries)
+    if (entry.contender.is_auto) text += fmt::format("auto       {}\n", describe(entry.contender));
+  return text;
+}
+
+/// @param least  errors that the reference can tell
+std::string row(const BenchEntry& entry, bool on_front, const BenchErrors& least) {
+  const Contender& contender = entry.contender;
+  const bool completed = entry.status == RunStatus::completed;
+  const auto error = [&](const std::optional<double>& value, std::optional<double> known) {
+    if (!completed || !value) return std::string("-");
+    return *value < known.value_or(0) ? "<" + number(known) : number(value);
+  };
+  std::string text = fmt::format("{}{} {:<19} {:<19} {:<11} {:<16} {:>8} {:>8} {:>8} {:>9} {:<20} {:>9} {:>8}",
+                                 on_front ? '*' : ' ', contender.is_auto ? 'a' : ' ', method_name(contender),
+                                 equations_name(contender), to_string(contender.precision), setting_name(contender),
+                                 error(entry.errors.axis, least.axis), error(entry.errors.attitude, least.attitude),
+                                 error(entry.errors.drift, least.drift), seconds_text(entry.seconds),
+                                 fmt::format("[{}, {}]", seconds_text(entry.seconds_least), seconds_text(entry.seconds_most)),
+                                 entry.counters.evaluations, entry.counters.accepted);
+  if (!completed) text += fmt::format("  {}", outcome(entry));
+  return text + '\n';
+}
+
+std::string table(const BenchReport& report, ErrorKind kind, bool brief) {
+  std::string text =
+      fmt::format("   {:<19} {:<19} {:<11} {:<16} {:>8} {:>8} {:>8} {:>9} {:<20} {:>9} {:>8}\n", "method", "equations",
+                  "precision", "tolerance", "axis", "attitude", "drift", "seconds", "[least, most]", "RHS", "steps");
+  const std::vector<bool> front = pareto_front(report, kind);
+  std::vector<std::size_t> order(report.entries.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  if (brief)
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return report.entries[a].seconds < report.entries[b].seconds; });
+  std::size_t slow = 0;
+  for (const std::size_t i : order) {
+    slow += report.entries[i].status == RunStatus::interrupted ? 1 : 0;
+    if (!brief || front[i] || report.entries[i].contender.is_auto)
+      text += row(report.entries[i], front[i], report.reference.error);
+  }
+  text += "*: on the Pareto front: no other is both as fast and as exact; a: what auto takes\n";
+  if (slow > 0)
+    text += fmt::format(
+        "Of {} contenders {} are too_slow, stopped after {:g} s of processor time (--limit), or not_tried, as they were so at "
+        "a "
+        "coarser tolerance\n",
+        report.entries.size(), slow, report.options.most_seconds);
+  return text;
+}
+
+std::string cost(const std::optional<FamilyCost>& cost) {
+  return cost ? (cost->at_most ? "<=" : "") + seconds_text(1e3 * cost->seconds) : "-";
+}
+
+std::string equal_error(const BenchReport& report, ErrorKind kind) {
+  std::string text = fmt::format(
+      "Milliseconds at equal {} error (<=: the cheapest tried is better already; -: not reached)\n   {:<19} {:<19} {:<11}",
+      to_string(kind), "method", "equations", "precision");
+  for (const double error : kEqualErrors) text += fmt::format(" {:>9}", fmt::format("{:.0e}", error));
+  text += fmt::format(" {:>11}\n", "least error");
+  for (const BenchFamily& family : families(report)) {
+    std::optional<double> least;
+    for (const std::size_t i : family.entries)
+      if (const auto error = error_of(report.entries[i], report.reference, kind))
+        least = std::min(least.value_or(*error), *error);
+    if (!least) continue;
+    text += fmt::format("   {:<19} {:<19} {:<11}", method_name(family.first), equations_name(family.first),
+                        to_string(family.first.precision));
+    for (const double error : kEqualErrors) text += fmt::format(" {:>9}", cost(family_cost(report, family, kind, error)));
+    text += fmt::format(" {:>11}\n", number(least));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string bench_text(const BenchReport& report, ErrorKind kind, bool brief) {
+  return head(report, kind) + '\n' + table(report, kind, brief) + '\n' + equal_error(report, kind);
+}
+
+}  // namespace earthtop::tool
