@@ -72,6 +72,7 @@ std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::v
   const auto rotating = exact_laboratory_motion<float128>(scenario), reference = exact_laboratory_motion<float128>(still);
   if (!rotating || !reference) return {};
   std::vector<Checkpoint> checkpoints;
+  checkpoints.reserve(times_s.size());
   for (const double t : times_s) checkpoints.push_back(subtracted(rotating(float128(t)).q_LB, reference(float128(t)).q_LB));
   return checkpoints;
 }
