@@ -139,6 +139,12 @@ void time_once(Racer& racer) {
   racer.seconds.push_back((thread_seconds() - start) / racer.calls_a_repetition);
 }
 
+/// The drift of a laboratory that stands still is zero, and so is every error in it.
+ErrorKind compared_by_default(const BenchReport& report) {
+  if (report.workload == Workload::axis) return ErrorKind::axis;
+  return report.workload == Workload::drift && report.largest_drift > 0 ? ErrorKind::drift : ErrorKind::attitude;
+}
+
 BenchEntry entry_of(const Contender& contender, Racer& racer, const std::vector<Checkpoint>& reference) {
   BenchEntry entry;
   entry.contender = contender;
@@ -177,6 +183,8 @@ BenchReport bench(const Scenario& scenario, std::span<const Contender> contender
   const std::vector<Checkpoint>& reference = report.reference.checkpoints;
   for (const Checkpoint& checkpoint : reference)
     report.largest_drift = std::max(report.largest_drift, static_cast<double>(checkpoint.drift_axis.value_or(0)));
+
+  report.compared = options.compared.value_or(compared_by_default(report));
 
   std::vector<Racer> racers(contenders.size());
   int rounds = 0;

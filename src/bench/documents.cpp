@@ -58,7 +58,8 @@ Json equal_error_json(const BenchReport& report, ErrorKind kind) {
   return rows;
 }
 
-Json report_json(const BenchReport& report, ErrorKind kind) {
+Json report_json(const BenchReport& report) {
+  const ErrorKind kind = report.compared;
   Json entries = Json::array();
   const std::vector<bool> front = pareto_front(report, kind);
   for (std::size_t i = 0; i < report.entries.size(); ++i) entries.push_back(entry_json(report.entries[i], front[i]));
@@ -106,11 +107,11 @@ void append_line(std::string& csv, const BenchEntry& entry, bool on_front) {
 
 }  // namespace
 
-std::string bench_csv(const BenchReport& report, ErrorKind kind) {
+std::string bench_csv(const BenchReport& report) {
   std::string csv =
       "method,equations,precision,relative_tolerance,step_s,outcome,axis_error_rad,attitude_error_rad,drift_error_rad,"
       "seconds,seconds_least,seconds_most,repetitions,evaluations,steps,rejected_steps,on_front,auto,processor\n";
-  const std::vector<bool> front = pareto_front(report, kind);
+  const std::vector<bool> front = pareto_front(report, report.compared);
   const std::string processor = fmt::format(",{}\n", csv_field(processor_description()));
   for (std::size_t i = 0; i < report.entries.size(); ++i) {
     append_line(csv, report.entries[i], front[i]);
@@ -119,9 +120,9 @@ std::string bench_csv(const BenchReport& report, ErrorKind kind) {
   return csv;
 }
 
-std::string bench_json(std::span<const BenchReport> reports, ErrorKind kind) {
+std::string bench_json(std::span<const BenchReport> reports) {
   Json list = Json::array();
-  for (const BenchReport& report : reports) list.push_back(report_json(report, kind));
+  for (const BenchReport& report : reports) list.push_back(report_json(report));
   const BuildInfo& build = build_info();
   const Json document = {{"program", "earthtop"},
                          {"document", "bench"},

@@ -88,7 +88,8 @@ Line front_line(const BenchReport& report, ErrorKind kind) {
 
 }  // namespace
 
-Figure bench_figure(const BenchReport& report, ErrorKind kind) {
+Figure bench_figure(const BenchReport& report) {
+  const ErrorKind kind = report.compared;
   Figure figure;
   figure.title = fmt::format("{}, {:g} s: error against cost", report.scenario, report.duration_s);
   figure.subtitle =

@@ -41,7 +41,7 @@ void check_bench_directory(const fs::path& dir, std::span<const std::string> sce
   }
 }
 
-void write_bench(std::span<const BenchReport> reports, ErrorKind kind, const fs::path& dir, bool force) {
+void write_bench(std::span<const BenchReport> reports, const fs::path& dir, bool force) {
   std::vector<std::string> scenarios;
   for (const BenchReport& report : reports) scenarios.push_back(report.scenario);
   check_bench_directory(dir, scenarios, force);
@@ -49,8 +49,8 @@ void write_bench(std::span<const BenchReport> reports, ErrorKind kind, const fs:
   const std::vector<std::string_view> views(names.begin(), names.end());
   FileSet files(dir, views);
   for (const BenchReport& report : reports) {
-    files.add(report.scenario + ".csv", bench_csv(report, kind));
-    files.add(report.scenario + ".svg", svg(bench_figure(report, kind)));
+    files.add(report.scenario + ".csv", bench_csv(report));
+    files.add(report.scenario + ".svg", svg(bench_figure(report)));
   }
   files.commit();
 }

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
+#include "plot/legend.hpp"
+#include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
 
 namespace earthtop {
 namespace {
 
-// Lengths in px; one character of the 12 px face takes about 6.4.
-constexpr double kWidth = 860, kLeft = 74, kRight = 30, kTop = 102, kPanelGap = 58, kBottom = 62;
-constexpr double kPlotWidth = kWidth - kLeft - kRight;
-constexpr double kCharacter = 6.4;
+constexpr double kTop = 102, kPanelGap = 58, kBottom = 62;  // px
 
 /// Grey text and rules follow the reader's scheme; the line colours are legible on both.
 constexpr const char* kStyle = R"(<style>
@@ -27,21 +25,6 @@ constexpr const char* kStyle = R"(<style>
 .et .et-page{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
 </style>
 )";
-
-const char* hex(LineColor color) {
-  switch (color) {
-    case LineColor::blue: return "#0072b2";
-    case LineColor::vermillion: return "#d55e00";
-    case LineColor::green: return "#009e73";
-    case LineColor::purple: return "#cc79a7";
-    case LineColor::orange: return "#e69f00";
-    case LineColor::sky: return "#56b4e9";
-    case LineColor::grey: return "#8a8f98";
-  }
-  return "#8a8f98";
-}
-
-using Out = std::back_insert_iterator<std::string>;
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -144,24 +127,6 @@ class Piece {
   Point first_, low_, high_, last_;
 };
 
-const char* stroke_kind(LineStyle style) {
-  if (style == LineStyle::dashed) return " stroke-dasharray=\"6 4\"";
-  if (style == LineStyle::dotted) return " stroke-dasharray=\"1 4\"";
-  return style == LineStyle::broad ? " stroke-opacity=\"0.4\"" : "";
-}
-
-double stroke_width(LineStyle style) {
-  switch (style) {
-    case LineStyle::solid:
-    case LineStyle::dashed: break;
-    case LineStyle::filled:
-    case LineStyle::thin:
-    case LineStyle::dotted: return 1.2;
-    case LineStyle::broad: return 7;
-  }
-  return 1.8;
-}
-
 void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) {
   if (piece.empty()) return;
   const std::string path = piece.path();
@@ -173,19 +138,6 @@ void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) 
                  "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
                  "stroke-linecap=\"round\"{}/>\n",
                  path, color, stroke_width(line.style), stroke_kind(line.style));
-}
-
-void draw_marker(std::string& out, const Line& line, double x, double y) {
-  const auto path = [&](const char* from) {
-    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}{}z\" fill=\"{}\"/>\n", x, y, from, hex(line.color));
-  };
-  switch (line.marker) {
-    case Marker::none: return;
-    case Marker::circle: return path("m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0");
-    case Marker::square: return path("m-2.9-2.9h5.8v5.8h-5.8");
-    case Marker::triangle: return path("m0-3.9l3.7 6.4h-7.4");
-    case Marker::diamond: return path("m0-4l4 4l-4 4l-4-4");
-  }
 }
 
 void draw_line(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
@@ -204,72 +156,6 @@ void draw_line(std::string& out, const Line& line, const Mapping& x, const Mappi
     if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) draw_marker(out, line, x(line.x[i]), y(line.y[i]));
 }
 
-void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text) {
-  fmt::format_to(Out(out), "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style,
-                 escape_xml(text));
-}
-
-void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2) {
-  fmt::format_to(Out(out), "<path class=\"{}\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", style, x1, y1, x2, y2);
-}
-
-double legend_width(const Line& line) { return kCharacter * static_cast<double>(character_count(line.label)) + 8 + 22 + 18; }
-
-void draw_legend_entry(std::string& out, const Line& line, double left, double baseline) {
-  if (line.style == LineStyle::filled)
-    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", left, baseline - 4,
-                   hex(line.color));
-  const double width = line.style == LineStyle::broad ? stroke_width(line.style) : 2;
-  fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
-                 hex(line.color), width, stroke_kind(line.style));
-  draw_marker(out, line, left + 11, baseline - 4);
-  draw_text(out, left + 30, baseline, "start", "", line.label);
-}
-
-/// Above the panel, so that it never hides a line: right-aligned beside the panel's caption where it fits, else in columns
-/// under it.
-class Legend {
- public:
-  Legend(const Panel& panel, double caption_width) {
-    double width = 0, widest = 0;
-    for (const Line& line : panel.lines) {
-      if (line.label.empty()) continue;
-      lines_.push_back(&line);
-      width += legend_width(line);
-      widest = std::max(widest, legend_width(line));
-    }
-    if (caption_width + width <= kPlotWidth) return;
-    columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(kPlotWidth / widest));
-    rows_ = (lines_.size() + columns_ - 1) / columns_;
-  }
-  /// What it takes beyond a caption's line.
-  double height() const { return kRow * static_cast<double>(rows_); }
-
-  void draw(std::string& out, double baseline) const {
-    if (rows_ > 0) {
-      for (std::size_t i = 0; i < lines_.size(); ++i)
-        draw_legend_entry(out, *lines_[i],
-                          kLeft + kPlotWidth / static_cast<double>(columns_) * static_cast<double>(i % columns_),
-                          baseline - height() + kRow * static_cast<double>(i / columns_ + 1));
-      return;
-    }
-    double right = kLeft + kPlotWidth + 18;
-    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
-      right -= legend_width(**line);
-      draw_legend_entry(out, **line, right, baseline);
-    }
-  }
-
- private:
-  static constexpr double kRow = 17;
-  std::vector<const Line*> lines_;
-  std::size_t columns_ = 0, rows_ = 0;  ///< 0: in the caption's line
-};
-
-double caption_width(const Panel& panel) {
-  return 7.5 * static_cast<double>(character_count(panel.y.label) + character_count(panel.y.unit) + 3);
-}
-
 void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, std::size_t index) {
   Range range;
   for (const Line& line : panel.lines)
@@ -278,7 +164,7 @@ void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const 
   const double floor = top + panel.height;
   const Mapping y = map_axis(range, panel.y.scale, false, 6, floor, top);
 
-  const Legend legend(panel, caption_width(panel));
+  const Legend legend(panel);
   draw_text(out, kLeft, top - 14 - legend.height(), "start", " class=\"et-b\"", caption(panel.y, y.axis));
   legend.draw(out, top - 14);
   for (const Tick& tick : x.axis.ticks)
@@ -309,7 +195,7 @@ std::string svg(const Figure& figure) {
   const Mapping x = map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
 
   double bottom = kTop - kPanelGap + 18;
-  for (const Panel& panel : figure.panels) bottom += Legend(panel, caption_width(panel)).height() + panel.height + kPanelGap;
+  for (const Panel& panel : figure.panels) bottom += Legend(panel).height() + panel.height + kPanelGap;
   const double height = bottom - 18 + kBottom;
   std::string out;
   fmt::format_to(Out(out),
@@ -323,7 +209,7 @@ std::string svg(const Figure& figure) {
   double top = kTop;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const Panel& panel = figure.panels[i];
-    top += Legend(panel, caption_width(panel)).height();
+    top += Legend(panel).height();
     draw_panel(out, panel, figure.x, x, top, i);
     top += panel.height + kPanelGap;
   }

@@ -303,16 +303,30 @@ std::size_t count(const std::string& text, std::string_view what) {
   return found;
 }
 
+TEST(Bench, WhatIsComparedIsWhatTheSceneHas) {
+  Scenario scene = testing::toy_top();
+  scene.duration_s = 0.05;
+  const std::vector<Contender> drift{contender(Workload::drift, ModelForm::reduced, 1e-8)},
+      motion{contender(Workload::motion, ModelForm::reduced, 1e-8)}, axis{contender(Workload::axis, ModelForm::reduced, 1e-8)};
+  EXPECT_EQ(bench(scene, drift, quick_options()).compared, ErrorKind::drift);
+  EXPECT_EQ(bench(scene, motion, quick_options()).compared, ErrorKind::attitude);
+  EXPECT_EQ(bench(scene, axis, quick_options()).compared, ErrorKind::axis);
+  EXPECT_EQ(bench(testing::non_rotating(scene), drift, quick_options()).compared, ErrorKind::attitude);
+  BenchOptions options = quick_options();
+  options.compared = ErrorKind::axis;
+  EXPECT_EQ(bench(scene, drift, options).compared, ErrorKind::axis);
+}
+
 TEST(Bench, TheDocumentsSayTheSame) {
   const BenchReport report = made_up({{1, 1e-3}, {2, 1e-6}, {3, 1e-5}, {0.5, -1}});
-  const auto json = nlohmann::json::parse(bench_json(std::vector{report}, ErrorKind::drift));
+  const auto json = nlohmann::json::parse(bench_json(std::vector{report}));
   const auto& entries = json.at("scenarios").at(0).at("entries");
   ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(json.at("processor"), processor_description());
   EXPECT_TRUE(entries.at(3).at("error").is_null());
   EXPECT_EQ(entries.at(3).at("outcome"), "too_slow");
 
-  std::istringstream csv(bench_csv(report, ErrorKind::drift));
+  std::istringstream csv(bench_csv(report));
   std::string header, line;
   std::getline(csv, header);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -323,8 +337,8 @@ TEST(Bench, TheDocumentsSayTheSame) {
   }
   EXPECT_FALSE(std::getline(csv, line));
 
-  const std::string picture = svg(bench_figure(report, ErrorKind::drift));
-  EXPECT_EQ(picture, svg(bench_figure(report, ErrorKind::drift)));
+  const std::string picture = svg(bench_figure(report));
+  EXPECT_EQ(picture, svg(bench_figure(report)));
   EXPECT_NE(picture.find("Pareto front"), std::string::npos);
   EXPECT_EQ(count(picture, "m-2.9-2.9h5.8"), 4U);  // rkf78's squares: three entries, and the legend
   EXPECT_EQ(count(picture, "nan"), 0U);

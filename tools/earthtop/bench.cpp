@@ -38,20 +38,18 @@ Workload workload_of(const BenchArguments& arguments) {
   return named(arguments.workload, {Workload::axis, Workload::motion, Workload::drift});
 }
 
-/// Which errors are compared: the one asked for, or the one that the workload is about.
-ErrorKind error_kind(const BenchArguments& arguments) {
-  const Workload workload = workload_of(arguments);
-  if (arguments.error) return named(*arguments.error, {ErrorKind::axis, ErrorKind::attitude, ErrorKind::drift});
-  return workload == Workload::drift ? ErrorKind::drift : workload == Workload::axis ? ErrorKind::axis : ErrorKind::attitude;
+std::optional<ErrorKind> error_kind(const BenchArguments& arguments) {
+  if (!arguments.error) return std::nullopt;
+  return named(*arguments.error, {ErrorKind::axis, ErrorKind::attitude, ErrorKind::drift});
 }
 
 [[noreturn]] void refuse(std::string what) { throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(what)}}); }
 
 void check_arguments(const BenchArguments& arguments) {
-  const ErrorKind kind = error_kind(arguments);
+  const std::optional<ErrorKind> kind = error_kind(arguments);
   const Workload workload = workload_of(arguments);
   if ((kind == ErrorKind::drift && workload != Workload::drift) || (kind == ErrorKind::attitude && workload == Workload::axis))
-    refuse(fmt::format("--error {}: the workload \"{}\" has no such error; take another --workload", to_string(kind),
+    refuse(fmt::format("--error {}: the workload \"{}\" has no such error; take another --workload", to_string(*kind),
                        to_string(workload)));
   const std::pair<const char*, double> seconds[] = {{"--duration", arguments.duration_s.value_or(1)},
                                                     {"--limit", arguments.limit_s},
@@ -120,6 +118,7 @@ std::function<void(const std::string&)> progress_of(const std::string& scenario,
 
 BenchReport bench_one(const Scenario& scenario, const BenchArguments& arguments) {
   BenchOptions options;
+  options.compared = error_kind(arguments);
   options.repetitions = arguments.repetitions;
   options.most_seconds = arguments.limit_s;
   options.reference_seconds = arguments.reference_s;
@@ -131,7 +130,6 @@ BenchReport bench_one(const Scenario& scenario, const BenchArguments& arguments)
 
 int bench_verb(const BenchArguments& arguments) {
   check_arguments(arguments);
-  const ErrorKind kind = error_kind(arguments);
   std::vector<Scenario> scenarios;
   std::vector<std::string> names;
   for (const Scenario& scenario : read_scenarios(arguments)) {
@@ -146,10 +144,10 @@ int bench_verb(const BenchArguments& arguments) {
   for (const Scenario& scenario : scenarios) {
     reports.push_back(bench_one(scenario, arguments));
     if (!arguments.json && !arguments.quiet)
-      print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), kind, arguments.brief));
+      print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), arguments.brief));
   }
-  if (arguments.out) write_bench(reports, kind, *arguments.out, arguments.force);
-  if (arguments.json) print(bench_json(reports, kind));
+  if (arguments.out) write_bench(reports, *arguments.out, arguments.force);
+  if (arguments.json) print(bench_json(reports));
   return kDone;
 }
 

@@ -109,7 +109,8 @@ std::string equal_error(const BenchReport& report, ErrorKind kind) {
 
 }  // namespace
 
-std::string bench_text(const BenchReport& report, ErrorKind kind, bool brief) {
+std::string bench_text(const BenchReport& report, bool brief) {
+  const ErrorKind kind = report.compared;
   return head(report, kind) + '\n' + table(report, kind, brief) + '\n' + equal_error(report, kind);
 }
 

@@ -9,6 +9,6 @@ namespace earthtop::tool {
 
 /// The table of one scenario, and what each family of methods costs at equal error.
 /// @param brief  of the table only the Pareto front, and what `auto` takes
-std::string bench_text(const BenchReport& report, ErrorKind kind, bool brief);
+std::string bench_text(const BenchReport& report, bool brief);
 
 }  // namespace earthtop::tool

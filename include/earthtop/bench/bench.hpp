@@ -73,7 +73,12 @@ struct BenchEntry {
 /// "completed", "too_slow", "not_tried", or the outcome's name.
 std::string_view outcome(const BenchEntry& entry);
 
+/// Which of an entry's errors.
+enum class ErrorKind { axis, attitude, drift };
+std::string_view to_string(ErrorKind kind);
+
 struct BenchOptions {
+  std::optional<ErrorKind> compared;  ///< if left out, that of the workload; where there is no drift to err in, the attitude's
   int repetitions = 5;
   double least_seconds = 5e-3;     ///< a repetition runs a contender again and again until this much time is measured
   double most_seconds = 1;         ///< of one contender: its first call is stopped there, and its repetitions together
@@ -89,8 +94,9 @@ struct BenchReport {
   Workload workload = Workload::drift;  ///< of the first contender
   BenchOptions options;
   CertifiedReference reference;
-  double largest_drift = 0;         ///< of the axis, over the checkpoints (rad)
-  std::vector<BenchEntry> entries;  ///< as the contenders stood
+  double largest_drift = 0;               ///< of the axis, over the checkpoints (rad)
+  ErrorKind compared = ErrorKind::drift;  ///< what fronts, costs and pictures are of
+  std::vector<BenchEntry> entries;        ///< as the contenders stood
 };
 
 /// Every method at several tolerances and precisions in every form that the scene has, and the peers where it is plain; what

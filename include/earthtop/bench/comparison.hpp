@@ -9,10 +9,6 @@
 
 namespace earthtop {
 
-/// Which of an entry's errors.
-enum class ErrorKind { axis, attitude, drift };
-std::string_view to_string(ErrorKind kind);
-
 /// The error of an entry that completed, no smaller than what the reference can tell. None where it has no such error.
 std::optional<double> error_of(const BenchEntry& entry, const CertifiedReference& reference, ErrorKind kind);
 
@@ -40,19 +36,19 @@ std::optional<FamilyCost> family_cost(const BenchReport& report, const BenchFami
 std::string processor_description();
 
 /// One header line and one line an entry; seconds, rad; the errors as computed, empty where there are none.
-std::string bench_csv(const BenchReport& report, ErrorKind kind);
+std::string bench_csv(const BenchReport& report);
 
 /// All reports as one JSON document with a final newline.
-std::string bench_json(std::span<const BenchReport> reports, ErrorKind kind);
+std::string bench_json(std::span<const BenchReport> reports);
 
 /// Error against processor time, both logarithmic: a line a family, the Pareto front under them.
-Figure bench_figure(const BenchReport& report, ErrorKind kind);
+Figure bench_figure(const BenchReport& report);
 
 /// Whether NAME.csv and NAME.svg of these scenarios may be written to `dir`, which need not exist.
 /// @param force  overwrite what is there   @throws ScenarioError, WriteError
 void check_bench_directory(const std::filesystem::path& dir, std::span<const std::string> scenarios, bool force);
 
 /// Writes them, all or none. @throws as check_bench_directory, which it calls; WriteError
-void write_bench(std::span<const BenchReport> reports, ErrorKind kind, const std::filesystem::path& dir, bool force);
+void write_bench(std::span<const BenchReport> reports, const std::filesystem::path& dir, bool force);
 
 }  // namespace earthtop

@@ -1,0 +1,63 @@
+#include "plot/legend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plot/strokes.hpp"
+#include "plot/svg_text.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kRow = 17;  // px
+
+double legend_width(const Line& line) { return kCharacter * static_cast<double>(character_count(line.label)) + 8 + 22 + 18; }
+
+double caption_width(const Panel& panel) {
+  return 7.5 * static_cast<double>(character_count(panel.y.label) + character_count(panel.y.unit) + 3);
+}
+
+void draw_legend_entry(std::string& out, const Line& line, double left, double baseline) {
+  if (line.style == LineStyle::filled)
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", left, baseline - 4,
+                   hex(line.color));
+  const double width = line.style == LineStyle::broad ? stroke_width(line.style) : 2;
+  fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
+                 hex(line.color), width, stroke_kind(line.style));
+  draw_marker(out, line, left + 11, baseline - 4);
+  draw_text(out, left + 30, baseline, "start", "", line.label);
+}
+
+}  // namespace
+
+Legend::Legend(const Panel& panel) {
+  double width = 0, widest = 0;
+  for (const Line& line : panel.lines) {
+    if (line.label.empty()) continue;
+    lines_.push_back(&line);
+    width += legend_width(line);
+    widest = std::max(widest, legend_width(line));
+  }
+  if (caption_width(panel) + width <= kPlotWidth) return;
+  columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(kPlotWidth / widest));
+  rows_ = (lines_.size() + columns_ - 1) / columns_;
+}
+
+double Legend::height() const { return kRow * static_cast<double>(rows_); }
+
+void Legend::draw(std::string& out, double baseline) const {
+  if (rows_ > 0) {
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      draw_legend_entry(out, *lines_[i], kLeft + kPlotWidth / static_cast<double>(columns_) * static_cast<double>(i % columns_),
+                        baseline - height() + kRow * static_cast<double>(i / columns_ + 1));
+    return;
+  }
+  double right = kLeft + kPlotWidth + 18;
+  for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
+    right -= legend_width(**line);
+    draw_legend_entry(out, **line, right, baseline);
+  }
+}
+
+}  // namespace earthtop

@@ -1,0 +1,62 @@
+#include "plot/strokes.hpp"
+
+#include <fmt/format.h>
+
+#include "plot/svg_text.hpp"
+
+namespace earthtop {
+
+const char* hex(LineColor color) {
+  switch (color) {
+    case LineColor::blue: return "#0072b2";
+    case LineColor::vermillion: return "#d55e00";
+    case LineColor::green: return "#009e73";
+    case LineColor::purple: return "#cc79a7";
+    case LineColor::orange: return "#e69f00";
+    case LineColor::sky: return "#56b4e9";
+    case LineColor::grey: return "#8a8f98";
+  }
+  return "#8a8f98";
+}
+
+const char* stroke_kind(LineStyle style) {
+  if (style == LineStyle::dashed) return " stroke-dasharray=\"6 4\"";
+  if (style == LineStyle::dotted) return " stroke-dasharray=\"1 4\"";
+  return style == LineStyle::broad ? " stroke-opacity=\"0.4\"" : "";
+}
+
+double stroke_width(LineStyle style) {
+  switch (style) {
+    case LineStyle::solid:
+    case LineStyle::dashed: break;
+    case LineStyle::filled:
+    case LineStyle::thin:
+    case LineStyle::dotted: return 1.2;
+    case LineStyle::broad: return 7;
+  }
+  return 1.8;
+}
+
+void draw_marker(std::string& out, const Line& line, double x, double y) {
+  const auto path = [&](const char* from) {
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}{}z\" fill=\"{}\"/>\n", x, y, from, hex(line.color));
+  };
+  switch (line.marker) {
+    case Marker::none: return;
+    case Marker::circle: return path("m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0");
+    case Marker::square: return path("m-2.9-2.9h5.8v5.8h-5.8");
+    case Marker::triangle: return path("m0-3.9l3.7 6.4h-7.4");
+    case Marker::diamond: return path("m0-4l4 4l-4 4l-4-4");
+  }
+}
+
+void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text) {
+  fmt::format_to(Out(out), "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style,
+                 escape_xml(text));
+}
+
+void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2) {
+  fmt::format_to(Out(out), "<path class=\"{}\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", style, x1, y1, x2, y2);
+}
+
+}  // namespace earthtop
