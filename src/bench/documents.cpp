@@ -20,7 +20,7 @@ Json errors_json(const BenchErrors& errors) {
 
 Json entry_json(const BenchEntry& entry, bool on_front) {
   const Contender& contender = entry.contender;
-  const bool completed = entry.status == RunStatus::completed;
+  const bool completed = entry.status == RunStatus::completed, tried = entry.repetitions > 0;
   const bool reads_tolerance = contender.peer || (contender.options.method != Method::closed_form && !contender.options.step_s);
   return {{"method", method_name(contender)},
           {"peer", contender.peer.has_value()},
@@ -30,9 +30,9 @@ Json entry_json(const BenchEntry& entry, bool on_front) {
           {"step_s", or_null(contender.options.step_s)},
           {"outcome", outcome(entry)},
           {"error", completed ? errors_json(entry.errors) : Json(nullptr)},
-          {"seconds", entry.seconds},
-          {"seconds_least", entry.seconds_least},
-          {"seconds_most", entry.seconds_most},
+          {"seconds", tried ? Json(entry.seconds) : Json(nullptr)},
+          {"seconds_least", tried ? Json(entry.seconds_least) : Json(nullptr)},
+          {"seconds_most", tried ? Json(entry.seconds_most) : Json(nullptr)},
           {"repetitions", entry.repetitions},
           {"evaluations", entry.counters.evaluations},
           {"steps", entry.counters.accepted},
@@ -99,7 +99,7 @@ void append_line(std::string& csv, const BenchEntry& entry, bool on_front) {
   if (completed && entry.errors.drift) append_number(csv, *entry.errors.drift);
   for (const double seconds : {entry.seconds, entry.seconds_least, entry.seconds_most}) {
     csv += ',';
-    append_number(csv, seconds);
+    if (entry.repetitions > 0) append_number(csv, seconds);
   }
   csv += fmt::format(",{},{},{},{},{},{}\n", entry.repetitions, entry.counters.evaluations, entry.counters.accepted,
                      entry.counters.rejected, on_front ? 1 : 0, contender.is_auto ? 1 : 0);

@@ -325,6 +325,7 @@ TEST(Bench, TheDocumentsSayTheSame) {
   EXPECT_EQ(json.at("processor"), processor_description());
   EXPECT_TRUE(entries.at(3).at("error").is_null());
   EXPECT_EQ(entries.at(3).at("outcome"), "too_slow");
+  EXPECT_EQ(entries.at(3).at("seconds"), 0.5);
 
   std::istringstream csv(bench_csv(report));
   std::string header, line;

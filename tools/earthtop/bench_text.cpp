@@ -42,17 +42,18 @@ std::string head(const BenchReport& report, ErrorKind kind) {
 std::string row(const BenchEntry& entry, bool on_front, const BenchErrors& least) {
   const Contender& contender = entry.contender;
   const bool completed = entry.status == RunStatus::completed;
+  const bool tried = entry.repetitions > 0;
   const auto error = [&](const std::optional<double>& value, std::optional<double> known) {
     if (!completed || !value) return std::string("-");
     return *value < known.value_or(0) ? "<" + number(known) : number(value);
   };
-  std::string text = fmt::format("{}{} {:<19} {:<19} {:<11} {:<16} {:>8} {:>8} {:>8} {:>9} {:<20} {:>9} {:>8}",
-                                 on_front ? '*' : ' ', contender.is_auto ? 'a' : ' ', method_name(contender),
-                                 equations_name(contender), to_string(contender.precision), setting_name(contender),
-                                 error(entry.errors.axis, least.axis), error(entry.errors.attitude, least.attitude),
-                                 error(entry.errors.drift, least.drift), seconds_text(entry.seconds),
-                                 fmt::format("[{}, {}]", seconds_text(entry.seconds_least), seconds_text(entry.seconds_most)),
-                                 entry.counters.evaluations, entry.counters.accepted);
+  std::string text = fmt::format(
+      "{}{} {:<19} {:<19} {:<11} {:<16} {:>8} {:>8} {:>8} {:>9} {:<20} {:>9} {:>8}", on_front ? '*' : ' ',
+      contender.is_auto ? 'a' : ' ', method_name(contender), equations_name(contender), to_string(contender.precision),
+      setting_name(contender), error(entry.errors.axis, least.axis), error(entry.errors.attitude, least.attitude),
+      error(entry.errors.drift, least.drift), tried ? seconds_text(entry.seconds) : "-",
+      tried ? fmt::format("[{}, {}]", seconds_text(entry.seconds_least), seconds_text(entry.seconds_most)) : "-",
+      entry.counters.evaluations, entry.counters.accepted);
   if (!completed) text += fmt::format("  {}", outcome(entry));
   return text + '\n';
 }

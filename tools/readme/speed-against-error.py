@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes README's tables and pictures of speed against error: one run of `earthtop bench`.
+"""Makes README's tables and pictures of speed against error by `earthtop bench`: of the drift, and of one motion.
 
     tools/readme/speed-against-error.py [EARTHTOP]      the program; default: build/bench/tools/earthtop/earthtop
 
@@ -24,9 +24,9 @@ OPTIONS = ["--duration", "60", "--limit", "0.5"]
 BEGIN, END = "<!-- speed against error: begin -->\n", "<!-- speed against error: end -->\n"
 
 
-def bench(program, directory):
-    """The document of one run; its pictures in the directory."""
-    command = [program, "bench", *SCENES, *OPTIONS, "--json", "--out", directory, "--force"]
+def bench(program, *more):
+    """The document of one run."""
+    command = [program, "bench", *SCENES, *OPTIONS, "--json", *more]
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     return json.loads(done.stdout)
 
@@ -101,12 +101,12 @@ def pictures(document):
     return "| | |\n| --- | --- |\n" + "\n".join(f"| {a} | {b} |" for a, b in zip(images[::2], images[1::2]))
 
 
-def section(document):
+def section(document, motion):
     scenes = document["scenarios"]
     contenders = sum(len(scene["entries"]) for scene in scenes)
     slow = sum(entry["outcome"] in ("too_slow", "not_tried") for scene in scenes for entry in scene["entries"])
     return f"""Processor: **{document["processor"]}**, one core, processor time, shared with other work; peers: {document["peers"]}.
-Of {contenders} contenders {slow} took more than {scenes[0]["most_seconds"]:g} s and were left out.
+Of {contenders} contenders {slow} took more than {scenes[0]["most_seconds"]:g} s of it and were left out.
 
 {head(document)}
 
@@ -116,6 +116,10 @@ Milliseconds for both motions and the drift, at a drift error of 1e-6 / 1e-9 / 1
 {equal_error(document)}
 
 {pictures(document)}
+
+The rotating motion alone, at an axis error of 1e-6 / 1e-9 / 1e-12 rad; here a peer integrates one motion, as the others do:
+
+{equal_error(motion)}
 
 <details><summary>The Pareto fronts, and what auto takes</summary>
 
@@ -127,13 +131,14 @@ Milliseconds for both motions and the drift, at a drift error of 1e-6 / 1e-9 / 1
 def main():
     program = str(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/bench/tools/earthtop/earthtop").resolve())
     with tempfile.TemporaryDirectory() as directory:
-        document = bench(program, directory)
+        document = bench(program, "--out", directory)
         for scene in document["scenarios"]:
             name = scene["scenario"]
             shutil.copyfile(pathlib.Path(directory, f"{name}.svg"), ROOT / f"tools/readme/speed-{name}.svg")
+    motion = bench(program, "--workload", "motion", "--error", "axis")
     readme = ROOT / "README.md"
     before, rest = readme.read_text().split(BEGIN)
-    readme.write_text(before + BEGIN + section(document) + END + rest.split(END)[1])
+    readme.write_text(before + BEGIN + section(document, motion) + END + rest.split(END)[1])
 
 
 if __name__ == "__main__":
