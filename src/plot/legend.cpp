@@ -48,9 +48,12 @@ double Legend::height() const { return kRow * static_cast<double>(rows_); }
 
 void Legend::draw(std::string& out, double baseline) const {
   if (rows_ > 0) {
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      draw_legend_entry(out, *lines_[i], kLeft + kPlotWidth / static_cast<double>(columns_) * static_cast<double>(i % columns_),
-                        baseline - height() + kRow * static_cast<double>(i / columns_ + 1));
+    const double column = kPlotWidth / static_cast<double>(columns_), top = baseline - height() + kRow;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const std::size_t row = i / columns_;
+      draw_legend_entry(out, *lines_[i], kLeft + column * static_cast<double>(i % columns_),
+                        top + kRow * static_cast<double>(row));
+    }
     return;
   }
   double right = kLeft + kPlotWidth + 18;
