@@ -111,7 +111,7 @@ Of {contenders} contenders {slow} took more than {scenes[0]["most_seconds"]:g} s
 {head(document)}
 
 Milliseconds for both motions and the drift, at a drift error of 1e-6 / 1e-9 / 1e-12 rad (≤: the cheapest tried is better already;
--: not reached), in double precision:
+-: not reached in that time by the tolerances tried), in double precision:
 
 {equal_error(document)}
 
