@@ -31,18 +31,18 @@ void nudge(DriftProblem<T>& problem) {
     }
 }
 
-/// Follows two integrations row by row. The bound is kSafety times the largest distance so far, plus the round-off of the
+/// Follows two integrations row by row. The bound is a multiple of the largest distance so far, plus the round-off of the
 /// measures themselves.
 ///
 /// The second integration is unrelated to the rows' in method and observer, or runs at ten times their tolerance, so that its
 /// own error is the larger one of the two and their distance is about ten times the error of the rows; where round-off
-/// decides, both have errors of like size, which kSafety covers. It starts from a nudged scene, so that the growth of the
-/// scene's own rounding shows too. Distances are taken between the *vectors* of the drift in
-/// laboratory axes as well as between the angles: a vector does not pass through zero by chance.
+/// decides, both have errors of like size, which the multiple covers: it is larger where nothing else makes the two differ. It
+/// starts from a nudged scene, so that the growth of the scene's own rounding shows too. Distances are taken between the
+/// *vectors* of the drift in laboratory axes as well as between the angles: a vector does not pass through zero by chance.
 template <class T>
 class DriftBound {
  public:
-  static constexpr int kSafety = 3;
+  explicit DriftBound(int safety) : safety_(safety) {}
 
   void include(const DriftMeasures<T>& rows, const DriftMeasures<T>& second, T epsilon) {
     const T axis_vector = epsilon * norm(Vec3<T>(rows.axis_difference_L_scaled - second.axis_difference_L_scaled));
@@ -54,10 +54,10 @@ class DriftBound {
   }
   /// What the method itself states of the row's error.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
-  T axis() const { return T(kSafety) * axis_distance_ + round_off() * axis_largest_ + stated_; }
+  T axis() const { return T(safety_) * axis_distance_ + round_off() * axis_largest_ + stated_; }
   /// Not below the bound of the axis, which is part of the attitude: in an unstable scene two runs can agree by chance in one.
   T attitude() const {
-    return T(kSafety) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_ + stated_;
+    return T(safety_) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_ + stated_;
   }
 
  private:
@@ -65,6 +65,7 @@ class DriftBound {
 
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
   T stated_ = T(0);
+  int safety_;
 };
 
 }  // namespace earthtop

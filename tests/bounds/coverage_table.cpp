@@ -1,5 +1,6 @@
-/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]: over COUNT random scenes in each stratum (46 by
-/// default) how often the true error is below the stated bound, as a Markdown table; with --scenes every scene first.
+/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes] [random-STRATUM-INDEX]: over COUNT random scenes in
+/// each stratum (46 by default) how often the true error is below the stated bound, as a Markdown table; with --scenes every
+/// scene first; or of one scene only.
 
 #include <fmt/format.h>
 
@@ -47,9 +48,12 @@ void print(std::string_view name, const Row& row) {
 
 int main(int argc, char** argv) {
   bool scenes = false;
+  std::string only;
   std::vector<double> numbers;
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--scenes") == 0)
+    if (std::strncmp(argv[i], "random-", 7) == 0)
+      only = argv[i];
+    else if (std::strcmp(argv[i], "--scenes") == 0)
       scenes = true;
     else
       numbers.push_back(std::atof(argv[i]));
@@ -64,6 +68,7 @@ int main(int argc, char** argv) {
     for (std::uint64_t i = 0; i < count; ++i) {
       const bool long_run = stratum.name == "long horizon";
       const Scenario scenario = random_scene_of(stratum, i, long_run ? 2e4 : least, long_run ? 1e6 : largest);
+      if (!only.empty() && scenario.name != only) continue;
       try {
         const Coverage c = bound_coverage(scenario);
         include(scenario, c, row);
