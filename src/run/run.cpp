@@ -86,8 +86,8 @@ int bound_safety(const IntegrationOptions& first, const IntegrationOptions& seco
 }
 
 /// How many rows the bound of row i rests on: in the first ones two runs may agree by chance, so that each is held against what
-/// they make of twice its time.
-std::size_t rows_compared(std::size_t i) { return 2 * i + 3; }
+/// they make of the next two as well.
+std::size_t rows_compared(std::size_t i) { return i + 3; }
 
 /// The angle between two attitudes (rad).
 template <class T>
