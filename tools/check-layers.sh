@@ -15,7 +15,7 @@ scenario
 budget
 run
 results plot
-bench study compare report
+bench study compare report verify
 tools'
 
 find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |

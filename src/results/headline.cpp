@@ -34,17 +34,24 @@ std::optional<double> finite(std::optional<double> value) { return value && std:
 
 }  // namespace
 
+std::optional<double> find_figure(const RunResult& result, std::string_view quantity, double t_s) {
+  for (const SummaryFigure& figure : kFigures)
+    if (figure.path == quantity) return finite(figure.value(result.drift));
+  for (const Column& column : trajectory_columns()) {
+    if (column.name != quantity) continue;
+    const DriftRow* row = row_at(result, t_s);
+    return row ? finite(column.value(*row)) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   if (!result.scenario.headline) return std::nullopt;
   HeadlineCheck check{*result.scenario.headline, {}, {}, {}, false};
   const std::string_view quantity = check.stated.quantity;
-  for (const SummaryFigure& figure : kFigures)
-    if (figure.path == quantity) check.computed = finite(figure.value(result.drift));
-  for (const Column& column : trajectory_columns()) {
-    if (column.name != quantity) continue;
-    check.at_s = check.stated.at_s.value_or(result.scenario.duration_s);
-    if (const DriftRow* row = row_at(result, *check.at_s)) check.computed = finite(column.value(*row));
-  }
+  const double t_s = check.stated.at_s.value_or(result.scenario.duration_s);
+  if (quantity.find('.') == std::string_view::npos) check.at_s = t_s;
+  check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
   if (result.verdict.from_s && check.at_s.value_or(result.scenario.duration_s) >= *result.verdict.from_s) {
     check.computed.reset();  // past the verdict's time it is no figure

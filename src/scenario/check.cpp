@@ -88,7 +88,9 @@ class Checker {
         if (node.kind != JsonKind::boolean) wrong_type(node, field, pointer);
         return;
       case number: return one_number(node, field, pointer);
-      case vector3: return numbers(node, field, pointer);
+      case vector3: return number_list(node, field, pointer, 3, 3);
+      case FieldKind::numbers: return number_list(node, field, pointer, 1, 4);
+      case FieldKind::changes: return change_list(node, field, pointer);
       case matrix3: return rows(node, field, pointer);
       case not_yet:
         node.refused = true;
@@ -134,15 +136,26 @@ class Checker {
     return allowed_values(one);
   }
 
-  void numbers(Node& node, const Field& field, const std::string& pointer) {
-    if (node.kind != JsonKind::array || node.children.size() != 3) return wrong_type(node, field, pointer);
-    for (std::size_t i = 0; i < 3; ++i) one_number(node.children[i], field, fmt::format("{}/{}", pointer, i));
+  void number_list(Node& node, const Field& field, const std::string& pointer, std::size_t least, std::size_t most) {
+    const std::size_t size = node.children.size();
+    if (node.kind != JsonKind::array || size < least || size > most) return wrong_type(node, field, pointer);
+    for (std::size_t i = 0; i < size; ++i) one_number(node.children[i], field, fmt::format("{}/{}", pointer, i));
     propagate(node);
   }
 
   void rows(Node& node, const Field& field, const std::string& pointer) {
     if (node.kind != JsonKind::array || node.children.size() != 3) return wrong_type(node, field, pointer);
-    for (std::size_t i = 0; i < 3; ++i) numbers(node.children[i], field, fmt::format("{}/{}", pointer, i));
+    for (std::size_t i = 0; i < 3; ++i) number_list(node.children[i], field, fmt::format("{}/{}", pointer, i), 3, 3);
+    propagate(node);
+  }
+
+  void change_list(Node& node, const Field& field, const std::string& pointer) {
+    if (node.kind != JsonKind::array || node.children.empty()) return wrong_type(node, field, pointer);
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      Node& child = node.children[i];
+      if (child.kind != JsonKind::string || !child.text.starts_with('/') || child.text.find('=') == std::string::npos)
+        refuse(child, fmt::format("{}/{}", pointer, i), fmt::format("is {}; must be \"/json/pointer=value\"", shown(child)));
+    }
     propagate(node);
   }
 

@@ -112,6 +112,7 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   decode_numerics(root.section("numerics"), scenario);
   if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
+  scenario.criteria = decode_criteria(root);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));

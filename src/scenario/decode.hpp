@@ -24,6 +24,8 @@ std::optional<PlatformSpec> decode_platform(const Section& platform);
 /// Method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
 void decode_numerics(const Section& numerics, Scenario& scenario);
 
+std::vector<CriterionSpec> decode_criteria(const Section& root);
+
 /// Output rows that a scenario may have, and the number that it would have (as a double: it may be huge).
 inline constexpr double kMostRows = 2'000'000;
 double output_row_count(double duration_s, double output_step_s);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenario/quantities.hpp"
+
 namespace earthtop::scenario {
 namespace {
 
@@ -21,13 +23,6 @@ constexpr Range kLengths = from(-1e6, 1e6), kRates = from(-1e9, 1e9), kAngles = 
 
 constexpr bool kRequired = true;
 
-constexpr std::string_view kQuantities =
-    "q_LB_w|q_LB_x|q_LB_y|q_LB_z|w_LB_B_x_rad_s|w_LB_B_y_rad_s|w_LB_B_z_rad_s|"
-    "ref_q_LB_w|ref_q_LB_x|ref_q_LB_y|ref_q_LB_z|ref_w_LB_B_x_rad_s|ref_w_LB_B_y_rad_s|ref_w_LB_B_z_rad_s|"
-    "axis_L_x|axis_L_y|axis_L_z|ref_axis_L_x|ref_axis_L_y|ref_axis_L_z|"
-    "drift_axis_rad|drift_azimuth_rad|drift_tilt_rad|drift_attitude_rad|drift_spin_rad|"
-    "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s";
-
 constexpr Field kFields[] = {
     // pointer, kind, unit, range, words, words not available, default, doc
     {"/$schema", word, "", any(), "earthtop-scenario-1.json", "", "\"earthtop-scenario-1.json\"", "version of this format"},
@@ -35,13 +30,31 @@ constexpr Field kFields[] = {
     {"/title", text, "", any(), "", "", "\"\"", "any text"},
     {"/purpose", text, "", any(), "", "", "\"\"", "what the scene is for, and what it shows"},
     {"/headline", object, "", any(), "", "", "", "one figure known from elsewhere, which the computed one is held against"},
-    {"/headline/quantity", word, "", any(), kQuantities, "", "", "a column of trajectory.csv, or a figure of summary.json",
+    {"/headline/quantity", word, "", any(), kFigures, "", "", "a column of trajectory.csv, or a figure of summary.json",
      kRequired},
     {"/headline/at_s", number, "s", from(0, 1e9), "", "", "", "of a column: the time of its row; default: the duration"},
     {"/headline/value", number, "", any(), "", "", "", "the figure, in the unit that the quantity's name says", kRequired},
     {"/headline/tolerance", number, "", above(0, kInfinity), "", "", "", "largest difference from it, same unit", kRequired},
     {"/headline/origin", text, "", any(), "", "", "", "where the figure comes from: closed form, theory, a publication ...",
      kRequired},
+
+    {"/criteria", list, "", any(), "", "", "",
+     "what the results must satisfy, known independently of any run: earthtop verify"},
+    {"/criteria/*", object, "", any(), "", "", "", "one criterion"},
+    {"/criteria/*/kind", word, "", any(), "value|invariant|closed_form|equivalence|exactly_zero|order|verdict|refused", "", "",
+     "what kind of knowledge it is", kRequired},
+    {"/criteria/*/quantity", word, "", any(), kAllQuantities, "", "",
+     "what is judged; of an equivalence, how the runs are related; each kind has its own"},
+    {"/criteria/*/set", changes, "", any(), "", "", "",
+     "as --set: judged is the scene so changed; of an equivalence it is the other scene"},
+    {"/criteria/*/values", numbers, "", any(), "", "", "",
+     "the known value, in the unit that the quantity's name says; of a verdict, the earliest and the latest time from which it "
+     "may hold (s)"},
+    {"/criteria/*/at_s", number, "s", from(0, 1e9), "", "", "", "the time of its row; default: the duration"},
+    {"/criteria/*/until_s", number, "s", above(0, 1e9), "", "", "", "later rows are not judged"},
+    {"/criteria/*/tolerance", number, "", from(0, kInfinity), "", "", "", "largest error; 0: every bit"},
+    {"/criteria/*/why", text, "", any(), "", "", "", "where value and tolerance come from", kRequired},
+    {"/criteria/*/slow", flag, "", any(), "", "", "false", "takes over a minute: judged with --slow only"},
 
     {"/site", object, "", any(), "", "", "{}", "where the laboratory stands"},
     {"/site/latitude_deg", number, "deg", from(-90, 90), "", "", "",
@@ -217,6 +230,8 @@ std::string allowed_values(const Field& field) {
     case number: return numbers_text("a number", field);
     case vector3: return numbers_text("an array of 3 numbers", field);
     case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);
+    case numbers: return numbers_text("an array of 1 to 4 numbers", field);
+    case changes: return "an array of \"/json/pointer=value\"";
     case not_yet: break;
   }
   return "";

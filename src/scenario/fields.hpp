@@ -20,6 +20,8 @@ enum class FieldKind {
   number,
   vector3,  ///< three numbers
   matrix3,  ///< three rows of three numbers
+  numbers,  ///< one to four numbers
+  changes,  ///< "/json/pointer=value", any number of them
   not_yet,  ///< known, but not available in this version
 };
 

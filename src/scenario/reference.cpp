@@ -50,13 +50,17 @@ bool belongs(std::string_view key, const Json& given) {
   });
 }
 
+bool is_about_original(std::string_view pointer) {
+  return pointer == "/headline" || pointer == "/purpose" || pointer == "/criteria";
+}
+
 /// The values of `given` in the table's order, with the defaults of what it leaves out, each behind a comment.
 Json annotated(const Json& given, std::string_view pattern) {
   Json filled = Json::object();
   for (const std::string_view key : keys_below(pattern)) {
     const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
-    const bool stands = given.contains(key), about_original = field.pointer == "/headline" || field.pointer == "/purpose";
-    if (about_original || field.kind == FieldKind::not_yet || (!stands && field.fallback.empty())) continue;
+    const bool stands = given.contains(key);
+    if (is_about_original(field.pointer) || field.kind == FieldKind::not_yet || (!stands && field.fallback.empty())) continue;
     if (!stands && !belongs(key, given)) continue;
     const Json value = stands ? given.at(key) : Json::parse(field.fallback);
     if (!stands && value == Json::object() && keys_below(field.pointer).empty()) continue;

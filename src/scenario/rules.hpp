@@ -1,5 +1,5 @@
-/// Which keys go with a word: with a solid's shape, with a platform's motion; and the methods and precisions there are. Decoder
-/// and schema read the same rows.
+/// Which keys go with a word: with a solid's shape, a platform's motion, a criterion's kind; and the methods and precisions
+/// there are. Decoder and schema read the same rows.
 #pragma once
 
 #include <array>
@@ -9,6 +9,8 @@
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/platform.hpp"
+#include "earthtop/scenario/criterion.hpp"
+#include "scenario/quantities.hpp"
 
 namespace earthtop::scenario {
 
@@ -64,6 +66,26 @@ constexpr StepRule step_rule(Method method) {
     default: return {Need::none, Need::optional};
   }
 }
+
+/// What a criterion of a kind must and may say besides kind, set, why and slow.
+struct CriterionRule {
+  std::string_view word;
+  CriterionKind kind;
+  std::string_view required, allowed;  ///< of kCriterionKeys
+  std::string_view quantities;         ///< of which there is one; empty where there is none
+};
+
+inline constexpr std::string_view kCriterionKeys = "quantity|values|at_s|until_s|tolerance";
+inline constexpr std::array kCriterionRules = {
+    CriterionRule{"value", CriterionKind::value, "quantity|values|tolerance", "quantity|values|tolerance|at_s", kValues},
+    CriterionRule{"invariant", CriterionKind::invariant, "quantity|tolerance", "quantity|tolerance", kInvariants},
+    CriterionRule{"closed_form", CriterionKind::closed_form, "quantity|tolerance", "quantity|tolerance|until_s", kClosedForms},
+    CriterionRule{"equivalence", CriterionKind::equivalence, "quantity|tolerance", "quantity|tolerance|until_s", kRelations},
+    CriterionRule{"exactly_zero", CriterionKind::exactly_zero, "quantity", "quantity", kZeros},
+    CriterionRule{"order", CriterionKind::order, "quantity|tolerance", "quantity|tolerance|values", kOrders},
+    CriterionRule{"verdict", CriterionKind::verdict, "quantity", "quantity|values", kVerdicts},
+    CriterionRule{"refused", CriterionKind::refused, "set", "", ""},
+};
 
 inline constexpr std::array kPrecisions = {Precision::bits53, Precision::bits64, Precision::bits113};
 

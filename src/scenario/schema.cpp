@@ -113,10 +113,24 @@ Json precision_rule() {
               when("precision", "long_double", allowed(Precision::bits64), allowed(Precision::bits53)));
 }
 
+Json criterion_rules() {
+  Json rules = Json::array();
+  for (const CriterionRule& rule : kCriterionRules) {
+    Json properties = Json::object();
+    const auto allowed = split_words(rule.allowed);
+    for (const std::string_view key : split_words(kCriterionKeys))
+      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) properties[key] = false;
+    if (!rule.quantities.empty()) properties["quantity"] = {{"enum", split_words(rule.quantities)}};
+    rules.push_back(when("kind", rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
+  }
+  return rules;
+}
+
 /// Rules of an object that involve more than one of its keys; an empty array where there are none.
 Json rules_of(std::string_view pattern) {
   if (pattern.empty()) return Json::array({site_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
+  if (pattern == "/criteria/*") return criterion_rules();
   if (pattern == "/body") return Json::array({body_rule()});
   if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2", "matrix_kg_m2")});
   if (pattern == "/body/solids/*") return solid_rules();
@@ -154,6 +168,9 @@ Json of_field(const Field& field) {
     case FieldKind::number: return number;
     case FieldKind::vector3: return of_three(number);
     case FieldKind::matrix3: return of_three(of_three(number));
+    case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
+    case FieldKind::changes:
+      return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};
     case FieldKind::not_yet: break;
   }
   return false;

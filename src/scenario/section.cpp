@@ -65,6 +65,24 @@ std::optional<std::string> Section::word(std::string_view key) const {
   return node ? std::optional(node->text) : std::nullopt;
 }
 
+std::optional<std::vector<double>> Section::numbers(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  if (!node) return std::nullopt;
+  std::vector<double> list;
+  for (const Node& child : node->children) list.push_back(child.number);
+  return list;
+}
+
+std::optional<std::vector<std::string>> Section::changes(std::string_view key) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  if (!node) return std::nullopt;
+  std::vector<std::string> list;
+  for (const Node& child : node->children) list.push_back(child.text);
+  return list;
+}
+
 std::optional<std::array<double, 3>> Section::vector(std::string_view key) const {
   Node fallback;
   const Node* node = value(key, fallback);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scenario/findings.hpp"
 #include "scenario/node.hpp"
@@ -28,6 +29,8 @@ class Section {
   std::optional<double> number(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> word(std::string_view key) const;
+  std::optional<std::vector<double>> numbers(std::string_view key) const;
+  std::optional<std::vector<std::string>> changes(std::string_view key) const;
   std::optional<std::array<double, 3>> vector(std::string_view key) const;
   std::optional<std::array<std::array<double, 3>, 3>> matrix(std::string_view key) const;
 

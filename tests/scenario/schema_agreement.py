@@ -36,6 +36,16 @@ WHOLE = [
           earth={"rotation_rate_rad_s": -1}, report={"threshold_rad": 0.1}, accuracy={},
           headline={"quantity": "drift_axis_rad", "at_s": 0.5, "value": 1, "tolerance": 1e-9, "origin": "somewhere"},
           motion={"duration_s": 1, "output_step_s": 0.1}),
+    scene(criteria=[{"kind": "value", "quantity": "q_LB", "values": [1, 0, 0, 0], "at_s": 1, "tolerance": 0, "why": "",
+                     "set": ["/motion/duration_s=2", "/title=a=b"], "slow": True},
+                    {"kind": "value", "quantity": "drift_axis_rad", "values": [0.5], "tolerance": 1e-9, "why": "known"},
+                    {"kind": "invariant", "quantity": "jacobi_integral", "tolerance": 1e-12, "why": ""},
+                    {"kind": "closed_form", "quantity": "reference", "until_s": 0.5, "tolerance": 1e-12, "why": ""},
+                    {"kind": "equivalence", "quantity": "same", "tolerance": 0, "why": "", "set": ["/name=x"]},
+                    {"kind": "exactly_zero", "quantity": "drift", "why": "", "slow": False},
+                    {"kind": "order", "quantity": "convergence", "values": [8], "tolerance": 0.5, "why": ""},
+                    {"kind": "verdict", "quantity": "chaotic", "values": [1, 9], "why": ""},
+                    {"kind": "refused", "set": ["/site/latitude_deg=91"], "why": ""}]),
     scene(site={"gravity_m_s2": 9.8}, earth={"rotation_rate_rad_s": 0},
           headline={"quantity": "drift.axis_max_rad", "value": 0, "tolerance": 1, "origin": ""}),
     scene(body={"solids": [{"shape": "disc", "radius_m": 0.05, "mass_kg": 0.1, "at_m": 0.03},
@@ -93,6 +103,7 @@ BEYOND_THE_SCHEMA = [
     ({"numerics": {"method": "splitting", "model": "general"}}, "no general model"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
+    ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),
 ]
 # The same where the fault is in the text: a parser takes these silently, or a schema never sees them.
 TEXTS_BEYOND_THE_SCHEMA = [

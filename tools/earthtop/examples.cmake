@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C++ source that holds the scenario files of DIRECTORY as literals.
+# Writes OUTPUT, a C++ source whose FUNCTION holds the scenario files of DIRECTORY as literals.
 file(GLOB files ${DIRECTORY}/*.json)
 list(SORT files)
 set(entries "")
@@ -8,5 +8,5 @@ foreach(file IN LISTS files)
   string(APPEND entries "    {\"${name}\", R\"json(${text})json\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"examples.hpp\"\n\nnamespace earthtop::tool {\nnamespace {\n\n"
-  "constexpr Example kExamples[] = {\n${entries}};\n\n}  // namespace\n\n"
-  "std::span<const Example> examples() { return kExamples; }\n\n}  // namespace earthtop::tool\n")
+  "constexpr Example kFiles[] = {\n${entries}};\n\n}  // namespace\n\n"
+  "std::span<const Example> ${FUNCTION}() { return kFiles; }\n\n}  // namespace earthtop::tool\n")

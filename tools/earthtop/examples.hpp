@@ -11,7 +11,9 @@ struct Example {
   std::string_view text;  ///< the file, byte for byte
 };
 
-/// In alphabetical order.
+/// Those of scenarios/, in alphabetical order.
 std::span<const Example> examples();
+/// Those of scenarios/hard/, which state criteria.
+std::span<const Example> hard_cases();
 
 }  // namespace earthtop::tool

@@ -1,41 +1,19 @@
 #include "earthtop/run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "earthtop/results/results.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "summary_text.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
 namespace {
-
-volatile std::sig_atomic_t g_signal = 0;
-
-/// The first signal asks the run to stop, which takes well under a second. Another one ends the program at once, but for
-/// the moment in which results are put in place.
-extern "C" void stop_running(int signal) {
-  if (g_signal != 0 && discard_temporaries()) ::_exit(128 + signal);
-  g_signal = signal;
-  request_interrupt();
-}
-
-void install_stop_handlers() {
-  struct sigaction action {};
-  action.sa_handler = stop_running;
-  sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction old {};
-    // A shell's background job has SIGINT ignored, and nohup's SIGHUP: it stays so.
-    if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
-  }
-}
 
 struct RunArguments {
   std::string scenario;  // a file, or "-"
@@ -49,7 +27,7 @@ struct RunArguments {
 int interrupted(const RunArguments& arguments, const std::string& where) {
   return report_errors(
       "", {{0, 0, "", fmt::format("interrupted {}; nothing was written, the same command starts it again", where)}},
-      arguments.json, 128 + (g_signal != 0 ? g_signal : SIGINT));
+      arguments.json, interrupted_status());
 }
 
 /// Whether --set changed what is predicted, and not only how it is computed or what is reported of it.

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "earthtop/run.hpp"
 
@@ -15,6 +16,10 @@ struct HeadlineCheck {
   std::optional<double> difference;  ///< computed - stated
   bool met = false;                  ///< the run came to its end, and the difference is within the tolerance
 };
+
+/// A run's number by its name: a column of trajectory.csv in the row of time `t_s`, or a figure of summary.json, which has no
+/// time. None where the run has no such number, or it is not finite.
+std::optional<double> find_figure(const RunResult& result, std::string_view quantity, double t_s);
 
 /// None where the scenario states no headline. A value that is missing or not finite is "not met".
 std::optional<HeadlineCheck> check_headline(const RunResult& result);

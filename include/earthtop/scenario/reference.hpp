@@ -16,7 +16,8 @@ std::string scenario_schema();
 std::string scenario_reference_markdown();
 
 /// A scenario with every key that applies, defaults filled in, and a comment beside each that says what it means and what is
-/// allowed. Purpose, headline and the author's own comments are left out: they are about the original.
+/// allowed. Purpose, headline, criteria and the author's own comments are left out: they are about the
+/// original.
 /// @throws ScenarioError for a text that is no valid scenario
 std::string annotated_scenario(const ScenarioSource& source);
 

@@ -15,6 +15,7 @@
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/criterion.hpp"
 
 namespace earthtop {
 
@@ -44,6 +45,7 @@ struct Scenario {
   std::string title;
   std::string purpose;
   std::optional<HeadlineSpec> headline;
+  std::vector<CriterionSpec> criteria;
   Site site;
   double rotation_rate_rad_s = kEarthRateWgs84;
   BodySpec body;

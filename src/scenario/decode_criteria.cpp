@@ -1,0 +1,71 @@
+// What a scenario's results must satisfy.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scenario/decode.hpp"
+#include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+bool lists(std::string_view words, std::string_view word) {
+  const auto list = split_words(words);
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// Numbers that a quantity of a value has.
+std::size_t size_of(std::string_view quantity) {
+  if (quantity == "q_LB" || quantity == "ref_q_LB") return 4;
+  return lists("w_LB_B_rad_s|ref_w_LB_B_rad_s|axis_L|ref_axis_L", quantity) ? 3 : 1;
+}
+
+void check_keys(const Section& given, const CriterionRule& rule) {
+  for (const std::string_view key : split_words(rule.required)) given.require(key);
+  for (const std::string_view key : split_words(kCriterionKeys))
+    if (given.has(key) && !lists(rule.allowed, key))
+      given.refuse_key(
+          key, fmt::format("does not belong to the kind \"{}\"; allowed with it: {}", rule.word,
+                           rule.allowed.empty() ? "set" : fmt::format("{}", fmt::join(split_words(rule.allowed), ", "))));
+}
+
+CriterionSpec decode_criterion(const Section& given) {
+  CriterionSpec criterion;
+  given.require("kind");
+  given.require("why");
+  const auto kind = given.word("kind");
+  const auto quantity = given.word("quantity");
+  criterion.quantity = quantity.value_or("");
+  criterion.set = given.changes("set").value_or(criterion.set);
+  criterion.values = given.numbers("values").value_or(criterion.values);
+  criterion.at_s = given.number("at_s");
+  criterion.until_s = given.number("until_s");
+  criterion.tolerance = given.number("tolerance");
+  criterion.why = given.word("why").value_or("");
+  criterion.slow = given.flag("slow").value_or(false);
+  if (!kind) return criterion;
+  const CriterionRule& rule =
+      *std::find_if(kCriterionRules.begin(), kCriterionRules.end(), [&](const auto& r) { return r.word == *kind; });
+  criterion.kind = rule.kind;
+  check_keys(given, rule);
+  if (!quantity || !lists(rule.allowed, "quantity")) return criterion;
+  if (!lists(rule.quantities, *quantity))
+    given.refuse("quantity", fmt::format("is \"{}\"; of the kind \"{}\" it must be {}", *quantity, rule.word,
+                                         fmt::join(split_words(rule.quantities), ", ")));
+  else if (rule.kind == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != size_of(*quantity))
+    given.refuse("values",
+                 fmt::format("has {} numbers; \"{}\" has {}", criterion.values.size(), *quantity, size_of(*quantity)));
+  return criterion;
+}
+
+}  // namespace
+
+std::vector<CriterionSpec> decode_criteria(const Section& root) {
+  std::vector<CriterionSpec> criteria;
+  for (std::size_t i = 0; i < root.size("criteria"); ++i) criteria.push_back(decode_criterion(root.element("criteria", i)));
+  return criteria;
+}
+
+}  // namespace earthtop::scenario

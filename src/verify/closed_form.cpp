@@ -1,0 +1,104 @@
+// Rows against the closed forms of the whole motion in 113 bits, and the table of the others.
+#include <functional>
+#include <limits>
+
+#include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/closed_form/special_cases.hpp"
+#include "run/setup.hpp"
+#include "verify/formulas.hpp"
+#include "verify/geometry.hpp"
+#include "verify/judge.hpp"
+
+namespace earthtop::verify_detail {
+namespace {
+
+using Q = float128;
+
+/// The rotating motion, or the reference, in closed form.
+class Exact {
+ public:
+  Exact(const Scenario& scenario, bool rotating)
+      : release_(make_release<Q>(scenario.release, make_body<Q>(scenario.body), scenario.site.gravity_m_s2)) {
+    Scenario scene = scenario;
+    if (!rotating) scene.rotation_rate_rad_s = 0;
+    const Model<Q> model = make_model<Q>(scene);
+    if (!has_closed_form(exact_kind(model))) throw NotJudged("this motion has no closed form");
+    W_L_ = model.W_IL_L;
+    Vec3<Q> w_IB_B = release_.w_XB_B;
+    if (release_.X == RatesRelativeTo::laboratory) w_IB_B += rotation_matrix(release_.q_LB).transpose() * W_L_;
+    motion_.emplace(exact_body(model), release_.q_LB, w_IB_B);
+  }
+  Quaternion<Q> q_LB(double t_s) const { return seen_from_laboratory<Q>(motion_->at(t_s), W_L_, t_s).q_LB; }
+
+ private:
+  Release<Q> release_;
+  Vec3<Q> W_L_;
+  std::optional<ExactMotion<Q>> motion_;
+};
+
+double attitude_error(const RunResult& result, bool rotating, double until_s) {
+  const Exact exact(result.scenario, rotating);
+  double error = 0;
+  for (const DriftRow& row : result.rows)
+    if (row.t_s <= until_s)
+      error = worse(error, attitude_distance(quaternion<Q>(rotating ? row.q_LB : row.ref_q_LB), exact.q_LB(row.t_s)));
+  return error;
+}
+
+/// The axis alone: after 1e9 turns no double knows the spin angle.
+double axis_error(const RunResult& result, double until_s) {
+  const Exact exact(result.scenario, true);
+  double error = 0;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > until_s) break;
+    const Vec3<Q> axis = rotation_matrix(exact.q_LB(row.t_s)).col(2);
+    error = worse(error, static_cast<double>(norm(Vec3<Q>(vector<Q>(row.axis_L) - axis))));
+  }
+  return error;
+}
+
+struct Formula {
+  std::string_view word;
+  std::function<double(const RunResult&, double until_s)> error;
+};
+
+const Formula kFormulas[] = {
+    {"reference", [](const RunResult& r, double until_s) { return attitude_error(r, false, until_s); }},
+    {"motion", [](const RunResult& r, double until_s) { return attitude_error(r, true, until_s); }},
+    {"motion_axis", axis_error},
+    {"balanced_axis", [](const RunResult& r, double) { return balanced_axis_error(r); }},
+    {"steady_precession", [](const RunResult& r, double) { return steady_precession_error(r); }},
+    {"homoclinic_tilt", homoclinic_tilt_error},
+    {"separatrix_rates", separatrix_rates_error},
+    {"cusp_tilts", [](const RunResult& r, double) { return cusp_tilts_error(r); }},
+    {"growth_rate", [](const RunResult& r, double) { return growth_rate_error(r); }},
+    {"foucault_rate", [](const RunResult& r, double) { return foucault_rate_error(r); }},
+    {"resting_axis", [](const RunResult& r, double) { return resting_axis_error(r); }},
+    {"mean_lean", [](const RunResult& r, double) { return mean_lean_error(r); }},
+};
+
+}  // namespace
+
+double closed_form_error(const CriterionSpec& criterion, Runs& runs) {
+  const RunResult& result = runs.run(criterion.set);
+  for (const Formula& formula : kFormulas)
+    if (formula.word == criterion.quantity)
+      return formula.error(result, criterion.until_s.value_or(std::numeric_limits<double>::infinity()));
+  throw std::logic_error("no such closed form: " + criterion.quantity);
+}
+
+SymmetricTop<double> symmetric_top(const Scenario& scenario) {
+  const auto body = make_body<double>(scenario.body);
+  if (symmetry_axis(body) != 2) throw NotJudged("the formula is that of a top symmetric about body axis 3");
+  return {body.I_BP_B(0, 0), body.I_BP_B(2, 2), body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2]};
+}
+
+Release<double> release_of(const Scenario& scenario) {
+  return make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
+}
+
+Vec3<double> earth_rate_L(const Scenario& scenario) {
+  return scenario.rotation_rate_rad_s * celestial_axis_L<double>(scenario.site);
+}
+
+}  // namespace earthtop::verify_detail

@@ -1,0 +1,140 @@
+// Two runs, or the two motions of one, of which one follows from the other by a symmetry.
+#include <cmath>
+#include <limits>
+
+#include "earthtop/frames/earth.hpp"
+#include "verify/formulas.hpp"
+#include "verify/geometry.hpp"
+#include "verify/judge.hpp"
+
+namespace earthtop::verify_detail {
+namespace {
+
+double difference(double a, double b) { return std::abs(a - b); }
+double difference(const std::optional<double>& a, const std::optional<double>& b) {
+  if (a.has_value() != b.has_value()) return std::numeric_limits<double>::infinity();
+  return a ? std::abs(*a - *b) : 0;
+}
+template <std::size_t N>
+double difference(const std::array<double, N>& a, const std::array<double, N>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < N; ++i) largest = worse(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+std::optional<double> negative(const std::optional<double>& a) { return a ? std::optional(-*a) : std::nullopt; }
+
+/// Drifts that the run and a mirrored one agree in, and those whose sign the mirror turns; absolute.
+double drift_difference(const DriftRow& a, const DriftRow& b, bool mirrored) {
+  double error = worse(difference(a.drift_axis_rad, b.drift_axis_rad), difference(a.drift_tilt_rad, b.drift_tilt_rad));
+  error = worse(error, difference(a.drift_attitude_rad, b.drift_attitude_rad));
+  error = worse(error, difference(a.drift_azimuth_rad, mirrored ? negative(b.drift_azimuth_rad) : b.drift_azimuth_rad));
+  return worse(error, difference(a.drift_spin_rad, mirrored ? -b.drift_spin_rad : b.drift_spin_rad));
+}
+double axis_difference(const DriftRow& a, const DriftRow& b) {
+  return worse(difference(a.axis_L, b.axis_L), difference(a.ref_axis_L, b.ref_axis_L));
+}
+std::array<double, 3> mirrored(const std::array<double, 3>& axis) { return {axis[0], -axis[1], axis[2]}; }
+
+struct Pair {
+  const RunResult& a;
+  const RunResult& b;
+};
+
+/// The largest error of all rows that both runs have.
+template <class Error>
+double over_rows(const Pair& pair, double until_s, Error error_of) {
+  if (pair.a.rows.size() != pair.b.rows.size()) throw NotJudged("the two runs have not the same rows");
+  double error = 0;
+  for (std::size_t i = 0; i < pair.a.rows.size() && pair.a.rows[i].t_s <= until_s; ++i)
+    error = worse(error, error_of(pair.a.rows[i], pair.b.rows[i]));
+  return error;
+}
+
+/// Attitudes and drifts as they are (rad).
+double same(const Pair& pair, double until_s) {
+  return over_rows(pair, until_s, [](const DriftRow& a, const DriftRow& b) {
+    const double attitudes = worse(difference(a.q_LB, b.q_LB), difference(a.ref_q_LB, b.ref_q_LB));
+    return worse(attitudes, worse(axis_difference(a, b), drift_difference(a, b, false)));
+  });
+}
+/// The axes, whatever the body does about them (rad).
+double same_axis(const Pair& pair, double until_s) { return over_rows(pair, until_s, axis_difference); }
+
+/// Drifts of axis, azimuth and tilt relative to the largest.
+double same_drift(const Pair& pair, double until_s) {
+  const double error = over_rows(pair, until_s, [](const DriftRow& a, const DriftRow& b) {
+    return worse(worse(difference(a.drift_axis_rad, b.drift_axis_rad), difference(a.drift_tilt_rad, b.drift_tilt_rad)),
+                 difference(a.drift_azimuth_rad, b.drift_azimuth_rad));
+  });
+  return error / pair.a.drift.axis_max_rad;
+}
+
+double mirrored_north_south(const Pair& pair, double until_s) {
+  return over_rows(pair, until_s, [](const DriftRow& a, const DriftRow& b) {
+    const double axes = worse(difference(a.axis_L, mirrored(b.axis_L)), difference(a.ref_axis_L, mirrored(b.ref_axis_L)));
+    return worse(axes, drift_difference(a, b, true));
+  });
+}
+
+/// Drift over the size of the Earth's rate, of axis and attitude, relative to the largest.
+double proportional(const Pair& pair, double until_s) {
+  const double A = std::abs(pair.a.scenario.rotation_rate_rad_s), B = std::abs(pair.b.scenario.rotation_rate_rad_s);
+  double largest = 0;
+  const double error = over_rows(pair, until_s, [&](const DriftRow& a, const DriftRow& b) {
+    largest = std::max(largest, a.drift_axis_rad / A);
+    return worse(std::abs(a.drift_axis_rad / A - b.drift_axis_rad / B),
+                 std::abs(a.drift_attitude_rad / A - b.drift_attitude_rad / B));
+  });
+  return error / largest;
+}
+
+/// With every rate turned back at the end, the Earth's too, the top returns to its release (rad, and rates over their size).
+double reversed_in_time(const RunResult& forth) {
+  Scenario back = forth.scenario;
+  const DriftRow &start = forth.rows.front(), &end = forth.rows.back();
+  back.rotation_rate_rad_s = -back.rotation_rate_rad_s;
+  back.release.quaternion_LB = end.q_LB;
+  back.release.angular_velocity_body_rad_s = {-end.w_LB_B[0], -end.w_LB_B[1], -end.w_LB_B[2]};
+  back.release.rates_relative_to = RatesRelativeTo::laboratory;
+  const RunResult result = completed_run(back);
+  const DriftRow& returned = result.rows.back();
+  const Vec3<double> missed = vector(returned.w_LB_B) + vector(start.w_LB_B);
+  return worse(attitude_distance(quaternion(returned.q_LB), quaternion(start.q_LB)), norm(missed) / norm(vector(start.w_LB_B)));
+}
+
+/// The rotating motion is the reference seen from a laboratory that turns: q_LB = exp(-[W]t) ref_q_LB, and the whole drift is
+/// that turn; relative to it. The rows' attitudes have their own round-off, which the run states.
+double reference_turned(const RunResult& result, double until_s) {
+  const double rate = std::abs(result.scenario.rotation_rate_rad_s);
+  const Vec3<double> celestial = celestial_axis_L<double>(result.scenario.site);
+  double error = 0, largest = 0, apart = 0;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > until_s) break;
+    const double angle = rate * row.t_s, sine = norm(Vec3<double>(celestial.cross(vector(row.ref_axis_L))));
+    const double axis = 2 * std::asin(sine * std::abs(std::sin(angle / 2)));
+    const Rotation<double> turn = Rotation<double>::about(celestial, -result.scenario.rotation_rate_rad_s * row.t_s);
+    largest = std::max(largest, angle);
+    error = worse(error, worse(std::abs(row.drift_attitude_rad - angle), std::abs(row.drift_axis_rad - axis)));
+    apart = worse(apart, attitude_distance(quaternion(row.q_LB), turn.quaternion() * quaternion(row.ref_q_LB)));
+  }
+  if (!(apart <= 2 * result.attitude_bound_rad))
+    throw NotJudged("the attitudes are not those of the turned reference, within the run's own bound");
+  return error / largest;
+}
+
+}  // namespace
+
+double equivalence_error(const CriterionSpec& criterion, Runs& runs) {
+  const double until_s = criterion.until_s.value_or(std::numeric_limits<double>::infinity());
+  if (criterion.quantity == "reference_turned") return reference_turned(runs.run(criterion.set), until_s);
+  if (criterion.quantity == "reversed_in_time") return reversed_in_time(runs.run(criterion.set));
+  const Pair pair{runs.run(), runs.run(criterion.set)};
+  if (criterion.quantity == "same") return same(pair, until_s);
+  if (criterion.quantity == "same_axis") return same_axis(pair, until_s);
+  if (criterion.quantity == "same_drift") return same_drift(pair, until_s);
+  if (criterion.quantity == "mirrored_north_south") return mirrored_north_south(pair, until_s);
+  if (criterion.quantity == "proportional_to_earth_rate") return proportional(pair, until_s);
+  throw std::logic_error("no such equivalence: " + criterion.quantity);
+}
+
+}  // namespace earthtop::verify_detail

@@ -1,0 +1,28 @@
+/// Rows as rotations and vectors.
+#pragma once
+
+#include "earthtop/drift/drift.hpp"
+#include "earthtop/frames/rotation.hpp"
+
+namespace earthtop::verify_detail {
+
+template <class T = double>
+Quaternion<T> quaternion(const std::array<double, 4>& q) {
+  return {T(q[0]), Vec3<T>(T(q[1]), T(q[2]), T(q[3]))};
+}
+template <class T = double>
+Vec3<T> vector(const std::array<double, 3>& v) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+
+/// The angle between two attitudes (rad); the norms do not matter, nor the signs.
+template <class T>
+double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
+  const Quaternion<T> d = p.conjugate() * q;
+  return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w)));
+}
+
+/// The larger; a number that is none is larger than all.
+inline double worse(double a, double b) { return !(b <= a) ? b : a; }
+
+}  // namespace earthtop::verify_detail

@@ -1,0 +1,14 @@
+#include "verify/judge.hpp"
+
+namespace earthtop::verify_detail {
+
+double refused_error(const CriterionSpec& criterion, Runs& runs) {
+  try {
+    runs.scenario(criterion.set);
+  } catch (const ScenarioError&) {
+    return 0;
+  }
+  return 1;
+}
+
+}  // namespace earthtop::verify_detail

@@ -1,0 +1,37 @@
+/// The runs behind a scenario's criteria: one of each scene, however many criteria ask for it.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "earthtop/run.hpp"
+
+namespace earthtop::verify_detail {
+
+/// Nothing can be judged, and why: a run that broke off, a scene for which the formula is not made.
+class NotJudged : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using Changes = std::vector<std::string>;  ///< "/json/pointer=value"
+
+class Runs {
+ public:
+  explicit Runs(ScenarioSource source) : source_(std::move(source)) {}
+
+  /// @throws ScenarioError where the changed scene is not valid
+  Scenario scenario(const Changes& changes = {}) const;
+  /// @throws NotJudged where the run does not complete; ScenarioError
+  const RunResult& run(const Changes& changes = {});
+
+ private:
+  ScenarioSource source_;
+  std::map<Changes, RunResult> done_;
+};
+
+/// A run to its end. @throws NotJudged
+RunResult completed_run(const Scenario& scenario);
+
+}  // namespace earthtop::verify_detail

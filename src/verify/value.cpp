@@ -1,0 +1,61 @@
+// Numbers known from elsewhere.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/results/headline.hpp"
+#include "verify/geometry.hpp"
+#include "verify/judge.hpp"
+
+namespace earthtop::verify_detail {
+namespace {
+
+double initial_invariant(const RunResult& result, std::string_view name) {
+  for (const InvariantReport& invariant : result.invariants)
+    if (invariant.name == name) return invariant.initial;
+  throw NotJudged(fmt::format("this run has no {}", name));
+}
+
+double critical_spin_of(const Scenario& scenario) {
+  const auto body = make_body<double>(scenario.body);
+  const double mgl = body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2];
+  return critical_spin<double>({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl});
+}
+
+double figure(const RunResult& result, std::string_view quantity, double t_s) {
+  if (const auto found = find_figure(result, quantity, t_s)) return *found;
+  throw NotJudged(fmt::format("this run has no {} at t = {} s", quantity, t_s));
+}
+
+/// The numbers of a quantity: the columns of a vector.
+std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
+  if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
+  if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};
+  if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scenario)};
+  const bool is_attitude = quantity.ends_with("q_LB"), is_axis = quantity.ends_with("axis_L");
+  const bool is_rate = quantity.ends_with("w_LB_B_rad_s");
+  if (!is_attitude && !is_axis && !is_rate) return {figure(result, quantity, t_s)};
+  const std::string stem = is_rate ? quantity.substr(0, quantity.size() - std::string_view("_rad_s").size()) : quantity;
+  std::vector<double> numbers;
+  for (const char* component : {"_w", "_x", "_y", "_z"})
+    if (is_attitude || component[1] != 'w')
+      numbers.push_back(figure(result, stem + component + (is_rate ? "_rad_s" : ""), t_s));
+  return numbers;
+}
+
+}  // namespace
+
+double value_error(const CriterionSpec& criterion, Runs& runs) {
+  const RunResult& result = runs.run(criterion.set);
+  const double t_s = criterion.at_s.value_or(result.scenario.duration_s);
+  const std::vector<double> computed = numbers_of(result, criterion.quantity, t_s), &known = criterion.values;
+  if (computed.size() == 4)
+    return attitude_distance<long double>({computed[0], {computed[1], computed[2], computed[3]}},
+                                          {known[0], {known[1], known[2], known[3]}});
+  double error = 0;
+  for (std::size_t i = 0; i < computed.size(); ++i) error = worse(error, std::abs(computed[i] - known[i]));
+  return error;
+}
+
+}  // namespace earthtop::verify_detail

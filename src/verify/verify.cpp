@@ -1,0 +1,103 @@
+#include "earthtop/verify/verify.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "verify/judge.hpp"
+
+namespace earthtop {
+namespace {
+
+using namespace verify_detail;
+
+struct Kind {
+  CriterionKind kind;
+  std::string_view word;
+  double (*error)(const CriterionSpec&, Runs&);
+};
+
+constexpr Kind kKinds[] = {
+    {CriterionKind::value, "value", value_error},
+    {CriterionKind::invariant, "invariant", invariant_error},
+    {CriterionKind::closed_form, "closed form", closed_form_error},
+    {CriterionKind::equivalence, "equivalence", equivalence_error},
+    {CriterionKind::exactly_zero, "exactly zero", exactly_zero_error},
+    {CriterionKind::order, "order", order_error},
+    {CriterionKind::verdict, "verdict", verdict_error},
+    {CriterionKind::refused, "refused", refused_error},
+};
+
+const Kind& kind_of(const CriterionSpec& criterion) {
+  for (const Kind& kind : kKinds)
+    if (kind.kind == criterion.kind) return kind;
+  throw std::logic_error("a criterion of no kind");
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void judge(const CriterionSpec& criterion, Runs& runs, VerificationRow& row) {
+  const double start = processor_seconds();
+  try {
+    row.error = kind_of(criterion).error(criterion, runs);
+    if (!std::isfinite(row.error)) row.remark = "the error is not a finite number";
+  } catch (const NotJudged& reason) {
+    row.error = std::numeric_limits<double>::infinity();
+    row.remark = reason.what();
+  }
+  row.outcome = row.error <= row.bound ? VerificationOutcome::passed : VerificationOutcome::failed;  // NaN fails
+  row.seconds = processor_seconds() - start;
+}
+
+}  // namespace
+
+std::string criterion_text(const CriterionSpec& criterion) {
+  std::string words(kind_of(criterion).word);
+  if (!criterion.quantity.empty()) words += " " + criterion.quantity;
+  if (criterion.at_s) words += fmt::format(" at {} s", *criterion.at_s);
+  if (criterion.until_s) words += fmt::format(" until {} s", *criterion.until_s);
+  if (!criterion.set.empty()) words += fmt::format(" [{}]", fmt::join(criterion.set, ", "));
+  return words;
+}
+
+Scenario parse_verifiable(const ScenarioSource& source) {
+  const Runs runs(source);
+  Scenario scenario = runs.scenario();
+  if (scenario.criteria.empty())
+    throw ScenarioError({{0, 0, "/criteria", "is missing: there is nothing to verify"}}, source.file);
+  for (std::size_t i = 0; i < scenario.criteria.size(); ++i) {
+    if (scenario.criteria[i].kind == CriterionKind::refused) continue;
+    try {
+      runs.scenario(scenario.criteria[i].set);
+    } catch (const ScenarioError& error) {
+      std::vector<Diagnostic> diagnostics;
+      for (const Diagnostic& d : error.diagnostics())
+        diagnostics.push_back(
+            {0, 0, fmt::format("/criteria/{}/set", i), fmt::format("makes a scene with {} {}", d.pointer, d.message)});
+      throw ScenarioError(std::move(diagnostics), source.file);
+    }
+  }
+  return scenario;
+}
+
+void verify(const ScenarioSource& source, const VerificationOptions& options,
+            const std::function<void(const VerificationRow&)>& tell) {
+  Runs runs(source);
+  const Scenario scenario = parse_verifiable(source);
+  for (const CriterionSpec& criterion : scenario.criteria) {
+    VerificationRow row{scenario.name, criterion_text(criterion), criterion.why, {}, 0, criterion.tolerance.value_or(0), 0, ""};
+    if (criterion.slow && !options.slow) {
+      row.outcome = VerificationOutcome::skipped;
+      row.remark = "slow";
+    } else {
+      judge(criterion, runs, row);
+      if (interrupt_requested()) return;
+    }
+    tell(row);
+  }
+}
+
+}  // namespace earthtop

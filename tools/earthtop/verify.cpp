@@ -1,0 +1,158 @@
+#include "earthtop/verify/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "earthtop/run.hpp"
+#include "examples.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct VerifyArguments {
+  std::vector<std::string> files;  // files and directories; the hard cases inside the program if there are none
+  bool json = false;
+  bool slow = false;
+  bool list = false;
+};
+
+/// The scenario files of a directory, in alphabetical order.
+std::vector<std::string> files_in(const std::string& directory) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// All sources, each of which states a criterion. @throws ScenarioError, ReadError: nothing is run before all is known to be
+/// sound
+std::vector<ScenarioSource> sources_of(const VerifyArguments& arguments) {
+  std::vector<ScenarioSource> sources;
+  if (arguments.files.empty())
+    for (const Example& example : hard_cases())
+      sources.push_back({fmt::format("{}.json", example.name), std::string(example.text)});
+  for (const std::string& path : arguments.files) {
+    if (!std::filesystem::is_directory(path)) {
+      sources.push_back(read_scenario_source(path));
+      continue;
+    }
+    const auto files = files_in(path);
+    if (files.empty()) throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no scenario file (*.json)"}}, path);
+    for (const std::string& file : files) sources.push_back(read_scenario_source(file));
+  }
+  for (const ScenarioSource& source : sources) parse_verifiable(source);
+  return sources;
+}
+
+std::string_view word(VerificationOutcome outcome) {
+  switch (outcome) {
+    case VerificationOutcome::passed: return "pass";
+    case VerificationOutcome::failed: return "FAIL";
+    case VerificationOutcome::skipped: break;
+  }
+  return "skipped";
+}
+
+constexpr std::size_t kNameWidth = 28, kCriterionWidth = 66;
+
+/// A case's name and a criterion in columns; a longer one has a line of its own.
+std::string left_part(const std::string& name, const std::string& criterion) {
+  std::string line = fmt::format("{:<{}}  {:<{}}", printable(name), kNameWidth, printable(criterion), kCriterionWidth);
+  if (line.size() > kNameWidth + 2 + kCriterionWidth) line += fmt::format("\n{:{}}", "", kNameWidth + 2 + kCriterionWidth);
+  return line;
+}
+
+std::string line_of(const VerificationRow& row) {
+  std::string line = left_part(row.name, row.criterion);
+  if (row.outcome == VerificationOutcome::skipped) return fmt::format("{}  {:>27}  {}\n", line, "", "slow: with --slow");
+  line += fmt::format("  {:>8.1e}  {:>7.0e}  {:>6.2f}  {}\n", row.error, row.bound, row.seconds, word(row.outcome));
+  return row.remark.empty() ? line : fmt::format("{}{:{}}  {}\n", line, "", kNameWidth, printable(row.remark));
+}
+
+std::string head() {
+  return fmt::format("{}  {:>8}  {:>7}  {:>6}\n", left_part("case", "criterion"), "error", "bound", "cpu s");
+}
+
+Json json_of(const VerificationRow& row) {
+  const bool judged = row.outcome != VerificationOutcome::skipped;
+  return {{"case", row.name},
+          {"criterion", row.criterion},
+          {"why", row.why},
+          {"outcome", word(row.outcome) == "FAIL" ? "fail" : word(row.outcome)},
+          {"error", judged && std::isfinite(row.error) ? Json(row.error) : Json(nullptr)},
+          {"bound", row.bound},
+          {"cpu_s", judged ? Json(row.seconds) : Json(nullptr)},
+          {"remark", row.remark}};
+}
+
+struct Counts {
+  std::size_t passed = 0, failed = 0, skipped = 0;
+  double seconds = 0;
+  void include(const VerificationRow& row) {
+    ++(row.outcome == VerificationOutcome::passed ? passed : row.outcome == VerificationOutcome::failed ? failed : skipped);
+    seconds += row.seconds;
+  }
+};
+
+std::string sum_of(const Counts& counts) {
+  const std::string skipped = counts.skipped > 0 ? fmt::format(", {} slow ones skipped (--slow)", counts.skipped) : "";
+  return fmt::format("{} criteria met, {} not met{}; {:.1f} s of processor time\n", counts.passed, counts.failed, skipped,
+                     counts.seconds);
+}
+
+int list_criteria(const std::vector<ScenarioSource>& sources) {
+  for (const ScenarioSource& source : sources) {
+    const Scenario scenario = parse_scenario(source);
+    print(fmt::format("{:<{}}  {}\n", scenario.name, kNameWidth, scenario.title));
+    for (const CriterionSpec& criterion : scenario.criteria)
+      print(fmt::format("  {}{}\n", criterion_text(criterion), criterion.slow ? " (slow)" : ""));
+  }
+  return kDone;
+}
+
+int verify_verb(const VerifyArguments& arguments) {
+  const auto sources = sources_of(arguments);
+  if (arguments.list) return list_criteria(sources);
+  install_stop_handlers();
+  if (!arguments.json) print(head());
+  Counts counts;
+  Json rows = Json::array();
+  for (const ScenarioSource& source : sources) {
+    verify(source, {arguments.slow}, [&](const VerificationRow& row) {
+      counts.include(row);
+      arguments.json ? rows.push_back(json_of(row)) : print(line_of(row));
+    });
+    if (interrupt_requested())
+      return report_errors("", {{0, 0, "", "interrupted; the same command starts again"}}, arguments.json,
+                           interrupted_status());
+  }
+  if (arguments.json)
+    print_json({{"passed", counts.passed}, {"failed", counts.failed}, {"skipped", counts.skipped}, {"rows", std::move(rows)}});
+  else
+    print(sum_of(counts));
+  return counts.failed == 0 ? kDone : kNegative;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* verify = app.add_subcommand("verify", "run scenarios and judge them by their criteria; the hard cases by default");
+  verify->add_option("SCENARIO", arguments->files, "scenario files (JSON) with criteria, or directories of them");
+  verify->add_flag("--json", arguments->json, "print the table as one JSON document, errors too");
+  verify->add_flag("--slow", arguments->slow, "judge criteria, too, that take over a minute");
+  verify->add_flag("--list", arguments->list, "print the criteria; run nothing");
+  verify->callback([&action, arguments] { action = [arguments] { return verify_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool
