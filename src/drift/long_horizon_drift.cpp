@@ -233,16 +233,19 @@ class LongHorizonDrift {
   T interpolate(T epsilon, T drift) {
     const auto quiet = [](T, const Pair&) {};
     constexpr T kResolved = 1e-5;  // a plain difference of this size is no round-off, and says how far to go
-    T node = drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back());
+    constexpr T kRoundOff = 1e-13;
+    // At most a radian of the Earth's turn: what does not drift by then, as an axis along the Earth's, hardly does at any rate.
+    T most = T(1) / times_.back();
+    T node = std::min(most, drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
       const LongHorizonPlan<T> plan = plan_of(top, kChosen * std::max(T(options_.relative_tolerance), T(1e-11)));
       walk(top, plan, node, T(0), quiet);
       const T reached = largest_drift(node);
       if (trajectory_status_ != RunStatus::completed) return reached;
-      if (reached == T(0)) return T(0);
-      if (reached > kChosen * T(2) || reached < kChosen / T(8)) {
-        node *= std::clamp(T(kChosen / reached), T(1e-6), T(1e3));
+      if (reached == T(0) || (reached < kRoundOff && node >= most)) return T(0);
+      if (reached > kChosen * T(2) || (reached < kChosen / T(8) && node < most)) {
+        node = std::min(most, T(node * std::clamp(T(kChosen / reached), T(1e-6), T(1e3))));
         continue;
       }
       std::array<std::vector<Pair>, kNodes.size()> at;
@@ -256,6 +259,7 @@ class LongHorizonDrift {
         at[i] = pairs_;
       }
       if (join(at, epsilon, node) || trial > 40) return reached;
+      if (node >= most) most /= T(4);
       node /= T(4);
     }
     return T(1);

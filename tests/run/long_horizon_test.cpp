@@ -221,6 +221,23 @@ TEST(LongHorizon, ATinyRateDriftsForADay) {
   EXPECT_NEAR(small / tiny, 1, 1e-7);
 }
 
+// A vertical top at a pole does not drift, and one next to it drifts by no more than its tilt: no amplified Earth shows more.
+TEST(LongHorizon, WhatHardlyDriftsIsNotSearchedFor) {
+  for (const double tilt : {0.0, 1e-7, 1e-4}) {
+    Scenario scene = testing::toy_top();
+    scene.site.latitude_deg = 90;
+    scene.release.tilt_deg = tilt;
+    scene.duration_s = 0.5;
+    scene.output_step_s = 0.05;
+    const auto drift = long_horizon(scene, 1e-12);
+    const auto integrated = integrate_drift(make_problem<double>(scene), by(Method::rkf78, 1e-14));
+    ASSERT_EQ(drift.status, RunStatus::completed);
+    EXPECT_LT(drift.counters.evaluations, 1'000'000) << tilt;
+    const double expected = integrated.samples.back().measures.axis;
+    EXPECT_NEAR(drift.samples.back().measures.axis, expected, 1e-15 + 1e-6 * expected) << tilt;
+  }
+}
+
 TEST(LongHorizon, ARunsBoundHoldsAndIsSmall) {
   Scenario scene = fast_gyro(600, 60);
   scene.numerics = by(Method::long_horizon, 1e-10);
