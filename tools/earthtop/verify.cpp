@@ -25,11 +25,17 @@ struct VerifyArguments {
   bool list = false;
 };
 
-/// The scenario files of a directory, in alphabetical order.
+/// The scenario files of a directory, in alphabetical order. @throws ScenarioError where there is none
 std::vector<std::string> files_in(const std::string& directory) {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(directory))
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, error))
     if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+  if (files.empty())
+    throw ScenarioError(
+        std::vector<Diagnostic>{
+            {0, 0, "", error ? "cannot be read (" + error.message() + ")" : "has no scenario file (*.json)"}},
+        directory);
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -42,13 +48,11 @@ std::vector<ScenarioSource> sources_of(const VerifyArguments& arguments) {
     for (const Example& example : hard_cases())
       sources.push_back({fmt::format("{}.json", example.name), std::string(example.text)});
   for (const std::string& path : arguments.files) {
-    if (!std::filesystem::is_directory(path)) {
+    if (std::error_code unknown; !std::filesystem::is_directory(path, unknown)) {
       sources.push_back(read_scenario_source(path));
       continue;
     }
-    const auto files = files_in(path);
-    if (files.empty()) throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no scenario file (*.json)"}}, path);
-    for (const std::string& file : files) sources.push_back(read_scenario_source(file));
+    for (const std::string& file : files_in(path)) sources.push_back(read_scenario_source(file));
   }
   for (const ScenarioSource& source : sources) parse_verifiable(source);
   return sources;
