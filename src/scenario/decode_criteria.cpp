@@ -11,13 +11,8 @@
 namespace earthtop::scenario {
 namespace {
 
-bool lists(std::string_view words, std::string_view word) {
-  const auto list = split_words(words);
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-/// Numbers that a quantity of a value has.
-std::size_t size_of(std::string_view quantity) {
+/// Numbers that a value of this quantity has.
+std::size_t numbers_in(std::string_view quantity) {
   if (quantity == "q_LB" || quantity == "ref_q_LB") return 4;
   return lists("w_LB_B_rad_s|ref_w_LB_B_rad_s|axis_L|ref_axis_L", quantity) ? 3 : 1;
 }
@@ -54,9 +49,9 @@ CriterionSpec decode_criterion(const Section& given) {
   if (!lists(rule.quantities, *quantity))
     given.refuse("quantity", fmt::format("is \"{}\"; of the kind \"{}\" it must be {}", *quantity, rule.word,
                                          fmt::join(split_words(rule.quantities), ", ")));
-  else if (rule.kind == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != size_of(*quantity))
+  else if (rule.kind == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != numbers_in(*quantity))
     given.refuse("values",
-                 fmt::format("has {} numbers; \"{}\" has {}", criterion.values.size(), *quantity, size_of(*quantity)));
+                 fmt::format("has {} numbers; \"{}\" has {}", criterion.values.size(), *quantity, numbers_in(*quantity)));
   return criterion;
 }
 

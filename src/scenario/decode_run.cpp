@@ -40,15 +40,6 @@ void decode_motion(const Section& motion, Scenario& scenario) {
   scenario.output_step_s = *step;
 }
 
-namespace {
-
-bool lists(std::string_view words, std::string_view word) {
-  const auto list = split_words(words);
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-}  // namespace
-
 std::optional<PlatformSpec> decode_platform(const Section& platform) {
   PlatformSpec spec;
   platform.require("motion");

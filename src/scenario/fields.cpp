@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -191,6 +192,11 @@ std::vector<std::string_view> split_words(std::string_view words) {
     words.remove_prefix(std::min(list.back().size() + 1, words.size()));
   }
   return list;
+}
+
+bool lists(std::string_view words, std::string_view word) {
+  const auto list = split_words(words);
+  return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 std::string range_text(const Range& range) {

@@ -57,6 +57,8 @@ const Field* find_field(std::string_view pattern);
 std::vector<std::string_view> keys_below(std::string_view pattern);
 
 std::vector<std::string_view> split_words(std::string_view words);
+/// Whether `word` is one of `words`.
+bool lists(std::string_view words, std::string_view word);
 
 /// What is allowed, for messages: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
 std::string allowed_values(const Field& field);

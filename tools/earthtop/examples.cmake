@@ -7,6 +7,6 @@ foreach(file IN LISTS files)
   file(READ ${file} text)
   string(APPEND entries "    {\"${name}\", R\"json(${text})json\"},\n")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"examples.hpp\"\n\nnamespace earthtop::tool {\nnamespace {\n\n"
-  "constexpr Example kFiles[] = {\n${entries}};\n\n}  // namespace\n\n"
-  "std::span<const Example> ${FUNCTION}() { return kFiles; }\n\n}  // namespace earthtop::tool\n")
+file(WRITE ${OUTPUT} "#include \"examples.hpp\"\n\nnamespace earthtop::tool {\n\n"
+  "std::span<const Example> ${FUNCTION}() {\n  static constexpr Example kFiles[] = {\n${entries}  };\n  return kFiles;\n}\n\n"
+  "}  // namespace earthtop::tool\n")
