@@ -27,7 +27,7 @@ for verb in explain study compare report; do
   on_stderr "not available"
   nothing_on_stdout
 done
-expect 2 verify something --json
+expect 2 study something --json
 on_stdout '"errors"'
 on_stdout 'not available'
 expect 0 --help
