@@ -84,33 +84,33 @@ void for_each_scalar(const Check& check) {
 }
 
 template <class T>
-testing::AssertionResult at_most(T error, T bound) {
-  if (error <= bound) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << static_cast<double>(error) << " is not at most " << static_cast<double>(bound);
+::testing::AssertionResult at_most(T error, T bound) {
+  if (error <= bound) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << static_cast<double>(error) << " is not at most " << static_cast<double>(bound);
 }
 
 template <class T>
-testing::AssertionResult close(T a, T b, T bound) {
+::testing::AssertionResult close(T a, T b, T bound) {
   return at_most(real::abs(a - b), bound) << " (" << static_cast<double>(a) << " against " << static_cast<double>(b) << ")";
 }
 
 /// Every component of a within `bound` of b; a NaN is never close.
 template <class T, class A, class B>
-testing::AssertionResult close(const Eigen::MatrixBase<A>& a_expression, const Eigen::MatrixBase<B>& b_expression, T bound) {
+::testing::AssertionResult close(const Eigen::MatrixBase<A>& a_expression, const Eigen::MatrixBase<B>& b_expression, T bound) {
   const auto a = a_expression.eval();
   const auto b = b_expression.eval();
   for (int i = 0; i < a.rows(); ++i)
     for (int j = 0; j < a.cols(); ++j)
       if (!(real::abs(a(i, j) - b(i, j)) <= bound))
-        return testing::AssertionFailure() << "component " << i << "," << j << ": " << static_cast<double>(a(i, j))
-                                           << " against " << static_cast<double>(b(i, j)) << ", bound "
-                                           << static_cast<double>(bound);
-  return testing::AssertionSuccess();
+        return ::testing::AssertionFailure()
+               << "component " << i << "," << j << ": " << static_cast<double>(a(i, j)) << " against "
+               << static_cast<double>(b(i, j)) << ", bound " << static_cast<double>(bound);
+  return ::testing::AssertionSuccess();
 }
 
 /// The same numbers exactly; a zero's sign does not count. (gtest's EXPECT_EQ cannot print matrices of float128.)
 template <class A, class B>
-testing::AssertionResult identical(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+::testing::AssertionResult identical(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   return close<typename A::Scalar>(a, b, typename A::Scalar(0));
 }
 

@@ -29,11 +29,12 @@ BodySpec of_solids(std::vector<Solid> solids) {
   return spec;
 }
 bool accepted(const BodySpec& spec) { return body_violations(spec).empty(); }
-testing::AssertionResult refused(const BodySpec& spec, const std::string& reason) {
+::testing::AssertionResult refused(const BodySpec& spec, const std::string& reason) {
   const std::vector<Diagnostic> violations = body_violations(spec);
   for (const Diagnostic& violation : violations)
-    if (violation.message.find(reason) != std::string::npos) return testing::AssertionSuccess();
-  testing::AssertionResult failure = testing::AssertionFailure() << violations.size() << " violations, none says: " << reason;
+    if (violation.message.find(reason) != std::string::npos) return ::testing::AssertionSuccess();
+  ::testing::AssertionResult failure = ::testing::AssertionFailure()
+                                       << violations.size() << " violations, none says: " << reason;
   for (const Diagnostic& violation : violations) failure << "; " << violation.message;
   return failure;
 }

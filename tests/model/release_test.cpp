@@ -235,8 +235,8 @@ TEST(SteadyPrecession, KnownConeOfKinonAndBetsch) {
   });
 }
 
-testing::AssertionResult refused(const BodySpec& body, double tilt, double spin, double gravity, Precession precession,
-                                 const std::string& reason) {
+::testing::AssertionResult refused(const BodySpec& body, double tilt, double spin, double gravity, Precession precession,
+                                   const std::string& reason) {
   ReleaseSpec spec;
   spec.tilt_deg = tilt, spec.azimuth_deg = 77, spec.spin_angle_deg = 10, spec.spin_rad_s = spin, spec.precession = precession;
   try {
@@ -244,10 +244,10 @@ testing::AssertionResult refused(const BodySpec& body, double tilt, double spin,
   } catch (const ScenarioError& error) {
     const Diagnostic& first = error.diagnostics().at(0);
     if (first.pointer == "/release/precession" && first.message.find(reason) != std::string::npos)
-      return testing::AssertionSuccess();
-    return testing::AssertionFailure() << first.pointer << ": " << first.message;
+      return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << first.pointer << ": " << first.message;
   }
-  return testing::AssertionFailure() << "accepted";
+  return ::testing::AssertionFailure() << "accepted";
 }
 
 TEST(SteadyPrecession, RefusesWithTheReason) {

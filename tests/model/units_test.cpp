@@ -63,7 +63,7 @@ TEST(NaturalUnits, PutTheLargestMomentAndTheFastestRateNearOne) {
 
 /// Every number of `a`, in units of 2^exponent, is that of `b`.
 template <class A, class B>
-testing::AssertionResult scaled_exactly(const A& si, const B& natural, int exponent) {
+::testing::AssertionResult scaled_exactly(const A& si, const B& natural, int exponent) {
   using T = typename A::Scalar;
   Eigen::Matrix<T, A::RowsAtCompileTime, A::ColsAtCompileTime> expected = si;
   for (int i = 0; i < expected.rows(); ++i)
