@@ -22,7 +22,11 @@ std::string with_minus_sign(std::string number) {
   return number;
 }
 
-int decade_of(double value) { return static_cast<int>(std::floor(std::log10(value))); }
+/// Of 0 and of an infinite value: below that of every double.
+int decade_of(double value) {
+  const double decade = std::floor(std::log10(value));
+  return std::isfinite(decade) ? static_cast<int>(decade) : -330;
+}
 
 /// mantissa x 10^exponent, correctly rounded, as the literal would be.
 double decimal(double mantissa, int exponent) {

@@ -6,8 +6,6 @@
 #include <random>
 
 #include "integrate/odeint_driver.hpp"
-#include "support/random_walk.hpp"
-#include "support/scenes.hpp"
 
 namespace earthtop {
 namespace {
@@ -99,11 +97,6 @@ TEST(TaylorStepper, DigitsBelowTheStateAreKept) {
   }
   EXPECT_NEAR(stepper.current_state()[1] - 1, std::cos(1e-4) - 1, 2e-16);
   EXPECT_NEAR(stepper.current_state()[0], std::sin(1e-4), 1e-18);
-}
-
-TEST(TaylorRoundOff, JacobiIntegralOfTheToyTopWalksAtRandom) { testing::expect_random_walk(testing::toy_top(), 19000, 9e5); }
-TEST(TaylorRoundOff, JacobiIntegralOfTheAsymmetricTopWalksAtRandom) {
-  testing::expect_random_walk(testing::asymmetric_top(), 12000, 9e5);
 }
 
 }  // namespace

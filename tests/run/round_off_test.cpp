@@ -1,0 +1,16 @@
+// Over a million steps round-off walks at random and goes nowhere.
+#include <gtest/gtest.h>
+
+#include "support/random_walk.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+TEST(TaylorRoundOff, JacobiIntegralOfTheToyTopWalksAtRandom) { testing::expect_random_walk(testing::toy_top(), 19000, 9e5); }
+TEST(TaylorRoundOff, JacobiIntegralOfTheAsymmetricTopWalksAtRandom) {
+  testing::expect_random_walk(testing::asymmetric_top(), 12000, 9e5);
+}
+
+}  // namespace
+}  // namespace earthtop
