@@ -78,7 +78,7 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
 }
 
 /// By how much the distance to the second integration is multiplied. Where that one is the rows' own method, or no finer than
-/// they are, both err by as much, and may do so to the same side: in 2 of 100 random scenes three times their distance was not
+/// they are, both err by as much, and may do so to the same side: in 3 of 92 random scenes three times their distance was not
 /// enough.
 int bound_safety(const IntegrationOptions& first, const IntegrationOptions& second) {
   const bool alike = second.method == first.method && first.method != Method::closed_form;

@@ -16,7 +16,7 @@ enum Input : std::size_t { latitude, gravity, spin, tilt, rotation_rate, inertia
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kStep = 0x1p-20;         // of an input's scale: differences to both sides are good to 1e-12
 constexpr double kTolerance = 1e-11;      // of the derivatives' integration
-constexpr double kAffordablePhase = 2e6;  // rad; a minute
+constexpr double kAffordablePhase = 2e6;  // rad; minutes: a toy top's minute, 1.5e4 rad, takes two seconds
 
 /// What the equations read, in full precision.
 struct Numbers {
