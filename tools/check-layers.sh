@@ -37,7 +37,7 @@ find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ip
       if (!(from in rank)) complain("in no known layer: " from)
     }
     { code = $0; sub(/\/\/.*/, "", code) }
-    is_public && code ~ /#[ ]*include[ ]*[<"](nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|openssl)/ {
+    is_public && code ~ /#[ ]*include[ ]*[<"](nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|openssl|erfa)/ {
       complain("a public header must not need this: " $0)
     }
     from != "tools" && code ~ /std::(cout|cerr|clog)|(^|[^a-z_])f?printf ?\(|fmt::print ?\(|(^|[^a-z_])f?puts ?\(/ {

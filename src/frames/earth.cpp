@@ -5,6 +5,14 @@
 
 namespace earthtop {
 
+Vec3<double> geocentric_position_L(double latitude_deg, double height_m) {
+  const auto [s, c] = sin_cos_degrees(latitude_deg);
+  // Along the normal to the ellipsoid from the axis, where it lies e^2 N s off the centre: no digits lost at any height.
+  const double f = 1 / kInverseFlatteningWgs84, e2 = f * (2 - f);
+  const double N = kEquatorialRadiusWgs84 / real::sqrt(1 - e2 * s * s);
+  return {0.0, -e2 * N * s * c, N * (1 - e2 * s * s) + height_m};
+}
+
 double normal_gravity(double latitude_deg, double height_m) {
   double north = 0, up = 0;
   GeographicLib::NormalGravity::WGS84().Gravity(latitude_deg, height_m, north, up);

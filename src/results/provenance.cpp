@@ -1,6 +1,7 @@
 #include "earthtop/results/provenance.hpp"
 
 #include <GeographicLib/Config.h>
+#include <erfaextra.h>
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
 #include <openssl/evp.h>
@@ -29,6 +30,7 @@ const BuildInfo& build_info() {
         fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
        {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
        {"GeographicLib", GEOGRAPHICLIB_VERSION_STRING},
+       {"ERFA", eraVersion()},
        {"OpenSSL", OPENSSL_VERSION_STR}}};
   return info;
 }

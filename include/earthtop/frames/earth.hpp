@@ -44,6 +44,9 @@ struct Site {
   double gravity_m_s2 = 0;
 };
 
+/// The site seen from the Earth's centre, in axes East, North, Up (m): no East component.
+Vec3<double> geocentric_position_L(double latitude_deg, double height_m);
+
 /// Normal gravity of WGS 84 at a geodetic latitude (deg) and height (m): what a plumb line and a gravimeter feel,
 /// centrifugal part included (m/s^2). [GeographicLib::NormalGravity]
 double normal_gravity(double latitude_deg, double height_m);

@@ -1,0 +1,26 @@
+/// How gravitation changes over the size of a body: the gradient tensor at the site.
+#pragma once
+
+#include "earthtop/frames/earth.hpp"
+
+namespace earthtop {
+
+/// The gradient d g_i / d x_j of the gravitation of the WGS 84 level ellipsoid (no centrifugal part), in axes East, North, Up
+/// of the geodetic normal (1/s^2). Symmetric, and of trace 0 down to the surface and below it, where the field is continued.
+/// From the series of zonal harmonics, all digits of a double from 12 km below the ellipsoid upwards.
+///   V = GM/r (1 - sum_k J_2k (a/r)^2k P_2k(sin delta))                              [Heiskanen & Moritz, eq. 2-89 to 2-92]
+/// @param latitude_deg  geodetic latitude   @param height_m  above the ellipsoid
+Mat3<double> normal_gravity_gradient_L(double latitude_deg, double height_m);
+
+/// GM/r^3 of WGS 84, r from the Earth's centre to the site (1/s^2).
+double geocentric_gm_over_r3(double latitude_deg, double height_m);
+
+/// The unit vector from the Earth's centre to the site in axes East, North, Up: (0, -sin d, cos d), where d is the geodetic
+/// less the geocentric latitude; exactly Up at the poles and on the equator.
+Vec3<double> geocentric_up_L(double latitude_deg, double height_m);
+
+/// The gradient of a point mass at the Earth's centre: GM/r^3 (3 u u^T - 1) (1/s^2).
+/// @param gm_over_r3  (1/s^2)   @param up  unit vector away from the centre
+Mat3<double> spherical_gradient(double gm_over_r3, const Vec3<double>& up);
+
+}  // namespace earthtop

@@ -1,0 +1,19 @@
+#include "earthtop/frames/earth_orientation.hpp"
+
+#include "frames/ephemeris.hpp"
+
+namespace earthtop {
+
+Vec3<double> precession_rate_I(const UtcInstant& utc) {
+  const double year_s = 365.25 * 86400;
+  const Vec3<double> before = mean_axis_I(terrestrial_time(utc, -year_s)), after = mean_axis_I(terrestrial_time(utc, year_s));
+  // n x dn/dt, with n in the middle: normal to n exactly.
+  return mean_axis_I(terrestrial_time(utc)).cross(after - before) / (2 * year_s);
+}
+
+Vec3<double> precession_rate_L(const Site& site, const UtcInstant& utc) {
+  const Vec3<double> rate_E = celestial_to_terrestrial(utc) * precession_rate_I(utc);
+  return laboratory_attitude<double>(site).inverse() * rate_E;
+}
+
+}  // namespace earthtop
