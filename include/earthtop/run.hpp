@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "earthtop/drift/drift.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
@@ -94,6 +95,7 @@ struct RunResult {
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full; none in double precision
   DriftSummary drift;
   VerdictReport verdict;
+  std::vector<StopEvent> stops;   ///< when dry friction brought which motion to rest
   IntegrationReport solution;     ///< the rows come from this one
   IntegrationReport certificate;  ///< the bounds come from comparing with this one
   double attitude_bound_rad = 0;  ///< of q_LB and ref_q_LB themselves, largest of all rows

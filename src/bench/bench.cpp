@@ -9,7 +9,7 @@
 
 #include "bench/deadline.hpp"
 #include "bench/errors.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -97,7 +97,7 @@ void prepare(const Contender& contender, const Scenario& scenario, const std::ve
 void require_fit(const Contender& contender, Scenario scenario) {
   scenario.numerics = {};
   if (contender.peer) {
-    if (scenario.platform || !scenario.effects.all_on()) throw std::invalid_argument("bench: no peer is made for this scene");
+    if (!is_plain(scenario)) throw std::invalid_argument("bench: no peer is made for this scene");
   } else if (const auto reason = method_refusal(contender.options.method, scenario)) {
     throw std::invalid_argument("bench: " + *reason);
   }

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "earthtop/bench/bench.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -93,7 +93,7 @@ class Contenders {
   }
 
   void add_peers() {
-    if (scenario_.platform || !scenario_.effects.all_on()) return;
+    if (!is_plain(scenario_)) return;
     for (const Peer peer : peers_built())
       for (const double tolerance : {1e-5, 1e-8, 1e-11, 1e-13}) {
         IntegrationOptions options;

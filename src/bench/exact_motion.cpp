@@ -1,7 +1,7 @@
 #include "bench/exact_motion.hpp"
 
 #include "earthtop/closed_form/exact_motion.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 

@@ -6,7 +6,7 @@
 
 #include "bench/errors.hpp"
 #include "bench/exact_motion.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {

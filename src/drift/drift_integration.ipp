@@ -32,6 +32,9 @@ DriftTrajectory<T> integrate_system(System& system, typename System::State x, co
   trajectory.status = driver.run(x, times);
   trajectory.counters = driver.counters();
   trajectory.threshold_time_s = watcher.threshold_time_s();
+  if constexpr (requires { system.stops(); })
+    for (const auto& [prediction, t] : system.stops())
+      trajectory.stops.push_back({prediction, static_cast<double>(real::scale(t, problem.units.time_exponent))});
   if (driver.first_step_taken() > T(0))
     trajectory.step_s = static_cast<double>(real::scale(driver.first_step_taken(), problem.units.time_exponent));
   return trajectory;
@@ -83,7 +86,8 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
       return integrate_as<T, Observer::laboratory>(problem, options, stop);
     case Observer::body:
       if (reduced) throw std::logic_error("the reduced form has no body axes");
-      if (problem.rotating == RotatingMotion::composed || options.method == Method::taylor)
+      if ((problem.rotating == RotatingMotion::composed && problem.model.applied.coulomb == T(0)) ||
+          options.method == Method::taylor)
         return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
       return integrate_as<T, Observer::body>(problem, options, stop);
     case Observer::inertial:

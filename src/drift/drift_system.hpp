@@ -5,8 +5,10 @@
 #include <array>
 
 #include "drift/deviation_state.hpp"
+#include "drift/resting_motions.hpp"
 #include "drift/taylor/general_drift_series.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/model/applied_motion.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/motion_system.hpp"
@@ -48,6 +50,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
                                               WithSeries<GeneralDriftSeries<T>>, WithoutSeries> {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
+  static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
   static constexpr bool kBoundOnly = !kIntegrated;  ///< made for the second integration of a run, and for the series
   static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
   using State = std::array<T, kSize>;
@@ -69,29 +72,37 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
     const PivotField<T> field = pivot_field<K>(model_, t);
+    Motion<T> reference_rate, rotating_rate;
+    Deviation<T> deviation_rate;
     if constexpr (O == Observer::laboratory) {
       if constexpr (kIntegrated) {
         const Motion<T> rotating = load_motion(x, kRotating);
         const Vec3<T> torque_L = non_inertial_torque<K>(model_, rotating);
-        store_motion(laboratory_equation(model_, rotating, field.rotating_L, torque_L), dxdt, kRotating);
+        rotating_rate = laboratory_equation(model_, rotating, field.rotating_L, torque_L);
       }
       const Vec3<T> no_torque = Vec3<T>::Zero();
-      store_motion(laboratory_equation(model_, reference, field.reference_L, no_torque), dxdt, kReference);
-      store_deviation(laboratory_deviation_equation<K>(model_, reference, deviation, field), dxdt);
+      reference_rate = laboratory_equation(model_, reference, field.reference_L, no_torque);
+      deviation_rate = laboratory_deviation_equation<K>(model_, reference, deviation, field);
     } else if constexpr (O == Observer::body) {
-      if constexpr (kIntegrated)
-        store_motion(body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L), dxdt, kRotating);
-      store_motion(body_equation<false, K>(model_, reference, field.reference_L), dxdt, kReference);
-      store_deviation(body_deviation_equation<K>(model_, reference, deviation, field), dxdt);
+      if constexpr (kIntegrated) rotating_rate = body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L);
+      reference_rate = body_equation<false, K>(model_, reference, field.reference_L);
+      deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field);
     } else {
       const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
       const Mat3<T> unturned = Mat3<T>::Identity();
       if constexpr (kIntegrated)
-        store_motion(inertial_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L, R_NL), dxdt, kRotating);
-      store_motion(inertial_equation<false, K>(model_, reference, field.reference_L, unturned), dxdt, kReference);
-      store_deviation(inertial_deviation_equation<K>(model_, reference, deviation, field, turn), dxdt);
+        rotating_rate = inertial_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L, R_NL);
+      reference_rate = inertial_equation<false, K>(model_, reference, field.reference_L, unturned);
+      deviation_rate = inertial_deviation_equation<K>(model_, reference, deviation, field, turn);
     }
+    if constexpr (K == SceneKind::full)
+      if (model_.applied.any) add_applied_torques(x, t, reference_rate, deviation_rate, rotating_rate);
+    if constexpr (kSettles)
+      if (rest_.any()) hold(x, t, reference_rate, deviation_rate, rotating_rate);
+    if constexpr (kIntegrated) store_motion(rotating_rate, dxdt, kRotating);
+    store_motion(reference_rate, dxdt, kReference);
+    store_deviation(deviation_rate, dxdt);
   }
 
   GeneralDriftSeries<T> series() const { return GeneralDriftSeries<T>(model_); }
@@ -154,6 +165,39 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
     return seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
   }
+  /// Called after every step: a motion that dry friction brings to rest is held there from then on.
+  void settle(State& x, T t) requires kSettles {
+    if (model_.applied.coulomb == T(0)) return;
+    Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
+    Motion<T> rotating = drift_state::load_motion(x, drift_state::kRotating);
+    Deviation<T> deviation = drift_state::load_deviation(x);
+    const T epsilon = model_.epsilon;
+    const bool reference_stops = rest_.comes(Prediction::reference, model_, t, reference.q, reference.m);
+    const Vec3<T> W_B = transposed_times(rotation_matrix(rotating.q), model_.W_IL_L);
+    const bool rotating_stops = rest_.comes(Prediction::rotating, model_, t, rotating.q, Vec3<T>(rotating.m - W_B));
+    if (!reference_stops && !rotating_stops) return;
+    if (reference_stops) {
+      deviation.p += times<T>(model_.I_BP_B, reference.m / epsilon);  // the rotating motion's rate stays as it is
+      reference.m = Vec3<T>::Zero();
+    }
+    if (rotating_stops) {
+      deviation.p = times<T>(model_.I_BP_B, earth_rate_scaled(shared_state(x, t)) - reference.m / epsilon);
+      rotating.m = W_B;
+    }
+    drift_state::store_motion(reference, x, drift_state::kReference);
+    drift_state::store_motion(rotating, x, drift_state::kRotating);
+    drift_state::store_deviation(deviation, x);
+  }
+  T longest_step(const State& x, T t) const requires kSettles {
+    if (model_.applied.coulomb == T(0)) return T(HUGE_VAL);
+    const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
+    const Motion<T> rotating = drift_state::load_motion(x, drift_state::kRotating);
+    const Vec3<T> w_LB_B = rotating.m - transposed_times(rotation_matrix(rotating.q), model_.W_IL_L);
+    return std::min(rest_.longest_step(Prediction::reference, model_, t, reference.q, reference.m),
+                    rest_.longest_step(Prediction::rotating, model_, t, rotating.q, w_LB_B));
+  }
+  const std::vector<std::pair<Prediction, T>>& stops() const { return rest_.stops(); }
+
   /// Called after every step: the attitude quaternions are integrated, and continuous by themselves.
   void follow(const State&) {}
 
@@ -170,7 +214,64 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     }
   }
 
+  /// What the applied torques add to the rates of the three rate variables.
+  [[gnu::noinline]] void add_applied_torques(const State& x, T t, Motion<T>& reference_rate, Deviation<T>& deviation_rate,
+                                             Motion<T>& rotating_rate) const {
+    const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
+    const Mat3<T> R_ref = rotation_matrix(reference.q);  // the same in L and in N, which is parallel to the reference's L
+    const DriftState<T> s = shared_state(x, t);
+    const Vec3<T> p = drift_state::load_deviation(x).p;
+    Vec3<T> Dw_IB_B_scaled = times(model_.I_BP_B_inverse, O == Observer::body ? p : Vec3<T>(transposed_times(R_ref, p)));
+    if constexpr (O == Observer::laboratory) Dw_IB_B_scaled += earth_rate_scaled(s);
+    const Vec3<Paired<T>> torques = applied_torques_B(model_, t, s.ref_q_LB, s.ref_w_LB_B, s.e_w, s.e_v_scaled, Dw_IB_B_scaled);
+    const Vec3<T> on_reference(torques[0].ref, torques[1].ref, torques[2].ref);
+    const Vec3<T> difference(torques[0].diff, torques[1].diff, torques[2].diff);
+    if constexpr (O == Observer::body) {
+      reference_rate.m += times(model_.I_BP_B_inverse, on_reference);
+      deviation_rate.p += difference;
+    } else {
+      reference_rate.m += times(R_ref, on_reference);
+      deviation_rate.p += times(R_ref, difference);
+    }
+    if constexpr (kIntegrated) {
+      const Vec3<T> on_rotating = applied_torque_B(model_, t, s.q_LB, s.w_LB_B, true);
+      const Mat3<T> R_rot = rotation_matrix(drift_state::load_motion(x, drift_state::kRotating).q);
+      rotating_rate.m += O == Observer::body ? times(model_.I_BP_B_inverse, on_rotating) : times(R_rot, on_rotating);
+    }
+  }
+  /// W in the rotating body's axes, over epsilon.
+  Vec3<T> earth_rate_scaled(const DriftState<T>& s) const {
+    const Vec3<T> W_ref_B = transposed_times(rotation_matrix(s.ref_q_LB), model_.W_IL_L_scaled);
+    return W_ref_B + model_.epsilon * turn_back_minus_one_scaled(s.e_w, s.e_v_scaled, model_.epsilon, W_ref_B);
+  }
+
+  /// The rates of motions of which one rests, or both. What rests has no rate; the deviation's is then that of the other
+  /// motion.
+  [[gnu::noinline]] void hold(const State& x, T t, Motion<T>& reference_rate, Deviation<T>& deviation_rate,
+                              Motion<T>& rotating_rate) const {
+    const Motion<T> still{Quaternion<T>{T(0), Vec3<T>::Zero()}, Vec3<T>::Zero()};
+    const T epsilon = model_.epsilon;
+    const bool reference_rests = rest_.rests(Prediction::reference), rotating_rests = rest_.rests(Prediction::rotating);
+    if (reference_rests && !rotating_rests) {
+      const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
+      const Deviation<T> deviation = drift_state::load_deviation(x);
+      const Motion<T> moving{reference.q * Quaternion<T>{deviation.w, epsilon * deviation.y},
+                             epsilon * times(model_.I_BP_B_inverse, deviation.p)};
+      const Vec3<T> w_LB_B = moving.m - transposed_times(rotation_matrix(moving.q), model_.W_IL_L);
+      const Vec3<T> dw = body_equation<true, K>(model_, moving, pivot_field<K>(model_, t).rotating_L).m +
+                         times(model_.I_BP_B_inverse, applied_torque_B(model_, t, moving.q, w_LB_B, true));
+      deviation_rate.p = times<T>(model_.I_BP_B, dw / epsilon);
+    } else if (rotating_rests && !reference_rests) {
+      deviation_rate.p = -times<T>(model_.I_BP_B, reference_rate.m / epsilon);
+    } else {
+      deviation_rate = {T(0), Vec3<T>::Zero(), Vec3<T>::Zero()};
+    }
+    if (reference_rests) reference_rate = still;
+    if (rotating_rests) rotating_rate = still;
+  }
+
   const Model<T>& model_;
+  RestingMotions<T> rest_;
 };
 
 }  // namespace earthtop

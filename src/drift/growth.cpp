@@ -7,6 +7,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
+#include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 
 namespace earthtop {
@@ -39,14 +40,19 @@ struct Variations {
     const Motion<double> motion = motion_in(x);
     const PivotField<double> field = pivot_field<K>(*model, t);
     const Vec3<double>& field_L = kEarth ? field.rotating_L : field.reference_L;
-    put(body_equation<kEarth, K>(*model, motion, field_L), dxdt);
+    Motion<double> rate = body_equation<kEarth, K>(*model, motion, field_L);
     const Vec3<double>& w = motion.m;
+    const bool applied = K == SceneKind::full && model->applied.any;
+    const Vec3<double> w_LB_B = kEarth ? Vec3<double>(w - transposed_times(rotation_matrix(motion.q), model->W_IL_L)) : w;
+    if (applied) rate.m += times(model->I_BP_B_inverse, applied_torque_B(*model, t, motion.q, w_LB_B, kEarth));
+    put(rate, dxdt);
     const Vec3<double> L_B = times(model->I_BP_B, w), field_B = transposed_times(rotation_matrix(motion.q), field_L);
     for (std::size_t i = kMotionSize; i < kSize; i += 6) {
       const Vec3<double> theta = vector_at(x, i), dw = vector_at(x, i + 3);
       put(Vec3<double>(theta.cross(w) + dw), dxdt, i);
-      const Vec3<double> torque_B = times(model->I_BP_B, dw).cross(w) + L_B.cross(dw) +
-                                    field_torque(model->mass_moment_B, Vec3<double>(field_B.cross(theta)));
+      Vec3<double> torque_B = times(model->I_BP_B, dw).cross(w) + L_B.cross(dw) +
+                              field_torque(model->mass_moment_B, Vec3<double>(field_B.cross(theta)));
+      if (applied) torque_B += applied_torque_change_B(*model, t, motion.q, w_LB_B, kEarth, theta, dw);
       put(times(model->I_BP_B_inverse, torque_B), dxdt, i + 3);
     }
   }

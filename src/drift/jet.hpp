@@ -47,6 +47,7 @@ struct Jet {
     for (double& di : x.d) di = -di;
     return x;
   }
+  explicit operator int() const { return static_cast<int>(value); }
   friend bool operator<(const Jet& x, const Jet& y) { return x.value < y.value; }
   friend bool operator>(const Jet& x, const Jet& y) { return x.value > y.value; }
   friend bool operator<=(const Jet& x, const Jet& y) { return x.value <= y.value; }
@@ -65,6 +66,12 @@ template <std::size_t N>
 Jet<N> sqrt(const Jet<N>& x) {
   const double root = std::sqrt(x.value);
   return composed(x, root, 0.5 / root);
+}
+/// x to a constant power.
+template <std::size_t N>
+Jet<N> pow(const Jet<N>& x, const Jet<N>& exponent) {
+  const double p = exponent.value;
+  return composed(x, std::pow(x.value, p), p * std::pow(x.value, p - 1));
 }
 template <std::size_t N>
 Jet<N> atan2(const Jet<N>& y, const Jet<N>& x) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "drift/measures.ipp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/drift/sensitivity.hpp"
+#include "model/applied_motion.ipp"
 
 namespace earthtop {
 namespace {
@@ -61,6 +61,27 @@ auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const std::array
   return jets;
 }
 
+/// A number for jets, without derivatives.
+AppliedTorques<Jet> constant(const AppliedTorques<double>& given) {
+  AppliedTorques<Jet> jets;
+  jets.any = given.any, jets.level_axis = given.level_axis;
+  jets.viscous = given.viscous, jets.quadratic = given.quadratic, jets.coulomb = given.coulomb;
+  jets.disc_laminar = given.disc_laminar, jets.disc_turbulent = given.disc_turbulent;
+  jets.gimbal_damping = given.gimbal_damping;
+  for (std::size_t i = 0; i < 2; ++i)
+    jets.gradient[i] = {given.gradient[i].strength, given.gradient[i].direction_L.cast<Jet>()};
+  return jets;
+}
+Platform<Jet> constant(const Platform<double>& given) {
+  Platform<Jet> jets;
+  const PrescribedMotion<double>& turn = given.turn;
+  jets.turn.axis = turn.axis.cast<Jet>();
+  jets.turn.angle0 = turn.angle0, jets.turn.rate = turn.rate, jets.turn.acceleration = turn.acceleration;
+  jets.turn.amplitude = turn.amplitude, jets.turn.frequency = turn.frequency, jets.turn.phase = turn.phase;
+  jets.pivot_offset_P = given.pivot_offset_P.cast<Jet>();
+  return jets;
+}
+
 Model<Jet> jet_model(const Model<double>& model, const std::array<ProblemDerivative, kInputs>& inputs) {
   using D = ProblemDerivative;
   Model<Jet> jets;
@@ -72,6 +93,14 @@ Model<Jet> jet_model(const Model<double>& model, const std::array<ProblemDerivat
   jets.epsilon = model.epsilon;
   jets.W_IL_L_scaled = with_derivatives(model.W_IL_L_scaled, inputs, [](const D& d) { return d.W_IL_L_scaled; });
   jets.W_IL_L = jets.epsilon * jets.W_IL_L_scaled;
+  jets.weights = {model.weights.coriolis, model.weights.transverse, model.weights.centrifugal};
+  for (std::size_t k = 0; k < kInputs; ++k) {
+    jets.weights.coriolis.d[k] = inputs[k].coriolis;
+    jets.weights.centrifugal.d[k] = inputs[k].centrifugal;
+  }
+  jets.platform = constant(model.platform);
+  jets.applied = constant(model.applied);
+  jets.kind = model.kind;
   return jets;
 }
 
@@ -85,8 +114,10 @@ State initial_state(const MotionProblem<double>& problem, const Model<Jet>& mode
   const Vec3<Jet> w = with_derivatives(problem.units.rate_from_rad_s(release.w_XB_B), inputs,
                                        [](const ProblemDerivative& d) { return d.w_XB_B; });
   Deviation<Jet> deviation;
-  if (release.X == RatesRelativeTo::laboratory)
-    deviation.p = times(model.I_BP_B, transposed_times(rotation_matrix(q), model.W_IL_L_scaled));
+  // Seen from the laboratory, a start that is the same in inertial space is a rate of -W.
+  Jet share = release.X == RatesRelativeTo::laboratory ? 1 : 0;
+  for (std::size_t k = 0; k < kInputs; ++k) share.d[k] = inputs[k].release;
+  deviation.p = share * times(model.I_BP_B, transposed_times(rotation_matrix(q), model.W_IL_L_scaled));
   State x;
   put({q, w}, deviation, x);
   return x;
@@ -122,23 +153,138 @@ class Sizes {
 
 Differentiated differentiated(const Jet& jet) { return {jet.value, jet.d}; }
 
-}  // namespace
+/// The right-hand side: reference and deviation with their derivatives, and the torques whose strengths are inputs.
+template <SceneKind K>
+class System {
+ public:
+  System(const Model<double>& plain, const Model<Jet>& model, const std::array<ProblemDerivative, kInputs>& inputs)
+      : values_(plain), model_(model), inputs_(inputs) {}
 
-DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
-                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop) {
-  if (problem.model.kind != SceneKind::plain) throw std::logic_error("drift_sensitivity: the scene is not plain");
-  const Model<Jet> model = jet_model(problem.model, inputs);
-  DriftSensitivity result;
-  const auto system = [&](const State& x, State& dxdt, double) {
-    ++result.counters.evaluations;
-    const PivotField<Jet> field = pivot_field<SceneKind::plain>(model, Jet());
+  void operator()(const State& x, State& dxdt, double t) const {
+    const PivotField<Jet> field = field_at(t);
     const Motion<Jet> reference = motion_in(x);
-    put(body_equation<false, SceneKind::plain>(model, reference, field.reference_L),
-        body_deviation_equation<SceneKind::plain>(model, reference, deviation_in(x), field), dxdt);
+    const Deviation<Jet> deviation = deviation_in(x);
+    Motion<Jet> reference_rate = body_equation<false, K>(model_, reference, field.reference_L);
+    Deviation<Jet> deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field);
+    if constexpr (K == SceneKind::full) add_torques(t, reference, deviation, reference_rate, deviation_rate);
+    put(reference_rate, deviation_rate, dxdt);
+  }
+
+ private:
+  PivotField<Jet> field_at(double t) const {
+    PivotField<Jet> field = pivot_field<K>(model_, Jet(t));
+    if constexpr (K == SceneKind::full)
+      if (!values_.tide.empty()) {
+        const Vec3<Jet> tide_L = values_.tide.acceleration_L(t).cast<Jet>();
+        field.reference_L += tide_L;
+        field.rotating_L += tide_L;
+      }
+    return field;
+  }
+  void add_torques(double t, const Motion<Jet>& reference, const Deviation<Jet>& deviation, Motion<Jet>& reference_rate,
+                   Deviation<Jet>& deviation_rate) const {
+    if (model_.applied.any) {
+      const Vec3<Jet> Dw = times(model_.I_BP_B_inverse, deviation.p);
+      const auto torques = applied_torques_B(model_, Jet(t), reference.q, reference.m, deviation.w, deviation.y, Dw);
+      const Vec3<Jet> on_reference(torques[0].ref, torques[1].ref, torques[2].ref);
+      reference_rate.m += times(model_.I_BP_B_inverse, on_reference);
+      for (int i = 0; i < 3; ++i) deviation_rate.p[i] += torques[i].diff;
+    }
+    for (std::size_t k = 0; k < kInputs; ++k) {
+      if (!inputs_[k].applied.any && inputs_[k].tide.empty()) continue;
+      const auto torques = torques_of_input(k, t, reference, deviation);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) reference_rate.m[i].d[k] += values_.I_BP_B_inverse(i, j) * torques[j].ref;
+        deviation_rate.p[i].d[k] += torques[i].diff;
+      }
+    }
+  }
+  /// At strength 1, with what a gimbal answers.
+  Vec3<Paired<double>> torques_of_input(std::size_t k, double t, const Motion<Jet>& reference,
+                                        const Deviation<Jet>& deviation) const {
+    const Quaternion<double> q = value_of(reference.q);
+    const Vec3<double> w = value_of(reference.m), y = value_of(deviation.y);
+    const Vec3<double> Dw = times(values_.I_BP_B_inverse, value_of(deviation.p));
+    Model<double> model = values_;
+    const auto torques_at = [&](const AppliedTorques<double>& applied) {
+      model.applied = applied;
+      return applied_torques_B(model, t, q, w, deviation.w.value, y, Dw);
+    };
+    AppliedTorques<double> applied = inputs_[k].applied, gimbal;
+    gimbal.any = gimbal.level_axis = applied.level_axis = values_.applied.level_axis;
+    if (!inputs_[k].tide.empty()) model.tide = inputs_[k].tide;
+    Vec3<Paired<double>> torques = torques_at(applied);
+    if (gimbal.level_axis) {
+      model.tide = {};
+      torques -= torques_at(gimbal);
+    }
+    if (!inputs_[k].tide.empty()) {
+      const Vec3<double> a_B = transposed_times(rotation_matrix(q), inputs_[k].tide.acceleration_L(t));
+      const Vec3<double> change = turn_back_minus_one_scaled(deviation.w.value, y, values_.epsilon, a_B);
+      const Vec3<double> ref = values_.mass_moment_B.cross(a_B), diff = values_.mass_moment_B.cross(change);
+      for (int i = 0; i < 3; ++i) torques[i] += Paired<double>(ref[i], ref[i] + values_.epsilon * diff[i], diff[i]);
+    }
+    return torques;
+  }
+  static Vec3<double> value_of(const Vec3<Jet>& v) { return {v[0].value, v[1].value, v[2].value}; }
+  static Quaternion<double> value_of(const Quaternion<Jet>& q) { return {q.w.value, value_of(q.v)}; }
+
+  const Model<double>& values_;
+  const Model<Jet>& model_;
+  const std::array<ProblemDerivative, kInputs>& inputs_;
+};
+
+DriftState<Jet> drift_state_of(const State& x, const Model<Jet>& model) {
+  const Deviation<Jet> deviation = deviation_in(x);
+  DriftState<Jet> state;
+  state.ref_q_LB = motion_in(x).q;
+  state.e_w = deviation.w;
+  state.e_v_scaled = deviation.y;
+  state.epsilon = model.epsilon;
+  return state;
+}
+
+/// How far the inputs move the two axes so far.
+void follow_responses(const State& x, const Model<Jet>& model, std::array<Responses, kInputs>& responses) {
+  const drift_measures::AxisPair<Jet> axes(drift_state_of(x, model));
+  const auto length = [](const Vec3<Jet>& v, std::size_t k) { return real::hypot(v[0].d[k], v[1].d[k], v[2].d[k]); };
+  for (std::size_t k = 0; k < kInputs; ++k) {
+    Responses& r = responses[k];
+    r.displacement_final = length(axes.n, k);
+    r.drift_final = model.epsilon.value * length(axes.d_scaled, k);
+    r.displacement_largest = std::max(r.displacement_largest, r.displacement_final);
+    r.drift_largest = std::max(r.drift_largest, r.drift_final);
+  }
+}
+
+FollowedStep followed_step(const State& x, const Model<double>& model, double t) {
+  FollowedStep step;
+  const auto vector = [&](std::size_t i) { return Vec3<double>(x[i], x[i + 1], x[i + 2]); };
+  step.t = t;
+  step.ref_q_LB = {x[0], vector(1)};
+  step.ref_w_LB_B = vector(4);
+  step.q_LB = step.ref_q_LB * Quaternion<double>{x[7], model.epsilon * vector(8)};
+  step.w_LB_B = step.ref_w_LB_B + model.epsilon * times(model.I_BP_B_inverse, vector(11)) -
+                transposed_times(rotation_matrix(step.q_LB), model.W_IL_L);
+  return step;
+}
+
+template <SceneKind K>
+DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
+                        double time_s, double relative_tolerance, const std::atomic<bool>* stop,
+                        const std::function<void(const FollowedStep&)>& on_step) {
+  const Model<Jet> model = jet_model(problem.model, inputs);
+  const System<K> equations(problem.model, model, inputs);
+  DriftSensitivity result;
+  const auto system = [&](const State& x, State& dxdt, double t) {
+    ++result.counters.evaluations;
+    equations(x, dxdt, t);
   };
   State x = initial_state(problem, model, inputs), after, error;
   Sizes sizes;
   sizes.include(x);
+  follow_responses(x, model, result.responses);
+  if (on_step) on_step(followed_step(x, problem.model, 0));
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const double end = problem.units.time_from_s(time_s);
   double t = 0, dt = std::min(end, 0.1 / problem.fastest_rate);
@@ -164,19 +310,28 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
     t = last ? end : t + step;
     if (!last) dt = step * factor;
     sizes.include(x);
+    follow_responses(x, model, result.responses);
+    if (on_step) on_step(followed_step(x, problem.model, t));
   }
-  const Deviation<Jet> deviation = deviation_in(x);
-  DriftState<Jet> state;
-  state.ref_q_LB = motion_in(x).q;
-  state.e_w = deviation.w;
-  state.e_v_scaled = deviation.y;
-  state.epsilon = model.epsilon;
-  const DriftMeasures<Jet> measures = measure_drift(state);
+  const DriftMeasures<Jet> measures = measure_drift(drift_state_of(x, model));
   result.axis = differentiated(measures.axis);
   result.attitude = differentiated(measures.attitude);
   result.tilt = differentiated(measures.tilt);
   if (measures.azimuth_defined) result.azimuth = differentiated(measures.azimuth);
   return result;
+}
+
+}  // namespace
+
+DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
+                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop,
+                                   const std::function<void(const FollowedStep&)>& on_step) {
+  const bool plain =
+      problem.model.kind == SceneKind::plain && std::none_of(inputs.begin(), inputs.end(), [](const ProblemDerivative& d) {
+        return d.coriolis != 0 || d.centrifugal != 0 || d.applied.any || !d.tide.empty();
+      });
+  return plain ? follow<SceneKind::plain>(problem, inputs, time_s, relative_tolerance, stop, on_step)
+               : follow<SceneKind::full>(problem, inputs, time_s, relative_tolerance, stop, on_step);
 }
 
 }  // namespace earthtop

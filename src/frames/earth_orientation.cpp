@@ -16,4 +16,12 @@ Vec3<double> precession_rate_L(const Site& site, const UtcInstant& utc) {
   return laboratory_attitude<double>(site).inverse() * rate_E;
 }
 
+template <class T>
+Vec3<T> departing_celestial_axis_L(const Site& site) {
+  return celestial_axis_L<T>(site, site.pole, site.deflection);
+}
+template Vec3<double> departing_celestial_axis_L(const Site&);
+template Vec3<long double> departing_celestial_axis_L(const Site&);
+template Vec3<float128> departing_celestial_axis_L(const Site&);
+
 }  // namespace earthtop

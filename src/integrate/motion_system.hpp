@@ -5,6 +5,7 @@
 #include <array>
 #include <type_traits>
 
+#include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
@@ -35,12 +36,16 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     const Motion<T> motion = load(x);
     const Vec3<T> field_L = pivot_field<K>(model_, t).rotating_L;
+    Motion<T> rate;
     if constexpr (O == Observer::laboratory)
-      store(laboratory_equation(model_, motion, field_L, non_inertial_torque<K>(model_, motion)), dxdt);
+      rate = laboratory_equation(model_, motion, field_L, non_inertial_torque<K>(model_, motion));
     else if constexpr (O == Observer::body)
-      store(body_equation<true, K>(model_, motion, field_L), dxdt);
+      rate = body_equation<true, K>(model_, motion, field_L);
     else
-      store(inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t))), dxdt);
+      rate = inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t)));
+    if constexpr (K == SceneKind::full)
+      if (model_.applied.any) rate.m += applied_share(motion, t);
+    store(rate, dxdt);
   }
 
   GeneralMotionSeries<T> series() const { return GeneralMotionSeries<T>(model_); }
@@ -78,8 +83,10 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
   }
 
   void follow(const State&) {}
-  MotionSample<T> sample(const State& x, T t) const {
-    const Motion<T> motion = load(x);
+  MotionSample<T> sample(const State& x, T t) const { return seen_in_laboratory(load(x), t); }
+
+ private:
+  MotionSample<T> seen_in_laboratory(const Motion<T>& motion, T t) const {
     MotionSample<T> s;
     s.q_LB = motion.q;
     if constexpr (O == Observer::inertial) s.q_LB = turn(t).conjugate() * motion.q;
@@ -91,8 +98,15 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
     if constexpr (O != Observer::laboratory) s.w_LB_B -= transposed_times(R_LB, model_.W_IL_L);
     return s;
   }
-
- private:
+  /// What the applied torques add to the rate of the observer's rate variable.
+  [[gnu::noinline]] Vec3<T> applied_share(const Motion<T>& motion, T t) const {
+    const MotionSample<T> seen = seen_in_laboratory(motion, t);
+    const Vec3<T> torque_B = applied_torque_B(model_, t, seen.q_LB, seen.w_LB_B, true);
+    if constexpr (O == Observer::body)
+      return times(model_.I_BP_B_inverse, torque_B);
+    else
+      return times(rotation_matrix(motion.q), torque_B);
+  }
   static Motion<T> load(const State& x) { return {{x[0], {x[1], x[2], x[3]}}, {x[4], x[5], x[6]}}; }
   static void store(const Motion<T>& m, State& x) { x = {m.q.w, m.q.v[0], m.q.v[1], m.q.v[2], m.m[0], m.m[1], m.m[2]}; }
   Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }

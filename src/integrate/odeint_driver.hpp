@@ -43,6 +43,7 @@ class Driver {
     scales_.include(x);
     if constexpr (requires { system_.typical_state(); }) scales_.include(system_.typical_state());
     if (!all_finite(x)) return RunStatus::not_finite;
+    settle(x, times[0]);
     on_step_(times[0], x);
     on_row_(std::size_t{0}, x);
     const Method method = options_.method;
@@ -85,6 +86,11 @@ class Driver {
   T first_step_taken() const { return first_step_taken_; }
 
  private:
+  /// Lets a system change its state where an event has come, such as a motion's coming to rest.
+  void settle(State& x, T t) {
+    if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
+  }
+
   auto counted_system() {
     return [this](const State& x, State& dxdt, T t) {
       ++counters_.evaluations;
@@ -113,6 +119,8 @@ class Driver {
         if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
         // Land on the output time; two like steps rather than a long one and a sliver.
         if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
+        if constexpr (requires { system_.longest_step(x, T(0)); })
+          proposed = std::min(proposed, system_.longest_step(x, clock.now()));
         const bool lands = proposed >= remaining;
         const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
         T dt = step, t = clock.now();
@@ -124,6 +132,7 @@ class Driver {
             clock.advance(remaining);
           else
             clock.advance(step);
+          settle(x, lands ? times[row] : clock.now());
           // A step cut short by the output time tells nothing against the longer one proposed before.
           proposed = step < proposed ? std::max(dt, proposed) : dt;
           scales_.include(x);

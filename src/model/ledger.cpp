@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "earthtop/frames/frame_stack.hpp"
+#include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 
 namespace earthtop {
@@ -67,11 +68,12 @@ ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB
 
 template <class T>
 ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B,
-                             const Vec3<T>& field_L) {
+                             const Vec3<T>& field_L, const Vec3<T>& applied_B) {
   ObservingFrame<T> B;
   B.R_LA = R_LB;
   B.w_IA_A = w_LB_B + transposed_times(R_LB, model.W_IL_L);
-  B.alpha_IA_A = body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, B.w_IA_A}, field_L).m;
+  B.alpha_IA_A = body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, B.w_IA_A}, field_L).m +
+                 times(model.I_BP_B_inverse, applied_B);
   return B;
 }
 
@@ -89,10 +91,11 @@ Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
 /// [F]'s side of the ledger.
 template <class T>
 void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory,
-                   const Vec3<T>& w_LB_B, const Vec3<T>& field_L) {
+                   const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& applied_B) {
   const Mat3<T> S_BP_A = turned_tensor(A.R_AB, model.S_BP_B);
   const Mat3<T> J_A = velocity_moment<T>(S_BP_A, times(A.R_AB, A.w_AB_B));
-  entry.tau_phys_A = field_torque<T>(times(A.R_AB, model.mass_moment_B), transposed_times(A.R_LA, field_L));
+  entry.tau_phys_A =
+      field_torque<T>(times(A.R_AB, model.mass_moment_B), transposed_times(A.R_LA, field_L)) + times(A.R_AB, applied_B);
   entry.tau_cor_A = coriolis_torque(A.w_IA_A, J_A);
   entry.tau_trans_A = transverse_torque(A.alpha_IA_A, S_BP_A);
   entry.tau_cent_A = centrifugal_torque(A.w_IA_A, S_BP_A);
@@ -110,11 +113,11 @@ void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const Observing
 /// Euler's side of the ledger.
 template <class T>
 Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory, const Mat3<T>& R_LB,
-                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L) {
+                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B) {
   const Mat3<T>& I_BP_B = model.I_BP_B;
   const Vec3<T> u_B = transposed_times(A.R_AB, A.w_IA_A);
   Vec3<T> cor_B = coriolis_by_euler(I_BP_B, u_B, A.w_AB_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
-  Vec3<T> applied_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L));
+  Vec3<T> applied_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L)) + further_B;
   if (in_laboratory) {
     cor_B *= model.weights.coriolis, cent_B *= model.weights.centrifugal;
   } else {
@@ -135,18 +138,20 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
   if (observer == LedgerObserver::platform && model.platform.turn.never_turns()) observer = LedgerObserver::laboratory;
   const Mat3<T> R_LB = rotation_matrix(q_LB);
   const Vec3<T> field_L = pivot_field<SceneKind::full>(model, t).rotating_L;
+  const Vec3<T> applied_B = model.applied.any ? applied_torque_B(model, t, q_LB, w_LB_B, true) : Vec3<T>(Vec3<T>::Zero());
   const bool in_laboratory = observer == LedgerObserver::laboratory;
   ObservingFrame<T> A;
   switch (observer) {
     case LedgerObserver::inertial: A = inertial_frame(model, t, R_LB, w_LB_B); break;
     case LedgerObserver::laboratory: A = laboratory_frame(model, R_LB, w_LB_B); break;
     case LedgerObserver::platform: A = platform_frame(model, t, R_LB, w_LB_B); break;
-    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L); break;
+    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L, applied_B); break;
   }
   LedgerEntry<T> entry;
-  count_torques(entry, model, A, in_laboratory, w_LB_B, field_L);
+  count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B);
   // The body is at rest in its own axes at all times: L' is zero and stays so.
-  if (observer != LedgerObserver::body) entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L);
+  if (observer != LedgerObserver::body)
+    entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B);
   // A zero has no sign here: a product with a rate of zero may have left one.
   for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
     *column += Vec3<T>::Zero();

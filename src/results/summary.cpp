@@ -79,6 +79,14 @@ Json drift_json(const RunResult& result) {
   return json;
 }
 
+/// When dry friction brought a motion to rest.
+Json stops_json(const std::vector<StopEvent>& stops) {
+  Json list = Json::array();
+  for (const StopEvent& stop : stops)
+    list.push_back({{"prediction", stop.prediction == Prediction::rotating ? "rotating" : "non_rotating"}, {"t_s", stop.t_s}});
+  return list;
+}
+
 Json headline_json(const std::optional<HeadlineCheck>& check) {
   if (!check) return nullptr;
   return {{"quantity", check->stated.quantity},
@@ -237,6 +245,7 @@ std::string summary_json(const RunResult& result) {
        {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
       {"drift", drift_json(result)},
       {"growth_of_disturbances", growth_json(result.verdict)},
+      {"stops", stops_json(result.stops)},
       {"headline", headline_json(check_headline(result))},
       {"solution", integration_json(result.solution)},
       {"certificate", integration_json(result.certificate)},

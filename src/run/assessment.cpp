@@ -4,7 +4,7 @@
 
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -91,7 +91,7 @@ LedgerEntry<double> in_double(const LedgerEntry<float128>& entry) {
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result) {
   const Scenario& scenario = result.scenario;
-  if (scenario.platform || !scenario.effects.all_on()) return {};
+  if (!is_plain(scenario)) return {};
   return result.extended_rows.empty() ? follow_invariants(scenario, result.rows)
                                       : follow_invariants(scenario, result.extended_rows);
 }
@@ -100,7 +100,9 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
                                         const DriftSummary& drift) {
   const auto body = make_body<double>(scenario.body);
   const double Omega = scenario.rotation_rate_rad_s;
-  if (symmetry_axis(body) != 2 || scenario.platform || !scenario.effects.coriolis || Omega == 0 || rows.size() < 3) return {};
+  if (symmetry_axis(body) != 2 || scenario.platform || scenario.effects.applied.any() || !scenario.effects.coriolis ||
+      Omega == 0 || rows.size() < 3)
+    return {};
   const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
   const SinCos<double> phi = sin_cos_degrees(scenario.site.latitude_deg);
   const double I1 = body.I_BP_B(0, 0), spin_momentum = body.I_BP_B(2, 2) * release.w_XB_B[2];

@@ -14,8 +14,8 @@
 #include "run/drift_bound.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
-#include "run/setup.hpp"
 #include "run/verdict.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -34,10 +34,13 @@ std::atomic<bool> stop_asked = false;
 /// formula is the motion, no comparison within a run has to show: the tests hold it against integrations of every scene it
 /// fits.
 ///
+/// With dry friction both are in body axes, where a motion at rest is held.
+///
 /// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
 /// against itself at a finer tolerance and in steps that have no common measure with the first ones (the observer names them),
 /// which excite other nutation. Where a run has few nutations, extrapolation.
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase) {
+IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
+                                  bool dry_friction) {
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
@@ -45,6 +48,7 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
       form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
+  if (dry_friction) second.observer = first.observer;
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;
   const double asked = first.relative_tolerance;
@@ -132,7 +136,8 @@ RunResult run_in(const Scenario& scenario) {
   problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));  // no further than the rows got
   nudge(problem);
   const double phase = fastest_rate_rad_s(scenario) * problem.times_s.back();
-  const IntegrationOptions other_options = second_options(options, result.solution.form, precision, phase);
+  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
+  const IntegrationOptions other_options = second_options(options, result.solution.form, precision, phase, dry_friction);
   const DriftTrajectory<T> second = integrate_timed(problem, other_options, precision, result.certificate);
   result.status = first.status != RunStatus::completed ? first.status : second.status;
 
@@ -159,6 +164,7 @@ RunResult run_in(const Scenario& scenario) {
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
   result.drift.threshold_time_s = first.threshold_time_s;
+  result.stops = first.stops;
   if (stop_asked) return stopped(std::move(result), reached_s);
   result.verdict = assess_verdict(result, stop_asked);
   mark_rows(result);

@@ -3,138 +3,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "run/setup.hpp"
+#include "scenario/input_derivatives.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
 
-static_assert(kInputs == kInputNames.size());
-enum Input : std::size_t { latitude, gravity, spin, tilt, rotation_rate, inertia_ratio, center_of_mass };
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-constexpr double kStep = 0x1p-20;         // of an input's scale: differences to both sides are good to 1e-12
 constexpr double kTolerance = 1e-11;      // of the derivatives' integration
 constexpr double kAffordablePhase = 2e6;  // rad; minutes: a toy top's minute, 1.5e4 rad, takes two seconds
 
-/// What the equations read, in full precision.
-struct Numbers {
-  Model<float128> model;
-  Release<float128> release;
-};
-
-double spin_of(const ReleaseSpec& release) {
-  return release.angular_velocity_body_rad_s ? (*release.angular_velocity_body_rad_s)[2] : release.spin_rad_s;
-}
-
-std::array<double, kInputs> values_of(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
-  const Vec3<double> n_L = rotation_matrix(release.q_LB).col(2);
-  std::array<double, kInputs> values;
-  values[latitude] = scenario.site.latitude_deg;
-  values[gravity] = scenario.site.gravity_m_s2;
-  values[spin] = spin_of(scenario.release);
-  values[tilt] = scenario.release.quaternion_LB ? kDegreesPerRadian * std::atan2(std::hypot(n_L[0], n_L[1]), n_L[2])
-                                                : scenario.release.tilt_deg;
-  values[rotation_rate] = scenario.rotation_rate_rad_s;
-  values[inertia_ratio] = body.I_BP_B(2, 2) / body.I_BP_B(0, 0);
-  values[center_of_mass] = norm(body.p_PBcm_B);
-  return values;
-}
-
-std::array<double, kInputs> scales_of(const Scenario& scenario, const std::array<double, kInputs>& values) {
-  std::array<double, kInputs> scales;
-  for (std::size_t i = 0; i < kInputs; ++i) scales[i] = std::abs(values[i]);
-  scales[latitude] = scales[tilt] = kDegreesPerRadian;
-  if (scales[gravity] == 0) scales[gravity] = 1;
-  if (scales[spin] == 0) scales[spin] = fastest_rate_rad_s(scenario);
-  if (scales[center_of_mass] == 0)
-    scales[center_of_mass] = std::sqrt(make_body<double>(scenario.body).I_BP_B(2, 2) / scenario.body.mass_kg);
-  return scales;
-}
-
-/// An attitude leant further by `angle` (rad), away from the vertical.
-std::array<double, 4> leant(const std::array<double, 4>& q_LB, double angle) {
-  const Quaternion<double> q{q_LB[0], Vec3<double>(q_LB[1], q_LB[2], q_LB[3])};
-  const Mat3<double> R_LB = rotation_matrix(q);
-  Vec3<double> axis_L(-R_LB(1, 2), R_LB(0, 2), 0);
-  if (norm(axis_L) == 0) axis_L = R_LB.col(1);  // a vertical axis leans toward body axis 1
-  const Quaternion<double> turned = Rotation<double>::about(Vec3<double>(axis_L / norm(axis_L)), angle).quaternion() * q;
-  return {turned.w, turned.v[0], turned.v[1], turned.v[2]};
-}
-
-/// The scene with one of its own numbers moved by `step`, in that number's unit. @returns by how much it was moved, rounded
-double move(Scenario& scenario, std::size_t input, double step) {
-  if (input == tilt && scenario.release.quaternion_LB) {
-    scenario.release.quaternion_LB = leant(*scenario.release.quaternion_LB, step / kDegreesPerRadian);
-    return step;
-  }
-  ReleaseSpec& release = scenario.release;
-  double* const numbers[] = {
-      &scenario.site.latitude_deg, &scenario.site.gravity_m_s2,
-      release.angular_velocity_body_rad_s ? &(*release.angular_velocity_body_rad_s)[2] : &release.spin_rad_s, &release.tilt_deg,
-      &scenario.rotation_rate_rad_s};
-  const double before = *numbers[input];
-  *numbers[input] += step;
-  return *numbers[input] - before;
-}
-
-/// The body with its ratio I3/I1 or the distance of its centre of mass moved; the other numbers about the pivot unchanged.
-void move(Body<float128>& body, std::size_t input, float128 step) {
-  if (input == center_of_mass) {
-    const float128 l = norm(body.p_PBcm_B);
-    if (l > float128(0))
-      body.p_PBcm_B *= (l + step) / l;
-    else
-      body.p_PBcm_B[2] += step;
-    return;
-  }
-  body.I_BP_B(2, 2) += step * body.I_BP_B(0, 0);
-  body.I_BP_B_inverse = body.I_BP_B.inverse();
-  body.S_BP_B = body.I_BP_B.trace() / float128(2) * Mat3<float128>::Identity() - body.I_BP_B;
-}
-
-Numbers numbers_at(Scenario scenario, const NaturalUnits& units, std::size_t input, double step, float128& moved) {
-  auto body = make_body<float128>(scenario.body);
-  moved = float128(step);
-  if (input < inertia_ratio)
-    moved = float128(move(scenario, input, step));
-  else
-    move(body, input, moved);
-  return {make_model<float128>(body, scenario.site, scenario.rotation_rate_rad_s, {}, nullptr, units),
-          make_release<float128>(scenario.release, body, float128(scenario.site.gravity_m_s2))};
-}
-
-template <int rows, int columns>
-Eigen::Matrix<double, rows, columns> quotient(const Eigen::Matrix<float128, rows, columns>& high,
-                                              const Eigen::Matrix<float128, rows, columns>& low, float128 step) {
-  Eigen::Matrix<double, rows, columns> q;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) q(i, j) = static_cast<double>((high(i, j) - low(i, j)) / step);
-  return q;
-}
-
-ProblemDerivative difference(const Numbers& high, const Numbers& low, float128 step, float128 epsilon,
-                             const NaturalUnits& units) {
-  const Model<float128>&a = high.model, &b = low.model;
-  ProblemDerivative d;
-  d.I_BP_B = quotient(a.I_BP_B, b.I_BP_B, step);
-  d.I_BP_B_inverse = quotient(a.I_BP_B_inverse, b.I_BP_B_inverse, step);
-  d.S_BP_B = quotient(a.S_BP_B, b.S_BP_B, step);
-  d.mass_moment_B = quotient(a.mass_moment_B, b.mass_moment_B, step);
-  d.apparent_gravity_L = quotient(a.apparent_gravity_L, b.apparent_gravity_L, step);
-  d.W_IL_L_scaled = quotient<3, 1>(a.W_IL_L / epsilon, b.W_IL_L / epsilon, step);
-  d.q_LB.w = static_cast<double>((high.release.q_LB.w - low.release.q_LB.w) / step);
-  d.q_LB.v = quotient(high.release.q_LB.v, low.release.q_LB.v, step);
-  d.w_XB_B = units.rate_from_rad_s(quotient(high.release.w_XB_B, low.release.w_XB_B, step));
-  return d;
-}
-
 std::optional<std::string> no_sensitivities(const Scenario& scenario, double time_s) {
-  if (scenario.platform || !scenario.effects.all_on())
-    return "the variational equations are those of a pivot at rest with all three non-inertial torques";
+  if (scenario.effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
   if (scenario.rotation_rate_rad_s == 0) return "the Earth does not turn: there is no drift";
   if (time_s == 0) return "no row of the drift is reliable";
   const double phase = fastest_rate_rad_s(scenario) * time_s;
@@ -144,20 +24,6 @@ std::optional<std::string> no_sensitivities(const Scenario& scenario, double tim
 }
 
 }  // namespace
-
-InputDerivatives input_derivatives(const Scenario& scenario, const NaturalUnits& units) {
-  InputDerivatives derivatives;
-  derivatives.values = values_of(scenario);
-  derivatives.scales = scales_of(scenario, derivatives.values);
-  const float128 epsilon = make_model<float128>(scenario, units).epsilon;
-  for (std::size_t i = 0; i < kInputs; ++i) {
-    const double step = kStep * derivatives.scales[i];
-    float128 up = 0, down = 0;
-    const Numbers high = numbers_at(scenario, units, i, step, up), low = numbers_at(scenario, units, i, -step, down);
-    derivatives.by_scaled_input[i] = difference(high, low, (up - down) / float128(derivatives.scales[i]), epsilon, units);
-  }
-  return derivatives;
-}
 
 std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const std::atomic<bool>& stop) {
   const Scenario& scenario = result.scenario;
@@ -176,7 +42,7 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
     report.unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
     return report;
   }
-  for (std::size_t i = 0; i < kInputs; ++i) {
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const auto by_input = [&](const Differentiated& quantity) { return quantity.derivatives[i] / inputs.scales[i]; };
     InputSensitivity input{kInputNames[i],
                            inputs.values[i],

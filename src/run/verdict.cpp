@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "earthtop/drift/growth.hpp"
-#include "run/setup.hpp"
 #include "run/stability.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -156,10 +156,14 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
 }
 
 void mark_rows(RunResult& result) {
-  if (!result.verdict.from_s) return;
-  const double from_s = *result.verdict.from_s;
-  for (DriftRow& row : result.rows) row.drift_reliable = row.t_s < from_s;
-  for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = static_cast<double>(row.t_s) < from_s;
+  // Between the stop of one motion and that of the other, their distance says which stopped first, not how the Earth turns
+  // them.
+  const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
+  const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
+  const double from_s = result.verdict.from_s.value_or(HUGE_VAL);
+  const auto reliable = [&](double t_s) { return t_s < from_s && !(t_s > one_rests_s && t_s < both_rest_s); };
+  for (DriftRow& row : result.rows) row.drift_reliable = reliable(row.t_s);
+  for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = reliable(static_cast<double>(row.t_s));
 }
 
 const DriftRow* last_reliable_row(const RunResult& result) {

@@ -93,6 +93,37 @@ Json numerics_json(const Scenario& scenario) {
   return json;
 }
 
+Json tide_json(const TideSpec& tide) {
+  if (tide.given)
+    return {{"amplitude_m_s2", tide.amplitude_m_s2}, {"frequency_hz", tide.frequency_hz}, {"phase_deg", tide.phase_deg}};
+  return {{"gravimetric_factor", tide.options.gravimetric_factor}, {"tilt_factor", tide.options.tilt_factor}};
+}
+
+/// Effects that are off are left out: a scene of before they were known keeps its identity.
+Json effects_json(const EffectsSpec& effects) {
+  Json json = {{"coriolis", effects.coriolis}, {"centrifugal", effects.centrifugal}, {"transverse", effects.transverse}};
+  const AppliedTorquesSpec& applied = effects.applied;
+  if (applied.viscous_N_m_s != 0) json["viscous_torque_N_m_s"] = applied.viscous_N_m_s;
+  if (applied.quadratic_N_m_s2 != 0) json["quadratic_torque_N_m_s2"] = applied.quadratic_N_m_s2;
+  if (applied.coulomb_N_m != 0) json["coulomb_torque_N_m"] = applied.coulomb_N_m;
+  if (applied.air_drag) {
+    static constexpr const char* kFlows[] = {"auto", "laminar", "turbulent"};
+    json["air_drag"] = {{"disc_radius_m", applied.air_drag->disc_radius_m},
+                        {"density_kg_m3", applied.air_drag->density_kg_m3},
+                        {"kinematic_viscosity_m2_s", applied.air_drag->kinematic_viscosity_m2_s},
+                        {"flow", kFlows[static_cast<int>(applied.air_drag->flow)]}};
+  }
+  if (applied.gravity_gradient) switch (applied.gravity_gradient->field) {
+      case GradientField::radial: json["gravity_gradient"] = true; break;
+      case GradientField::normal: json["gravity_gradient"] = "normal"; break;
+      case GradientField::given: json["gravity_gradient"] = {{"gm_over_r3_s2", applied.gravity_gradient->gm_over_r3_s2}};
+    }
+  if (effects.tide) json["tide"] = tide_json(*effects.tide);
+  if (effects.automatic) json["select"] = "auto";
+  if (applied.gimbal) json["gimbal"] = {{"damping_N_m_s", applied.gimbal->damping_N_m_s}};
+  return json;
+}
+
 }  // namespace
 
 std::string canonical_json(const Scenario& scenario) {
@@ -107,11 +138,16 @@ std::string canonical_json(const Scenario& scenario) {
                {"body", body_json(scenario.body)},
                {"release", release_json(scenario.release)},
                {"motion", {{"duration_s", scenario.duration_s}, {"output_step_s", scenario.output_step_s}}},
-               {"effects",
-                {{"coriolis", scenario.effects.coriolis},
-                 {"centrifugal", scenario.effects.centrifugal},
-                 {"transverse", scenario.effects.transverse}}},
+               {"effects", effects_json(scenario.effects)},
                {"numerics", numerics_json(scenario)}};
+  const Site& site = scenario.site;
+  if (site.pole.x_arcsec != 0 || site.pole.y_arcsec != 0)
+    json["effects"]["polar_motion"] = {{"x_arcsec", site.pole.x_arcsec}, {"y_arcsec", site.pole.y_arcsec}};
+  if (site.deflection.north_arcsec != 0 || site.deflection.east_arcsec != 0)
+    json["effects"]["deflection_of_vertical"] = {{"north_arcsec", site.deflection.north_arcsec},
+                                                 {"east_arcsec", site.deflection.east_arcsec}};
+  if (scenario.start_utc) json["motion"]["start_utc"] = *scenario.start_utc;
+  if (scenario.accuracy_rad) json["accuracy"]["drift_rad"] = *scenario.accuracy_rad;
   if (scenario.ledger) json["numerics"]["ledger"] = std::string(to_string(*scenario.ledger));
   if (scenario.platform) json["platform"] = platform_json(*scenario.platform);
   if (scenario.threshold_rad) json["report"]["threshold_rad"] = *scenario.threshold_rad;

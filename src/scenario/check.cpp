@@ -76,6 +76,10 @@ class Checker {
       case object_or_word:
         if (node.kind == JsonKind::object) return members(node, field.pointer, pointer);
         return one_word(node, field, pointer);
+      case flag_or_object:
+        if (node.kind == JsonKind::object) return members(node, field.pointer, pointer);
+        if (node.kind == JsonKind::boolean) return;
+        return one_word(node, field, pointer);
       case list: return objects(node, field, pointer);
       case text:
         if (node.kind != JsonKind::string) wrong_type(node, field, pointer);

@@ -10,7 +10,7 @@ Model<double> plain_model(const Scenario& scenario) {
 }  // namespace
 
 ExactKind closed_form_kind(const Scenario& scenario) {
-  if (scenario.platform || !scenario.effects.all_on()) return ExactKind::not_plain;
+  if (!is_plain(scenario)) return ExactKind::not_plain;
   return exact_kind(plain_model(scenario));
 }
 

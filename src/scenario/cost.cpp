@@ -82,7 +82,7 @@ double seconds_an_evaluation(Precision precision) {
 double step_rate_rad_s(const Scenario& scenario) {
   const auto body = make_body<double>(scenario.body);
   const bool reduced = scenario.numerics.form == ModelForm::automatic && scenario.numerics.observer == Observer::laboratory &&
-                       !scenario.platform && scenario.effects.all_on() && symmetry_axis(body) == 2;
+                       is_plain(scenario) && symmetry_axis(body) == 2;
   if (!reduced) return fastest_rate_rad_s(scenario);
   const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
   const double I1 = body.I_BP_B(0, 0), torque = body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B);

@@ -59,9 +59,13 @@ bool decode_site(const Section& root, Scenario& scenario) {
                  "is given");
   scenario.rotation_rate_rad_s = rate.value_or(0);
   scenario.site = {latitude.value_or(0), longitude.value_or(0), height.value_or(0), gravity.value_or(0)};
+  if (gravity_given && site.has("gravity_anomaly_m_s2"))
+    site.refuse_key("gravity_anomaly_m_s2",
+                    "is counted from normal gravity, and gravity_m_s2 is given; leave one of the two out");
   if (gravity_given) return gravity.has_value();
   if (!latitude || !height) return false;
-  scenario.site.gravity_m_s2 = normal_gravity(*latitude, *height);
+  scenario.gravity_anomaly_m_s2 = site.number("gravity_anomaly_m_s2").value_or(0);
+  scenario.site.gravity_m_s2 = normal_gravity(*latitude, *height) + scenario.gravity_anomaly_m_s2;
   return true;
 }
 
@@ -106,13 +110,13 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   const bool starts = body && release && gravity && check_start(root.section("release"), scenario);
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"));
-  const Section effects = root.section("effects");
-  scenario.effects = {effects.flag("coriolis").value_or(true), effects.flag("centrifugal").value_or(true),
-                      effects.flag("transverse").value_or(true)};
+  decode_effects(root, scenario);
+  if (starts) check_effects(root.section("effects"), scenario);
   decode_numerics(root.section("numerics"), scenario);
   if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.criteria = decode_criteria(root);
+  scenario.accuracy_rad = root.section("accuracy").number("drift_rad");
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));

@@ -65,6 +65,9 @@ constexpr Field kFields[] = {
     {"/site/gravity_m_s2", number, "m/s^2", from(0, kInfinity), "", "", "",
      "apparent gravity along -Up, what a gravimeter reads; default: WGS 84 normal gravity at latitude and height"},
 
+    {"/site/gravity_anomaly_m_s2", number, "m/s^2", from(-0.1, 0.1), "", "", "0",
+     "added to normal gravity, where no gravity_m_s2 is given: what a gravity map shows"},
+
     {"/earth", object, "", any(), "", "", "{}", "the rotating planet"},
     {"/earth/rotation_rate_rad_s", number, "rad/s", any(), "", "", "7.292115e-5", "rotation rate; WGS 84"},
 
@@ -108,6 +111,9 @@ constexpr Field kFields[] = {
     {"/motion/output_step_s", number, "s", above(0, kInfinity), "", "", "",
      "time between rows; default: duration/1000; longer than the duration: rows at 0 and the end only"},
 
+    {"/motion/start_utc", text, "", any(), "", "", "",
+     "the instant of release, YYYY-MM-DDThh:mm:ssZ: what Moon, Sun and pole are looked up by"},
+
     {"/platform", object, "", any(), "", "", "", "a platform that carries the pivot; none if left out"},
     {"/platform/motion", word, "", any(), "constant|ramp|harmonic", "table", "", "kind of motion", kRequired},
     {"/platform/axis", vector3, "", kLengths, "", "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
@@ -119,13 +125,50 @@ constexpr Field kFields[] = {
     {"/platform/pivot_offset_m", vector3, "m", kLengths, "", "", "[0, 0, 0]", "pivot from the centre, platform axes"},
     {"/platform/file", not_yet, "", any(), "", "", "", "table of angles"},
 
-    {"/effects", object_or_word, "", any(), "", "auto", "{}", "which torques act"},
+    {"/effects", object_or_word, "", any(), "auto", "", "{}",
+     "which torques act; \"auto\": what accuracy.drift_rad needs of those that have no parameter of their own"},
     {"/effects/coriolis", flag, "", any(), "", "", "true", "Coriolis torque"},
     {"/effects/centrifugal", flag, "", any(), "", "", "true", "centrifugal torque"},
     {"/effects/transverse", flag, "", any(), "", "", "true", "transverse torque"},
-    {"/effects/select", not_yet, "", any(), "", "", "", "effects chosen by the drift error asked for"},
-    {"/effects/viscous_torque_N_m_s", not_yet, "", any(), "", "", "", "viscous damping"},
-    {"/effects/gravity_gradient", not_yet, "", any(), "", "", "", "gravity gradient torque"},
+    {"/effects/select", word, "", any(), "auto", "", "",
+     "as \"auto\" for the whole, beside effects with parameters, which are kept"},
+    {"/effects/gravity_gradient", flag_or_object, "", any(), "normal", "", "false",
+     "the Earth's gravity gradient: true, its radial term about the geocentric vertical; \"normal\", the whole tensor of the "
+     "normal field; or a radial term of given strength about Up"},
+    {"/effects/gravity_gradient/gm_over_r3_s2", number, "1/s^2", from(-1e9, 1e9), "", "", "", "GM/r^3", kRequired},
+    {"/effects/tide", flag_or_object, "", any(), "", "", "false",
+     "luni-solar tide in apparent gravity: true, of Moon and Sun on a rigid Earth from start_utc on; or with factors of an "
+     "elastic Earth; or harmonic with a given amplitude"},
+    {"/effects/tide/gravimetric_factor", number, "", from(0, 10), "", "", "1", "of the vertical part; some 1.16"},
+    {"/effects/tide/tilt_factor", number, "", from(0, 10), "", "", "1", "of the horizontal part; some 0.69"},
+    {"/effects/tide/amplitude_m_s2", vector3, "m/s^2", from(-1e3, 1e3), "", "", "",
+     "harmonic: amplitude of a sin(2 pi f t + phase), laboratory axes"},
+    {"/effects/tide/frequency_hz", number, "Hz", from(0, 1e6), "", "", "", "harmonic: frequency"},
+    {"/effects/tide/phase_deg", number, "deg", kAngles, "", "", "0", "harmonic: phase at t = 0"},
+    {"/effects/polar_motion", flag_or_object, "", any(), "", "", "false",
+     "the Earth's pole: true, the secular pole of the IERS conventions at start_utc; or as measured"},
+    {"/effects/polar_motion/x_arcsec", number, "arcsec", from(-10, 10), "", "", "", "toward Greenwich", kRequired},
+    {"/effects/polar_motion/y_arcsec", number, "arcsec", from(-10, 10), "", "", "", "toward 90 deg West", kRequired},
+    {"/effects/excess_length_of_day_ms", number, "ms", from(-1000, 1000), "", "", "0",
+     "by which a day is longer than 86400 s: the rotation rate is less by this part of it"},
+    {"/effects/deflection_of_vertical", object, "", any(), "", "", "",
+     "the plumb line's zenith less the ellipsoid's normal; latitude and azimuths stay those of the ellipsoid"},
+    {"/effects/deflection_of_vertical/north_arcsec", number, "arcsec", from(-3600, 3600), "", "", "0", "xi"},
+    {"/effects/deflection_of_vertical/east_arcsec", number, "arcsec", from(-3600, 3600), "", "", "0", "eta"},
+    {"/effects/viscous_torque_N_m_s", number, "N m s", from(0, 1e9), "", "", "0",
+     "k of the torque -k w, w the rate relative to the platform, or to the laboratory"},
+    {"/effects/quadratic_torque_N_m_s2", number, "N m s^2", from(0, 1e9), "", "", "0", "c of the torque -c |w| w"},
+    {"/effects/coulomb_torque_N_m", number, "N m", from(0, 1e9), "", "", "0",
+     "T of the pivot's dry friction -T w/|w|, and the torque that it holds at rest"},
+    {"/effects/air_drag", object, "", any(), "", "", "", "a disc that spins about body axis 3 in still air, by von Karman"},
+    {"/effects/air_drag/disc_radius_m", number, "m", above(0, 1e3), "", "", "", "its radius", kRequired},
+    {"/effects/air_drag/density_kg_m3", number, "kg/m^3", above(0, 1e5), "", "", "1.204", "of the air; 20 deg C"},
+    {"/effects/air_drag/kinematic_viscosity_m2_s", number, "m^2/s", above(0, 1e3), "", "", "1.516e-5", "of the air; 20 deg C"},
+    {"/effects/air_drag/flow", word, "", any(), "auto|laminar|turbulent", "", "\"auto\"",
+     "boundary layer; auto: turbulent where the Reynolds number of the spin at release is above 3e5"},
+    {"/effects/gimbal", flag_or_object, "", any(), "", "", "false",
+     "holds body axis 3 level: it turns about Up only, as in a gyrocompass"},
+    {"/effects/gimbal/damping_N_m_s", number, "N m s", from(0, 1e9), "", "", "0", "of its turn about Up"},
 
     {"/numerics", object, "", any(), "", "", "{}", "how to integrate"},
     {"/numerics/method", word, "", any(),
@@ -151,7 +194,8 @@ constexpr Field kFields[] = {
      "observer of the torque ledger torques.csv; none is written if left out"},
 
     {"/accuracy", object, "", any(), "", "", "{}", "accuracy asked for"},
-    {"/accuracy/drift_rad", not_yet, "", any(), "", "", "", "drift error asked for"},
+    {"/accuracy/drift_rad", number, "rad", above(0, kPi), "", "", "",
+     "error asked for of the axis drift: sets the tolerance of method \"auto\"; a bound above it ends with status 3"},
 
     {"/report", object, "", any(), "", "", "{}", "what else to report"},
     {"/report/threshold_rad", number, "rad", above(0, kPi), "", "", "", "the first time the axis drift passes it is reported"},
@@ -228,6 +272,8 @@ std::string allowed_values(const Field& field) {
   switch (field.kind) {
     case object: return "an object {...}";
     case object_or_word: return field.words.empty() ? "an object {...}" : quoted_words(field.words) + ", or an object {...}";
+    case flag_or_object:
+      return fmt::format("true, false{}{}, or an object {{...}}", field.words.empty() ? "" : ", ", quoted_words(field.words));
     case list: return "an array of at least one object";
     case text: return "a string";
     case name: return "a string of 1 to 64 of a-z, 0-9 and '-', not beginning with '-'";

@@ -12,11 +12,12 @@ namespace earthtop::scenario {
 enum class FieldKind {
   object,
   object_or_word,
-  list,  ///< of objects
-  text,  ///< any string
-  name,  ///< [a-z0-9][a-z0-9-]{0,63}
-  word,  ///< one of `words`
-  flag,  ///< true or false
+  flag_or_object,  ///< true, false, one of `words`, or an object
+  list,            ///< of objects
+  text,            ///< any string
+  name,            ///< [a-z0-9][a-z0-9-]{0,63}
+  word,            ///< one of `words`
+  flag,            ///< true or false
   number,
   vector3,  ///< three numbers
   matrix3,  ///< three rows of three numbers

@@ -9,8 +9,7 @@ namespace {
 /// Whether the scene is a symmetric top that may be integrated without its spin.
 bool takes_reduced_form(const Scenario& scenario) {
   const IntegrationOptions& asked = scenario.numerics;
-  return asked.form == ModelForm::automatic && !scenario.platform && scenario.effects.all_on() &&
-         symmetry_axis(make_body<double>(scenario.body)) >= 0;
+  return asked.form == ModelForm::automatic && is_plain(scenario) && symmetry_axis(make_body<double>(scenario.body)) >= 0;
 }
 
 /// The series are those of the reduced form in laboratory axes, or of any body in its own axes: the same motion, whatever the
@@ -57,7 +56,16 @@ bool has_long_horizon(const Scenario& scenario) {
 }  // namespace
 
 MethodChoice method_choice(const Scenario& scenario) {
-  const IntegrationOptions& asked = scenario.numerics;
+  IntegrationOptions asked = scenario.numerics;
+  if (scenario.effects.applied.coulomb_N_m != 0) {
+    asked.observer = Observer::body;  // whose state a motion at rest is simplest in
+    asked.form = ModelForm::general;
+    if (asked.method == Method::automatic) {
+      asked.method = scenario.precision == Precision::bits113 ? Method::extrapolation : Method::rkf78;
+      return {asked, "dry friction: short steps end where a motion comes to rest; in body axes"};
+    }
+    return {asked, "asked for; in body axes, where dry friction can hold a motion at rest"};
+  }
   if (asked.method == Method::taylor) return {with_taylor(scenario), "asked for"};
   if (asked.method != Method::automatic) return {asked, "asked for"};
 
@@ -65,7 +73,7 @@ MethodChoice method_choice(const Scenario& scenario) {
     return {with_finer_tolerance(scenario, Method::extrapolation, 100), "its order follows the digits asked for"};
   if (method_refusal(Method::taylor, scenario))
     return {with_finer_tolerance(scenario, Method::dop853, 10),
-            "a platform or a torque left out: no series is compiled for it"};
+            "a platform, a torque left out or one applied: no series is compiled for it"};
   // Who names an observer or the general model wants those equations integrated; in body axes they are what the series is of.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)

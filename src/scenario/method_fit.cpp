@@ -14,6 +14,8 @@ std::optional<std::string> need_plain_scene(Method method, const Scenario& scena
   if (scenario.platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
   if (!scenario.effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
+  if (scenario.effects.applied.any())
+    return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }
 
@@ -74,6 +76,11 @@ std::optional<std::string> need_fast_symmetric_top(const Scenario& scenario) {
 }  // namespace
 
 std::optional<std::string> method_refusal(Method method, const Scenario& scenario) {
+  if (scenario.effects.applied.coulomb_N_m != 0 && method != Method::automatic && method != Method::rkf78 &&
+      method != Method::extrapolation)
+    return "with dry friction a motion comes to rest within a step, which only \"rkf78\" and \"extrapolation\" find; take one "
+           "of "
+           "them, or \"auto\"";
   switch (method) {
     case Method::automatic:
     case Method::dopri5:

@@ -80,6 +80,16 @@ Json release_rule() {
            {{"quaternion_LB", none_of("azimuth_deg|spin_angle_deg")}, {"angular_velocity_body_rad_s", none_of("precession")}}}};
 }
 
+/// Of Moon and Sun, or of given amplitude.
+Json tide_rule() {
+  Json harmonic = required("frequency_hz");
+  harmonic.update(none_of("gravimetric_factor|tilt_factor"));
+  return {{"dependencies",
+           {{"amplitude_m_s2", harmonic},
+            {"frequency_hz", Json::array({"amplitude_m_s2"})},
+            {"phase_deg", Json::array({"amplitude_m_s2"})}}}};
+}
+
 Json numerics_rule() {
   Json fixed_step = required("step_s");
   fixed_step.update(none_of("relative_tolerance"));
@@ -137,6 +147,11 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/release")
     return Json::array(
         {exactly_one("tilt_deg", "quaternion_LB"), exactly_one("spin_rad_s", "angular_velocity_body_rad_s"), release_rule()});
+  if (pattern == "/site") return Json::array({{{"dependencies", {{"gravity_m_s2", none_of("gravity_anomaly_m_s2")}}}}});
+  if (pattern == "/motion")
+    return Json::array(
+        {{{"properties", {{"start_utc", {{"pattern", "^\\d{4}-\\d{2}-\\d{2}T\\d{2}:\\d{2}:\\d{2}([.]\\d+)?Z$"}}}}}}});
+  if (pattern == "/effects/tide") return Json::array({tide_rule()});
   if (pattern == "/platform") return platform_rules();
   if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();
@@ -160,6 +175,11 @@ Json of_field(const Field& field) {
     case FieldKind::object_or_word:
       if (field.words.empty()) return of_object(field.pointer);
       return {{"oneOf", Json::array({words, of_object(field.pointer)})}};
+    case FieldKind::flag_or_object: {
+      Json choices = Json::array({{{"type", "boolean"}}, of_object(field.pointer)});
+      if (!field.words.empty()) choices.push_back(words);
+      return {{"oneOf", choices}};
+    }
     case FieldKind::list: return {{"type", "array"}, {"minItems", 1}, {"items", of_object(std::string(field.pointer) + "/*")}};
     case FieldKind::text: return {{"type", "string"}};
     case FieldKind::name: return {{"type", "string"}, {"pattern", "^[a-z0-9][a-z0-9-]{0,63}$"}};

@@ -24,6 +24,7 @@ class Section {
   bool present() const { return node_ != nullptr; }
   bool has(std::string_view key) const { return node_ && node_->find(key); }
   bool is_object(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::object; }
+  bool is_word(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::string; }
   std::size_t size(std::string_view key) const;  ///< elements of a list; 0 where it has been refused
 
   std::optional<double> number(std::string_view key) const;

@@ -4,7 +4,7 @@
 
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"

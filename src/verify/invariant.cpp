@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "earthtop/model/invariants.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "earthtop/integrate/motion_integration.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 

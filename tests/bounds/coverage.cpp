@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/compositions.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {

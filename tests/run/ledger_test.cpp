@@ -7,7 +7,7 @@
 #include "earthtop/run.hpp"
 #include "frames/random_cases.hpp"
 #include "model/ledger_sizes.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "earthtop/scenario/scenario.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {

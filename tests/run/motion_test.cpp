@@ -1,6 +1,6 @@
 /// One motion integrated by itself is the rotating motion of a run.
 #include "earthtop/integrate/motion_integration.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "earthtop/results/results.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 

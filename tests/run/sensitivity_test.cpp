@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "run/sensitivities.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -28,7 +28,7 @@ struct Knob {
   double input_per_number = 1;
 };
 
-std::array<Knob, kInputs> knobs(const Scenario& scenario) {
+std::array<Knob, kInputNames.size()> knobs(const Scenario& scenario) {
   const double I1 = scenario.body.inertia_kg_m2[0][0];
   return {Knob{[](Scenario& s) -> double& { return s.site.latitude_deg; }},
           Knob{[](Scenario& s) -> double& { return s.site.gravity_m_s2; }},
@@ -44,10 +44,10 @@ void expect_exact_derivatives(const Scenario& scenario) {
   asked.sensitivities = true;
   const auto report = run(asked).sensitivities;
   ASSERT_TRUE(report);
-  ASSERT_EQ(report->inputs.size(), kInputs) << report->unavailable;
+  ASSERT_EQ(report->inputs.size(), kInputNames.size()) << report->unavailable;
   EXPECT_EQ(report->at_s, scenario.duration_s);
   const auto numbers = knobs(scenario);
-  for (std::size_t i = 0; i < kInputs; ++i) {
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const InputSensitivity& input = report->inputs[i];
     Scenario high = scenario, low = scenario;
     double &up = numbers[i].number(high), &down = numbers[i].number(low);
@@ -107,7 +107,7 @@ TEST(Sensitivity, OfAnAttitudeGivenAsAQuaternion) {
   quaternion.release.quaternion_LB = {q.w, q.v[0], q.v[1], q.v[2]};
   quaternion.release.angular_velocity_body_rad_s = {0, 0, angles.release.spin_rad_s};
   const auto a = run(angles).sensitivities, b = run(quaternion).sensitivities;
-  for (std::size_t i = 0; i < kInputs; ++i)
+  for (std::size_t i = 0; i < kInputNames.size(); ++i)
     EXPECT_NEAR(a->inputs[i].axis_rad, b->inputs[i].axis_rad, 1e-8 * std::abs(a->inputs[i].axis_rad)) << a->inputs[i].name;
 }
 
@@ -118,7 +118,7 @@ TEST(Sensitivity, ErrorsOfTheInputsAddUpInSquares) {
   scenario.uncertainty = {{0.01, 0, 0.5, 0, 0, 1e-3, 0}};
   const auto report = run(scenario).sensitivities;
   double square = 0;
-  for (std::size_t i = 0; i < kInputs; ++i) {
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const double part = report->inputs[i].axis_rad * (*scenario.uncertainty)[i];
     EXPECT_DOUBLE_EQ(report->inputs[i].axis_error_rad, std::abs(part));
     square += part * part;
@@ -133,7 +133,7 @@ TEST(Sensitivity, AtATinyEarthRateIsProportionalToIt) {
   const auto ordinary = run(scenario).sensitivities;
   scenario.rotation_rate_rad_s *= 0x1p-900;
   const auto tiny = run(scenario).sensitivities;
-  for (std::size_t i = 0; i < kInputs; ++i) {
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const double scale = kInputNames[i] == "rotation_rate_rad_s" ? 1 : 0x1p-900;
     EXPECT_NEAR(tiny->inputs[i].axis_rad / scale, ordinary->inputs[i].axis_rad, 2e-4 * std::abs(ordinary->inputs[i].axis_rad))
         << kInputNames[i];

@@ -6,7 +6,7 @@
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/run.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {

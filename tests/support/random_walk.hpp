@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "earthtop/integrate/motion_integration.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 

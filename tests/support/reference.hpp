@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "earthtop/run.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 

@@ -27,19 +27,6 @@ struct Deviation {
   Vec3<T> p = Vec3<T>::Zero();
 };
 
-/// (R(e) - 1) u / epsilon for e = (w, epsilon y), |e| divided out: 2 w y x u + 2 epsilon y x (y x u), over |e|^2.
-template <class T>
-Vec3<T> turn_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
-  const Vec3<T> yu = y.cross(u);
-  const T s = T(2) / (w * w + epsilon * epsilon * y.dot(y));
-  return s * (w * yu + epsilon * y.cross(yu));
-}
-/// (R(e)^T - 1) u / epsilon.
-template <class T>
-Vec3<T> turn_back_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
-  return turn_minus_one_scaled(w, Vec3<T>(-y), epsilon, u);
-}
-
 /// Body form: inertial rates, Euler's equation; the laboratory turns away under the attitude.
 ///   de/dt: e_v x w_ref + (e_w d + e_v x d)/2, -(e_v.d)/2 with d = Theta^-1 p - R_rot^T W
 ///   dp/dt = p x w_ref + (Theta w_rot) x (Theta^-1 p) + m r x (R_rot^T f_rot - R_ref^T f_ref)

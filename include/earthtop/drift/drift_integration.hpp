@@ -80,12 +80,21 @@ struct DriftProblem : MotionProblem<T> {
   RotatingMotion rotating = RotatingMotion::integrated;
 };
 
+/// One of the two predictions.
+enum class Prediction { reference, rotating };
+/// A motion came to rest in dry friction.
+struct StopEvent {
+  Prediction prediction = Prediction::reference;
+  double t_s = 0;
+};
+
 template <class T>
 struct DriftTrajectory {
   RunStatus status = RunStatus::completed;
   std::vector<DriftSample<T>> samples;
   StepCounters counters;
   std::optional<double> step_s;            ///< of a fixed-step method, as taken in the first interval
+  std::vector<StopEvent> stops;            ///< ascending in time
   std::optional<double> threshold_time_s;  ///< axis drift first above the threshold, linear within a step
 };
 

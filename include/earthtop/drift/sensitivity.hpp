@@ -4,21 +4,28 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <optional>
 
 #include "earthtop/integrate/motion_integration.hpp"
 
 namespace earthtop {
 
-inline constexpr std::size_t kInputs = 7;
+/// So many inputs are followed at once.
+inline constexpr std::size_t kInputs = 8;
 
-/// What the equations read of one input: derivatives of model and release by it, in the model's natural units.
+/// What the equations read of one input: derivatives of model and release by it, in the model's natural units; and torques of
+/// which the input is the strength, 0 in the motion itself.
 struct ProblemDerivative {
   Mat3<double> I_BP_B = Mat3<double>::Zero(), I_BP_B_inverse = Mat3<double>::Zero(), S_BP_B = Mat3<double>::Zero();
   Vec3<double> mass_moment_B = Vec3<double>::Zero(), apparent_gravity_L = Vec3<double>::Zero();
   Vec3<double> W_IL_L_scaled = Vec3<double>::Zero();  ///< of the Earth's rate over the model's own, unchanged epsilon
   Quaternion<double> q_LB{0, Vec3<double>::Zero()};
   Vec3<double> w_XB_B = Vec3<double>::Zero();
+  double coriolis = 0, centrifugal = 0;  ///< of the torques' weights
+  double release = 0;                    ///< of the part of the deviation's rate that the release gives it
+  AppliedTorques<double> applied;
+  TideSeries<double> tide;
 };
 
 /// A number and its derivatives by the inputs.
@@ -27,19 +34,36 @@ struct Differentiated {
   std::array<double, kInputs> derivatives = {};
 };
 
+/// How two directions move with one input, by the length of the change, per unit of it (rad).
+struct Responses {
+  double displacement_final = 0, displacement_largest = 0;  ///< of the reference's axis
+  double drift_final = 0, drift_largest = 0;                ///< of the rotating axis less that of the reference
+};
+
 /// The drift at one time, by all inputs (rad).
 struct DriftSensitivity {
   RunStatus status = RunStatus::completed;
   Differentiated axis, attitude, tilt;
   std::optional<Differentiated> azimuth;  ///< none where an axis is vertical
+  std::array<Responses, kInputs> responses;
   StepCounters counters;
 };
 
-/// Integrates in body axes, for any body in a plain scene. The derivatives' errors are held to `relative_tolerance` of their
-/// own size.
+/// What a step of both motions looks like from outside: time (natural units), the reference, and the rotating motion.
+struct FollowedStep {
+  double t;
+  Quaternion<double> ref_q_LB;
+  Vec3<double> ref_w_LB_B;
+  Quaternion<double> q_LB;
+  Vec3<double> w_LB_B;
+};
+
+/// Integrates in body axes, for any scene. The derivatives' errors are held to `relative_tolerance` of their own size, or of a
+/// thousandth of a radian and of the unit of rate: inputs are best measured in units that give derivatives of order 1.
 /// @param inputs  of the model and release of `problem`   @param time_s  after the release
-/// @throws std::logic_error for a scene that is not plain
+/// @param on_step  sees the release and every step; may be null
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
-                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop = nullptr);
+                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop = nullptr,
+                                   const std::function<void(const FollowedStep&)>& on_step = nullptr);
 
 }  // namespace earthtop

@@ -35,13 +35,33 @@ SinCos<T> sin_cos_degrees(T degrees) {
   }
 }
 
+/// The pole in Earth-fixed axes: x towards Greenwich, y towards 90 degrees WEST (arcsec) [IERS Conventions (2010), 5.4.1].
+struct PolarMotion {
+  double x_arcsec = 0;
+  double y_arcsec = 0;
+};
+
+/// The plumb line's zenith less the ellipsoid's normal: xi towards North, eta towards East (arcsec), each the angle between the
+/// normal and the zenith's projection onto that vertical plane. Astronomical latitude = geodetic + xi, astronomical longitude =
+/// geodetic + eta / cos(latitude) to first order [Heiskanen & Moritz, eq. 2-230].
+struct VerticalDeflection {
+  double north_arcsec = 0;
+  double east_arcsec = 0;
+};
+
 /// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity
-/// (m/s^2).
+/// (m/s^2); and how the Earth's pole and the plumb line depart from the ellipsoid's.
 struct Site {
   double latitude_deg = 0;
   double longitude_deg = 0;
   double height_m = 0;
   double gravity_m_s2 = 0;
+  PolarMotion pole = {};
+  VerticalDeflection deflection = {};
+  /// Whether the pole is the ellipsoid's and Up its normal.
+  bool follows_ellipsoid() const {
+    return pole.x_arcsec == 0 && pole.y_arcsec == 0 && deflection.north_arcsec == 0 && deflection.east_arcsec == 0;
+  }
 };
 
 /// The site seen from the Earth's centre, in axes East, North, Up (m): no East component.
@@ -64,9 +84,19 @@ Vec3<T> apparent_gravity_L(const Site& site) {
   return Vec3<T>(T(0), T(0), -T(site.gravity_m_s2));
 }
 
-/// The direction of the Earth's rotation axis in laboratory axes: (0, cos phi, sin phi), exact at the poles and the equator.
+/// The direction of the Earth's rotation axis in laboratory axes where pole or plumb line depart from the ellipsoid's.
+/// [earth_orientation.hpp]
+template <class T>
+Vec3<T> departing_celestial_axis_L(const Site& site);
+extern template Vec3<double> departing_celestial_axis_L(const Site&);
+extern template Vec3<long double> departing_celestial_axis_L(const Site&);
+extern template Vec3<float128> departing_celestial_axis_L(const Site&);
+
+/// The direction of the Earth's rotation axis in laboratory axes: (0, cos phi, sin phi), exact at the poles and the equator,
+/// but for a departing pole or plumb line.
 template <class T>
 Vec3<T> celestial_axis_L(const Site& site) {
+  if (!site.follows_ellipsoid()) return departing_celestial_axis_L<T>(site);
   const SinCos<T> phi = sin_cos_degrees(T(site.latitude_deg));
   return Vec3<T>(T(0), phi.cos, phi.sin);
 }

@@ -72,6 +72,19 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
   return q;
 }
 
+/// (R(e) - 1) u / epsilon for e = (w, epsilon y), |e| divided out: 2 w y x u + 2 epsilon y x (y x u), over |e|^2.
+template <class T>
+Vec3<T> turn_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
+  const Vec3<T> yu = y.cross(u);
+  const T s = T(2) / (w * w + epsilon * epsilon * y.dot(y));
+  return s * (w * yu + epsilon * y.cross(yu));
+}
+/// (R(e)^T - 1) u / epsilon.
+template <class T>
+Vec3<T> turn_back_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
+  return turn_minus_one_scaled(w, Vec3<T>(-y), epsilon, u);
+}
+
 /// An attitude R_AB, held as a unit quaternion.
 template <class T>
 class Rotation {

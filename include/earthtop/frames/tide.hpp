@@ -13,9 +13,9 @@ namespace earthtop {
 inline constexpr double kGravitationalConstantMoon = 4.902800118e12;
 inline constexpr double kGravitationalConstantSun = 1.32712440041279419e20;
 
-/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the vertical
-/// part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the tilt factor,
-/// about 0.69 [Melchior 1983; for degree 2, oceans left out].
+/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the
+/// vertical part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the
+/// tilt factor, about 0.69 [Melchior 1983; for degree 2, oceans left out].
 struct TideOptions {
   bool moon = true;
   bool sun = true;
@@ -25,13 +25,13 @@ struct TideOptions {
 
 /// The tidal acceleration at the site in geodetic East, North, Up (m/s^2), `seconds_later` after `utc`:
 ///   a = GM [ (d - r)/|d - r|^3 - d/|d|^3 ],  d: body, r: site, both from the Earth's centre,
-/// summed over the bodies. Good to some 1e-4 of its size: the Moon's abridged theory, UT1 = UTC. It has a mean value, the permanent
-/// tide, which normal gravity lacks and measured gravity, by the usual convention ("zero tide"), holds only in part.
+/// summed over the bodies. Good to some 1e-4 of its size: the Moon's abridged theory, UT1 = UTC. It has a mean value, the
+/// permanent tide, which normal gravity lacks and measured gravity, by the usual convention ("zero tide"), holds only in part.
 Vec3<double> tidal_acceleration_L(const Site& site, const UtcInstant& utc, double seconds_later = 0,
                                   const TideOptions& options = {});
 
-/// The tide of one body of a given constant GM at d, at the place r, both from the Earth's centre in any axes (m/s^2). No digits
-/// are lost however far the body is.
+/// The tide of one body of a given constant GM at d, at the place r, both from the Earth's centre in any axes (m/s^2). No
+/// digits are lost however far the body is.
 Vec3<double> differential_attraction(double gm, const Vec3<double>& d, const Vec3<double>& r);
 
 /// A function of time in pieces of equal length, each a sum of Chebyshev polynomials of the piece's own time in [-1, 1].

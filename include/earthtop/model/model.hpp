@@ -1,6 +1,8 @@
 /// The spinning top in its laboratory, as numbers the equations of motion read: nothing here is looked up or decided twice.
 #pragma once
 
+#include "earthtop/frames/tide.hpp"
+#include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
@@ -9,7 +11,7 @@
 namespace earthtop {
 
 /// What a scene needs, decided once and compiled in: `plain` has all three non-inertial torques and a pivot at rest in the
-/// laboratory; `full` weighs each torque and lets a platform carry the pivot.
+/// laboratory; `full` weighs each torque, lets a platform carry the pivot, and applies further torques.
 enum class SceneKind { plain, full };
 
 /// The share of each of [F]'s torques that acts: 1, or 0 where a scene leaves it out.
@@ -35,6 +37,8 @@ struct Model {
   Vec3<T> W_IL_L;         ///< the Earth's rate
   TorqueWeights<T> weights;
   Platform<T> platform;
+  AppliedTorques<T> applied;
+  TideSeries<T> tide;  ///< what the Moon and the Sun add to apparent gravity
   SceneKind kind = SceneKind::plain;
 };
 
@@ -76,7 +80,7 @@ extern template Model<long double> make_model(const Body<long double>&, const Si
 extern template Model<float128> make_model(const Body<float128>&, const Site&, double, const TorqueWeights<float128>&,
                                            const Platform<float128>*, const NaturalUnits&);
 
-/// The acceleration field at the pivot, in L axes: apparent gravity less the pivot's acceleration.
+/// The acceleration field at the pivot, in L axes: apparent gravity and its tide less the pivot's acceleration.
 template <class T>
 struct PivotField {
   Vec3<T> rotating_L;           ///< on the rotating Earth
@@ -90,7 +94,8 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
     return {model.apparent_gravity_L, model.apparent_gravity_L, Vec3<T>::Zero()};
   } else {
     const PivotAcceleration<T> a = pivot_acceleration(model.platform, model.W_IL_L, model.W_IL_L_scaled, t);
-    const Vec3<T> reference_L = model.apparent_gravity_L - a.of_platform_L;
+    Vec3<T> reference_L = model.apparent_gravity_L - a.of_platform_L;
+    if (!model.tide.empty()) reference_L += model.tide.acceleration_L(t);
     return {reference_L - model.epsilon * a.of_earth_rate_L, reference_L, -a.of_earth_rate_L};
   }
 }

@@ -10,7 +10,9 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/frames/earth.hpp"
+#include "earthtop/frames/tide.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/model/platform.hpp"
@@ -19,12 +21,26 @@
 
 namespace earthtop {
 
-/// Which of [F]'s three torques act. Switched off means: left out of dL'/dt in the laboratory.
+/// A tide: of Moon and Sun from the scene's start on, or harmonic, of a given amplitude.
+struct TideSpec {
+  bool given = false;
+  TideOptions options;                               ///< of Moon and Sun
+  std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< of a given one: East, North, Up
+  double frequency_hz = 0;
+  double phase_deg = 0;
+};
+
+/// Which of [F]'s three torques act (switched off means: left out of dL'/dt in the laboratory), and what acts beside gravity.
 struct EffectsSpec {
   bool coriolis = true;
   bool centrifugal = true;
   bool transverse = true;
+  AppliedTorquesSpec applied;
+  std::optional<TideSpec> tide;
+  bool automatic = false;  ///< what has no parameter of its own is chosen by the drift error asked for
   bool all_on() const { return coriolis && centrifugal && transverse; }
+  /// Whether gravity and all three of [F]'s torques act, and nothing else.
+  bool plain() const { return all_on() && !applied.any() && !tide; }
 };
 
 /// A figure known from elsewhere (closed form, theory, publication, extended precision) that a run is held against.
@@ -47,10 +63,13 @@ struct Scenario {
   std::optional<HeadlineSpec> headline;
   std::vector<CriterionSpec> criteria;
   Site site;
-  double rotation_rate_rad_s = kEarthRateWgs84;
+  double rotation_rate_rad_s = kEarthRateWgs84;  ///< less what a longer day takes of it
+  double excess_length_of_day_s = 0;             ///< which is in the rate already
+  double gravity_anomaly_m_s2 = 0;               ///< which is in the site's gravity already
   BodySpec body;
   ReleaseSpec release;
   double duration_s = 0;
+  std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z
   double output_step_s = 0;
   std::optional<PlatformSpec> platform;
   EffectsSpec effects;
@@ -58,10 +77,15 @@ struct Scenario {
   Precision precision = Precision::bits53;
   std::optional<LedgerObserver> ledger;  ///< whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
-  bool sensitivities = false;  ///< whether the drift's derivatives by the inputs are wanted
+  std::optional<double> accuracy_rad;  ///< the error asked for of the axis drift
+  bool sensitivities = false;          ///< whether the drift's derivatives by the inputs are wanted
   /// Standard errors of the inputs, in the order and units of kInputNames; 0 where not given.
   std::optional<std::array<double, kInputNames.size()>> uncertainty;
 };
+
+/// Whether a scene is a top under gravity on a pivot at rest in the laboratory, with all three of [F]'s torques: what closed
+/// forms, series, exact flows and the reduced form are made for.
+inline bool is_plain(const Scenario& scenario) { return !scenario.platform && scenario.effects.plain(); }
 
 /// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is
 /// that last row; a step longer than the duration gives the rows 0 and the end only.

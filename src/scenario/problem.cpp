@@ -1,6 +1,20 @@
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
+
+namespace {
+
+template <class T>
+TideSeries<T> tide_series(const Scenario& scenario) {
+  const TideSpec& tide = *scenario.effects.tide;
+  if (!tide.given)
+    return TideSeries<T>::of_bodies(scenario.site, *parse_utc(*scenario.start_utc), scenario.duration_s, tide.options);
+  const auto& a = tide.amplitude_m_s2;
+  return TideSeries<T>::harmonic(Vec3<T>(T(a[0]), T(a[1]), T(a[2])), T(tide.frequency_hz),
+                                 T(tide.phase_deg) * real::pi<T>() / T(180));
+}
+
+}  // namespace
 
 template <class T>
 Model<T> make_model(const Scenario& scenario, const NaturalUnits& units) {
@@ -8,8 +22,20 @@ Model<T> make_model(const Scenario& scenario, const NaturalUnits& units) {
   const TorqueWeights<T> weights{T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
   const bool on_platform = scenario.platform.has_value();
   const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
-  return make_model<T>(make_body<T>(scenario.body), scenario.site, scenario.rotation_rate_rad_s, weights,
-                       on_platform ? &platform : nullptr, units);
+  const auto body = make_body<T>(scenario.body);
+  auto model =
+      make_model<T>(body, scenario.site, scenario.rotation_rate_rad_s, weights, on_platform ? &platform : nullptr, units);
+  if (effects.applied.any()) {
+    const auto release = make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
+    model.applied =
+        make_applied_torques<T>(effects.applied, scenario.site, release.w_XB_B[2], units.mass_exponent, units.time_exponent);
+    model.kind = SceneKind::full;
+  }
+  if (effects.tide) {
+    model.tide = tide_series<T>(scenario).scaled(units.time_exponent);
+    model.kind = SceneKind::full;
+  }
+  return model;
 }
 template Model<double> make_model(const Scenario&, const NaturalUnits&);
 template Model<long double> make_model(const Scenario&, const NaturalUnits&);

@@ -1,0 +1,67 @@
+/// The effect budget: what every effect does to a scene, to first order, whether the scene models it or not; and how well the
+/// inputs must be known for the Earth's effect to be seen.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "earthtop/scenario/scenario.hpp"
+
+namespace earthtop {
+
+/// One effect. The difference of the two predictions is what a run reports as drift: an effect that acts in both enters it only
+/// through the Earth's, as a small part of the drift.
+struct EffectEntry {
+  std::string name;           ///< as the scenario's key names it
+  bool modelled = false;      ///< whether the scene has it
+  bool in_difference = true;  ///< whether it enters the difference of the two predictions to first order, or cancels
+  /// Size of its torque at release and at its largest (N m); none where no parameter says how large the effect is.
+  std::optional<double> torque_release_N_m, torque_largest_N_m;
+  std::optional<double>
+      displacement_rad;             ///< by how much it moves the axis in each prediction, at most; none where it is in one
+  std::optional<double> drift_rad;  ///< by how much it changes the axis drift, at most
+  std::optional<double> drift_final_rad;  ///< the same at the end
+  std::string reason;                     ///< why it is modelled or left out, or what is not known of it
+};
+
+/// How the predicted axis moves with an input, against the Earth's effect.
+struct InputNeed {
+  std::string name;  ///< one of kInputNames
+  double value = 0;
+  double displacement_per_unit_rad = 0;  ///< of the predicted axis at the end, for one unit of the input
+  double drift_per_unit_rad = 0;         ///< of the drift
+  /// The error of the input that moves the predicted axis by as much as the Earth does (of the latitude and the Earth's rate:
+  /// changes the drift by all of itself); none where no error does.
+  std::optional<double> hides_earth;
+};
+
+struct Budget {
+  double followed_s = 0;       ///< how far the motion was followed; what is later is scaled with the time
+  double earth_drift_rad = 0;  ///< of the axis at the end, from the deviation equations
+  std::vector<EffectEntry> effects;
+  std::vector<InputNeed> inputs;
+  std::string inputs_unavailable;  ///< why there are no inputs
+  std::vector<std::string> warnings;
+};
+
+/// Which effects to size: all, or those that need no parameters of their own and are not in the scene yet.
+enum class BudgetScope { everything, selectable };
+
+/// Follows both predictions with the first variations by every effect's strength (variational equations of the reference motion
+/// and of the deviation). @param stop  ends it early; may be null
+Budget effect_budget(const Scenario& scenario, BudgetScope scope, const std::atomic<bool>* stop = nullptr);
+
+/// What "auto" took, and what it left out.
+struct Selection {
+  double accuracy_rad = 0;
+  std::vector<std::string> switched_on, left_out;
+  double left_out_drift_rad = 0;  ///< estimate of what is left out, altogether
+  std::string how;                ///< how the sizes were found
+  double seconds = 0;             ///< what the choice cost
+};
+/// The scene with the effects that its accuracy needs switched on. @param scenario  with effects.automatic and an accuracy
+Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop = nullptr);
+
+}  // namespace earthtop

@@ -1,0 +1,179 @@
+/// The torques beside gravity and the Earth's: gravity gradient, friction, air, and a gimbal that holds the axis level. Each is
+/// off unless a scene asks for it. Every formula is a template on its scalar: with T it is the torque on one motion, with
+/// Paired<T> those on both predictions and their difference without cancellation. All in body axes B, about the pivot (N m).
+///
+/// | torque            | formula                                                        | source | | gravity gradient  |
+/// integral r x (Gamma r) dm = sum k_i u_i x (Theta u_i)           | Gamma = sum k_i u_i u_i^T + const 1      | | viscous | -k
+/// w_PB                                                        | Stokes friction, isotropic              | | quadratic | -c
+/// |w_PB| w_PB                                                 | drag, isotropic                         | | disc in air | -c
+/// sqrt|w3| w3 laminar, -c |w3|^(4/5) w3 turbulent, along axis 3 | von Karman 1921                         | | Coulomb pivot |
+/// -T w_PB / |w_PB|                                               | dry friction, isotropic                 | | gimbal | lambda
+/// z x n, so that the axis n stays across z (Up of P)      | d'Alembert; lambda from the constraint  |
+///
+/// w_PB is the body's rate relative to the platform, or to the laboratory where there is none.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "earthtop/frames/earth.hpp"
+#include "earthtop/model/paired.hpp"
+
+namespace earthtop {
+
+/// Boundary layer on a rotating disc: laminar below a Reynolds number of 3e5, turbulent above; automatic decides at release.
+enum class DiscFlow { automatic, laminar, turbulent };
+
+/// A disc that turns in still air, both sides wetted, edge not counted. Air at 20 deg C and 101325 Pa if not given.
+struct AirDragSpec {
+  double disc_radius_m = 0;
+  double density_kg_m3 = 1.204;
+  double kinematic_viscosity_m2_s = 1.516e-5;
+  DiscFlow flow = DiscFlow::automatic;
+};
+
+/// The Earth's gravity gradient: the radial term about the geocentric vertical, the whole tensor of the normal field, or a
+/// radial term of given strength about Up.
+enum class GradientField { radial, normal, given };
+struct GravityGradientSpec {
+  GradientField field = GradientField::radial;
+  double gm_over_r3_s2 = 0;  ///< of a given one
+};
+
+/// Holds body axis 3 level on the platform; it turns freely about Up but for damping.
+struct GimbalSpec {
+  double damping_N_m_s = 0;
+};
+
+/// The torques as a scenario gives them; 0 and none: off.
+struct AppliedTorquesSpec {
+  double viscous_N_m_s = 0;
+  double quadratic_N_m_s2 = 0;
+  double coulomb_N_m = 0;
+  std::optional<AirDragSpec> air_drag;
+  std::optional<GravityGradientSpec> gravity_gradient;
+  std::optional<GimbalSpec> gimbal;
+
+  bool any() const {
+    return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag || gravity_gradient || gimbal;
+  }
+  bool friction() const { return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag; }
+};
+
+/// One term k u u^T of a gradient tensor (1/s^2).
+template <class T>
+struct GradientTerm {
+  T strength = T(0);
+  Vec3<T> direction_L = Vec3<T>::UnitZ();
+};
+
+/// The numbers the torques are made of.
+template <class T>
+struct AppliedTorques {
+  bool any = false;
+  T viscous = T(0), quadratic = T(0), coulomb = T(0);
+  T disc_laminar = T(0), disc_turbulent = T(0);
+  std::array<GradientTerm<T>, 2> gradient;
+  bool level_axis = false;
+  T gimbal_damping = T(0);
+};
+
+/// Reynolds number R^2 |w| / nu of a disc.
+double disc_reynolds_number(const AirDragSpec& disc, double spin_rad_s);
+/// Whether a disc's flow is turbulent, at this spin where that decides.
+bool is_turbulent(const AirDragSpec& disc, double spin_rad_s);
+
+/// k_1 u_1 u_1^T + k_2 u_2 u_2^T, which differs from the symmetric tensor by a multiple of the unit tensor, which turns
+/// nothing.
+std::array<GradientTerm<double>, 2> gradient_terms(const Mat3<double>& gradient_L);
+/// The gradient tensor that a specification means at a site (1/s^2).
+Mat3<double> gradient_L(const GravityGradientSpec& spec, const Site& site);
+
+/// @param spin_rad_s  at release: decides which formula the air takes   @param mass_exponent, time_exponent  see NaturalUnits
+template <class T>
+AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s, int mass_exponent,
+                                       int time_exponent);
+extern template AppliedTorques<double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+extern template AppliedTorques<long double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+extern template AppliedTorques<float128> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+
+/// m v for a matrix of T and a vector of any scalar over T.
+template <class T, class S>
+Vec3<S> mixed_times(const Mat3<T>& m, const Vec3<S>& v) {
+  Vec3<S> product;
+  for (int i = 0; i < 3; ++i) product[i] = S(m(i, 0)) * v[0] + S(m(i, 1)) * v[1] + S(m(i, 2)) * v[2];
+  return product;
+}
+
+/// What the torques read of a motion, in body axes.
+template <class S>
+struct SeenFromBody {
+  Vec3<S> w_IB_B = Vec3<S>::Zero();      ///< inertial rate of the body
+  Vec3<S> w_IP_B = Vec3<S>::Zero();      ///< of the platform, or of the laboratory
+  Vec3<S> alpha_IP_B = Vec3<S>::Zero();  ///< derivative of the latter in inertial space; read by a gimbal only
+  Vec3<S> up_P_B = Vec3<S>::UnitZ();     ///< the platform's axis 3
+  std::array<Vec3<S>, 2> gradient_B = {Vec3<S>::Zero(), Vec3<S>::Zero()};  ///< directions of the gradient's terms
+  Vec3<S> other_torque_B = Vec3<S>::Zero();  ///< gravity's, and of what is left out; read by a gimbal only
+};
+
+/// 3 k u x (Theta u) where Gamma = k (3 u u^T - 1): the strength of the term is 3 k.
+template <class T, class S>
+Vec3<S> gravity_gradient_torque(const GradientTerm<T>& term, const Mat3<T>& I_BP_B, const Vec3<S>& direction_B) {
+  return S(term.strength) * direction_B.cross(mixed_times(I_BP_B, direction_B));
+}
+
+/// Torques that oppose the rate relative to the platform.
+template <class T, class S>
+Vec3<S> friction_torque(const AppliedTorques<T>& applied, const Vec3<S>& w_PB_B) {
+  using real::abs, real::fifth_root, real::sqrt;
+  Vec3<S> torque = S(-applied.viscous) * w_PB_B;
+  if (applied.quadratic != T(0) || applied.coulomb != T(0)) {
+    const S rate = sqrt(S(w_PB_B[0] * w_PB_B[0] + w_PB_B[1] * w_PB_B[1] + w_PB_B[2] * w_PB_B[2]));
+    torque -= S(S(applied.quadratic) * rate) * w_PB_B;
+    if (applied.coulomb != T(0) && is_above_zero(rate)) torque -= S(S(applied.coulomb) / rate) * w_PB_B;
+  }
+  if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) {
+    const S spin = abs(S(w_PB_B[2]));
+    const S fifth = fifth_root(spin), square = fifth * fifth;
+    torque[2] -= (S(applied.disc_laminar) * sqrt(spin) + S(applied.disc_turbulent) * square * square) * w_PB_B[2];
+  }
+  return torque;
+}
+
+/// The gimbal's damping, and what holds the axis level: with z = Up of P, h = z x e3 and g = z.e3, the constraint g = 0 and its
+/// derivative -w_PB.h = 0 stay met when lambda h is added to the torques on the body,
+///   lambda h.Theta^-1 h = h.(dw_IP/dt) - w_PB.dh/dt - h.Theta^-1 (Theta w x w + tau) - 2 b w_PB.h + b^2 g ,
+/// dw_IP/dt = R_BI alpha_IP + w_IP x w_IB and dh/dt = (z x w_PB) x e3 in body axes. The last two terms pull back what rounding
+/// leaves of the constraint, at the rate b of 1/8 per unit of time; they are zero where it is met.
+template <class T, class S>
+Vec3<S> gimbal_torque(const AppliedTorques<T>& applied, const Mat3<T>& I_BP_B, const Mat3<T>& I_BP_B_inverse,
+                      const SeenFromBody<S>& seen, const Vec3<S>& free_torque_B) {
+  const Vec3<S>& z = seen.up_P_B;
+  const Vec3<S> w_PB_B = seen.w_IB_B - seen.w_IP_B, axis(S(T(0)), S(T(0)), S(T(1)));
+  const S turning = z[0] * w_PB_B[0] + z[1] * w_PB_B[1] + z[2] * w_PB_B[2];
+  const Vec3<S> damping = S(S(-applied.gimbal_damping) * turning) * z;
+  const Vec3<S> h = z.cross(axis), dh = Vec3<S>(z.cross(w_PB_B)).cross(axis);
+  const Vec3<S> carried = seen.alpha_IP_B + seen.w_IP_B.cross(seen.w_IB_B);
+  const Vec3<S> L = mixed_times(I_BP_B, seen.w_IB_B);
+  const Vec3<S> dw = mixed_times(I_BP_B_inverse, Vec3<S>(L.cross(seen.w_IB_B) + free_torque_B + damping));
+  const Vec3<S> yielding = mixed_times(I_BP_B_inverse, h);
+  const auto dot = [](const Vec3<S>& a, const Vec3<S>& b) { return S(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+  constexpr double kPull = 0.125;
+  const S pull = S(T(kPull * kPull)) * z[2] - S(T(2 * kPull)) * dot(w_PB_B, h);
+  const S lambda = (dot(h, carried) - dot(w_PB_B, dh) - dot(h, dw) + pull) / dot(h, yielding);
+  return damping + lambda * h;
+}
+
+/// All of them.
+template <class T, class S>
+Vec3<S> applied_torque(const AppliedTorques<T>& applied, const Mat3<T>& I_BP_B, const Mat3<T>& I_BP_B_inverse,
+                       const SeenFromBody<S>& seen) {
+  Vec3<S> torque = friction_torque(applied, Vec3<S>(seen.w_IB_B - seen.w_IP_B));
+  for (std::size_t i = 0; i < 2; ++i)
+    if (applied.gradient[i].strength != T(0))
+      torque += gravity_gradient_torque(applied.gradient[i], I_BP_B, seen.gradient_B[i]);
+  if (applied.level_axis) torque += gimbal_torque(applied, I_BP_B, I_BP_B_inverse, seen, Vec3<S>(torque + seen.other_torque_B));
+  return torque;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,84 @@
+/// A number in both predictions at once: its value in the non-rotating reference, its value in the rotating motion, and their
+/// difference over epsilon (see Model), which arithmetic carries along without ever subtracting the two. A formula written for
+/// any scalar gives, with this one, its own cancellation-free difference. With both values equal it is the formula's derivative
+/// along the differences: x -> x + epsilon dx for an epsilon of no size.
+#pragma once
+
+#include "earthtop/real.hpp"
+
+namespace earthtop {
+
+template <class T>
+struct Paired {
+  T ref = T(0);
+  T rot = T(0);
+  T diff = T(0);  ///< (rot - ref) / epsilon
+
+  Paired() = default;
+  Paired(T constant) : ref(constant), rot(constant) {}  // NOLINT(google-explicit-constructor): the same in both
+  Paired(T in_reference, T in_rotating, T difference) : ref(in_reference), rot(in_rotating), diff(difference) {}
+
+  Paired& operator+=(const Paired& y) { return *this = *this + y; }
+  Paired& operator-=(const Paired& y) { return *this = *this - y; }
+  Paired& operator*=(const Paired& y) { return *this = *this * y; }
+  friend Paired operator+(const Paired& x, const Paired& y) { return {x.ref + y.ref, x.rot + y.rot, x.diff + y.diff}; }
+  friend Paired operator-(const Paired& x, const Paired& y) { return {x.ref - y.ref, x.rot - y.rot, x.diff - y.diff}; }
+  friend Paired operator-(const Paired& x) { return {-x.ref, -x.rot, -x.diff}; }
+  friend Paired operator*(const Paired& x, const Paired& y) {
+    return {x.ref * y.ref, x.rot * y.rot, x.diff * y.rot + x.ref * y.diff};
+  }
+  friend Paired operator/(const Paired& x, const Paired& y) {
+    const T quotient = x.ref / y.ref;
+    return {quotient, x.rot / y.rot, (x.diff - quotient * y.diff) / y.rot};
+  }
+};
+
+namespace real {
+
+template <class T>
+Paired<T> sqrt(const Paired<T>& x) {
+  const T a = sqrt(x.ref), b = sqrt(x.rot);
+  return {a, b, a + b > T(0) ? x.diff / (a + b) : T(0)};
+}
+template <class T>
+Paired<T> abs(const Paired<T>& x) {
+  const T a = abs(x.ref), b = abs(x.rot);
+  if (!(x.ref * x.rot < T(0))) return {a, b, x.ref + x.rot < T(0) ? -x.diff : x.diff};
+  return {a, b, x.diff * ((b - a) / (x.rot - x.ref))};  // of unlike signs: nothing cancels below
+}
+/// x^(1/5) of a number that is not negative.
+template <class T>
+T fifth_root(const T& x) {
+  return x > T(0) ? pow(x, T(1) / T(5)) : T(0);
+}
+template <class T>
+Paired<T> fifth_root(const Paired<T>& x) {
+  const T a = fifth_root(x.ref), b = fifth_root(x.rot);
+  const T sum = a * a * a * a + b * (a * a * a + b * (a * a + b * (a + b)));
+  return {a, b, sum > T(0) ? x.diff / sum : T(0)};
+}
+
+}  // namespace real
+
+/// Whether a size is not zero, of a motion, or of both.
+template <class T>
+bool is_above_zero(const T& size) {
+  return size > T(0);
+}
+template <class T>
+bool is_above_zero(const Paired<T>& size) {
+  return size.ref > T(0) && size.rot > T(0);
+}
+
+}  // namespace earthtop
+
+namespace Eigen {
+template <class T>
+struct NumTraits<earthtop::Paired<T>> : GenericNumTraits<double> {
+  using Real = earthtop::Paired<T>;
+  using NonInteger = Real;
+  using Literal = Real;
+  using Nested = Real;
+  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 3, AddCost = 3, MulCost = 6 };
+};
+}  // namespace Eigen

@@ -1,0 +1,102 @@
+/// The body of the applied torques on a motion, for the scalars of applied_motion.cpp and for jets.
+#pragma once
+
+#include "earthtop/model/applied_motion.hpp"
+
+namespace earthtop {
+namespace applied_motion {
+
+/// How the platform moves in the laboratory.
+template <class T>
+struct Carrier {
+  Vec3<T> w_LP_L = Vec3<T>::Zero(), alpha_LP_L = Vec3<T>::Zero(), up_P_L = Vec3<T>::UnitZ();
+
+  Carrier(const Platform<T>& platform, T t) {
+    const PrescribedMotion<T>& turn = platform.turn;
+    if (turn.never_turns()) return;
+    w_LP_L = turn.angle_rate(t) * turn.axis;
+    alpha_LP_L = turn.angle_acceleration(t) * turn.axis;
+    up_P_L = Rotation<T>::about(turn.axis, turn.angle(t)).matrix().col(2);
+  }
+};
+
+/// @param see  (u_L of the reference, its change by the Earth's rate over epsilon) -> what the body sees of it
+template <class S, class T, class See>
+SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B, const See& see) {
+  const AppliedTorques<T>& applied = model.applied;
+  const Carrier<T> carrier(model.platform, t);
+  const Vec3<T> unchanged = Vec3<T>::Zero();
+  SeenFromBody<S> seen;
+  seen.w_IB_B = w_IB_B;
+  seen.w_IP_B = see(carrier.w_LP_L, model.W_IL_L_scaled);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (applied.gradient[i].strength != T(0)) seen.gradient_B[i] = see(applied.gradient[i].direction_L, unchanged);
+  if (!applied.level_axis) return seen;
+  seen.up_P_B = see(carrier.up_P_L, unchanged);
+  // Of W + w_LP in inertial space: the laboratory carries the platform's rate round.
+  seen.alpha_IP_B = see(carrier.alpha_LP_L, model.W_IL_L_scaled.cross(carrier.w_LP_L));
+  const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
+  const Vec3<S> field_B = see(field.reference_L, field.difference_L_scaled);
+  const Vec3<S> mass_moment_B = Vec3<S>(S(model.mass_moment_B[0]), S(model.mass_moment_B[1]), S(model.mass_moment_B[2]));
+  seen.other_torque_B = mass_moment_B.cross(field_B);
+  return seen;
+}
+
+/// [F]'s torques that a scene leaves out, as the applied ones that cancel them.
+template <class T>
+Vec3<T> left_out_torque(const Model<T>& model, const Vec3<T>& W_B, const Vec3<T>& W_B_scaled, const Vec3<T>& w_LB_B) {
+  return -laboratory_torque<SceneKind::full>(model.weights.complement(), W_B, W_B_scaled, w_LB_B, model.S_BP_B);
+}
+
+template <class T>
+bool leaves_something_out(const Model<T>& model) {
+  return model.applied.level_axis && (model.weights.coriolis != T(1) || model.weights.centrifugal != T(1));
+}
+
+template <class T, class S>
+Vec3<S> torque_of(const Model<T>& model, const SeenFromBody<S>& seen) {
+  return applied_torque(model.applied, model.I_BP_B, model.I_BP_B_inverse, seen);
+}
+
+}  // namespace applied_motion
+
+template <class T>
+Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B, bool earth) {
+  const Mat3<T> R_LB = rotation_matrix(q_LB);
+  const T epsilon = earth ? model.epsilon : T(0);
+  const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) {
+    return transposed_times(R_LB, Vec3<T>(u_L + epsilon * change_L));
+  };
+  const Vec3<T> W_B_scaled = transposed_times(R_LB, model.W_IL_L_scaled), W_B = epsilon * W_B_scaled;
+  auto seen = applied_motion::seen_from_body<T>(model, t, Vec3<T>(w_LB_B + W_B), see);
+  if (applied_motion::leaves_something_out(model))
+    seen.other_torque_B += applied_motion::left_out_torque(model, W_B, W_B, w_LB_B);
+  return applied_motion::torque_of(model, seen);
+}
+
+template <class T>
+Vec3<Paired<T>> applied_torques_B(const Model<T>& model, T t, const Quaternion<T>& ref_q_LB, const Vec3<T>& ref_w_LB_B, T e_w,
+                                  const Vec3<T>& e_v_scaled, const Vec3<T>& Dw_IB_B_scaled) {
+  const Mat3<T> R_ref = rotation_matrix(ref_q_LB);
+  const T epsilon = model.epsilon;
+  const auto turned_back = [&](const Vec3<T>& u_B) { return turn_back_minus_one_scaled(e_w, e_v_scaled, epsilon, u_B); };
+  const auto pair = [&](const Vec3<T>& ref, const Vec3<T>& difference) {
+    Vec3<Paired<T>> both;
+    for (int i = 0; i < 3; ++i) both[i] = Paired<T>(ref[i], ref[i] + epsilon * difference[i], difference[i]);
+    return both;
+  };
+  const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) {
+    const Vec3<T> u_B = transposed_times(R_ref, u_L), change_B = transposed_times(R_ref, change_L);
+    return pair(u_B, Vec3<T>(turned_back(u_B) + change_B + epsilon * turned_back(change_B)));
+  };
+  auto seen = applied_motion::seen_from_body<Paired<T>>(model, t, pair(ref_w_LB_B, Dw_IB_B_scaled), see);
+  if (applied_motion::leaves_something_out(model)) {
+    const Vec3<T> W_ref_B_scaled = transposed_times(R_ref, model.W_IL_L_scaled);
+    const Vec3<T> W_B_scaled = W_ref_B_scaled + epsilon * turned_back(W_ref_B_scaled), W_B = epsilon * W_B_scaled;
+    const Vec3<T> w_LB_B = ref_w_LB_B + epsilon * Dw_IB_B_scaled - W_B;
+    seen.other_torque_B += pair(Vec3<T>::Zero(), applied_motion::left_out_torque(model, W_B, W_B_scaled, w_LB_B));
+  }
+  return applied_motion::torque_of(model, seen);
+}
+
+}  // namespace earthtop
