@@ -28,27 +28,28 @@ struct DriveOptions {
 };
 
 /// Where steps end: the output times, and the joints between them. A joint so near to an output time that no step lies between
-/// is left to that one.
+/// falls on that one.
 template <class T>
 struct Stops {
   static constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
   std::vector<T> times;
   std::vector<std::size_t> rows;  ///< of each the output time's number, or kNoRow
+  std::vector<bool> at_joint;     ///< of each whether it is a joint
 
   Stops(std::span<const T> output_times, const std::vector<T>& joints, T nearest) {
     std::size_t next = 0;
     for (std::size_t row = 0; row < output_times.size(); ++row) {
-      for (; next < joints.size() && joints[next] < output_times[row] + nearest; ++next)
-        if (row > 0 && joints[next] > output_times[row - 1] + nearest && joints[next] < output_times[row] - nearest)
-          add(joints[next], kNoRow);
-      add(output_times[row], row);
+      for (; next < joints.size() && joints[next] < output_times[row] - nearest; ++next)
+        if (row > 0 && joints[next] > output_times[row - 1] + nearest) add(joints[next], kNoRow, true);
+      add(output_times[row], row, next < joints.size() && joints[next] <= output_times[row] + nearest);
     }
   }
 
  private:
-  void add(T time, std::size_t row) {
+  void add(T time, std::size_t row, bool joint) {
     times.push_back(time);
     rows.push_back(row);
+    at_joint.push_back(joint);
   }
 };
 

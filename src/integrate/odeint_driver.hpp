@@ -272,8 +272,9 @@ class Driver {
       const T interval = times[row] - times[row - 1];
       const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest * (1 - 1e-12))));
       T h = interval / static_cast<T>(steps);
-      // Output times k * step differ by a rounding: the step is the same one.
-      if (real::abs(h - step_before) <= T(1e-9) * h)
+      // Output times k * step differ by a rounding: the step is the same one. What came before a joint is no history.
+      const bool goes_on = !stops_ || !stops_->at_joint[row - 1];
+      if (goes_on && real::abs(h - step_before) <= T(1e-9) * h)
         h = step_before;
       else
         stepper.reset();
