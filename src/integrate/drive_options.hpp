@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "earthtop/integrate/options.hpp"
 
@@ -22,6 +24,33 @@ struct DriveOptions {
   Composition composition = Composition::automatic;
   std::int64_t step_limit = 0;
   const std::atomic<bool>* stop = nullptr;
+  std::vector<T> joints = {};  ///< ascending; times at which the equations have no higher derivatives: steps end there
+};
+
+/// Where steps end: the output times, and the joints between them. A joint so near to an output time that no step lies between
+/// falls on that one.
+template <class T>
+struct Stops {
+  static constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
+  std::vector<T> times;
+  std::vector<std::size_t> rows;  ///< of each the output time's number, or kNoRow
+  std::vector<bool> at_joint;     ///< of each whether it is a joint
+
+  Stops(std::span<const T> output_times, const std::vector<T>& joints, T nearest) {
+    std::size_t next = 0;
+    for (std::size_t row = 0; row < output_times.size(); ++row) {
+      for (; next < joints.size() && joints[next] < output_times[row] - nearest; ++next)
+        if (row > 0 && joints[next] > output_times[row - 1] + nearest) add(joints[next], kNoRow, true);
+      add(output_times[row], row, next < joints.size() && joints[next] <= output_times[row] + nearest);
+    }
+  }
+
+ private:
+  void add(T time, std::size_t row, bool joint) {
+    times.push_back(time);
+    rows.push_back(row);
+    at_joint.push_back(joint);
+  }
 };
 
 /// A time kept as start + offset, the offset compensated: n steps cost one rounding, not n.

@@ -20,6 +20,7 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.rate = problem.fastest_rate;
   drive.step_limit = options.step_limit;
   drive.stop = stop;
+  if (const auto& table = problem.model.platform.turn.table) drive.joints = table->joints();
   return drive;
 }
 

@@ -12,6 +12,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 
@@ -46,6 +47,10 @@ class Driver {
     settle(x, times[0]);
     on_step_(times[0], x);
     on_row_(std::size_t{0}, x);
+    if (!options_.joints.empty()) {
+      stops_.emplace(times, options_.joints, least_step<T>());
+      times = stops_->times;
+    }
     const Method method = options_.method;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
     if (method == Method::extrapolation) {
@@ -146,12 +151,12 @@ class Driver {
           }
         }
       }
-      on_row_(row, x);
+      show_row(row, x);
     }
     return RunStatus::completed;
   }
 
-  /// Output times do not cut the steps: rows come from the stepper's dense output.
+  /// Output times do not cut the steps, joints do: rows come from the stepper's dense output.
   /// @param stepper  odeint's dense-output concept, with try_step(equations) -> whether the step was accepted
   template <class DenseStepper, class Equations>
   RunStatus run_dense(DenseStepper& stepper, Equations& equations, State& x, std::span<const T> times) {
@@ -161,7 +166,7 @@ class Driver {
     for (std::size_t row = 1; row < times.size();) {
       if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
       const T remaining = clock.remaining();
-      stepper.limit_step(remaining);
+      stepper.limit_step(std::min(remaining, until_joint(clock)));
       if (!stepper.try_step(equations)) {
         ++counters_.rejected;
         if (stepper.next_step() < least_step<T>()) return failure_at(x, clock.now(), RunStatus::step_underflow);
@@ -179,6 +184,19 @@ class Driver {
       clock.advance(step);
     }
     return RunStatus::completed;
+  }
+
+  /// @param stop  the number of a time that steps end at: an output time, or a joint
+  void show_row(std::size_t stop, const State& x) {
+    const std::size_t row = stops_ ? stops_->rows[stop] : stop;
+    if (row != Stops<T>::kNoRow) on_row_(row, x);
+  }
+
+  /// From now to the next joint; beyond the end where there is none.
+  T until_joint(const IntervalClock<T>& clock) {
+    const auto& joints = options_.joints;
+    while (next_joint_ < joints.size() && clock.until(joints[next_joint_]) <= least_step<T>()) ++next_joint_;
+    return next_joint_ < joints.size() ? clock.until(joints[next_joint_]) : T(2) * clock.remaining();
   }
 
   /// Rows within a step just made, and as many points between as the watcher needs to see every turn.
@@ -201,7 +219,7 @@ class Driver {
       const T end = ends ? step : step * T(piece) / T(pieces);
       for (; row < times.size() && (clock.until(times[row]) <= end || (ends && lands)); ++row) {
         see(clock.until(times[row]), times[row]);
-        on_row_(row, seen);
+        show_row(row, seen);
       }
       if (row == times.size()) return;
       if constexpr (is_watched<System>()) see(end, clock.now() + end);
@@ -263,8 +281,9 @@ class Driver {
       const T interval = times[row] - times[row - 1];
       const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest * (1 - 1e-12))));
       T h = interval / static_cast<T>(steps);
-      // Output times k * step differ by a rounding: the step is the same one.
-      if (real::abs(h - step_before) <= T(1e-9) * h)
+      // Output times k * step differ by a rounding: the step is the same one. What came before a joint is no history.
+      const bool goes_on = !stops_ || !stops_->at_joint[row - 1];
+      if (goes_on && real::abs(h - step_before) <= T(1e-9) * h)
         h = step_before;
       else
         stepper.reset();
@@ -280,7 +299,7 @@ class Driver {
         scales_.include(x);
         on_step_(times[row - 1] + static_cast<T>(k + 1) * h, x);
       }
-      on_row_(row, x);
+      show_row(row, x);
     }
     return RunStatus::completed;
   }
@@ -348,6 +367,8 @@ class Driver {
   OnRow& on_row_;
   GroupScales<T, System> scales_;
   StepCounters counters_;
+  std::optional<Stops<T>> stops_;  // none without joints
+  std::size_t next_joint_ = 0;
   T first_step_taken_ = T(0);
 };
 

@@ -13,6 +13,7 @@ NaturalUnits natural_units(const Body<double>& body, const Release<double>& rele
   if (platform != nullptr) {
     const PrescribedMotion<double>& turn = platform->turn;
     fastest = std::max({fastest, std::abs(turn.rate), std::sqrt(std::abs(turn.acceleration)), 6.3 * std::abs(turn.frequency)});
+    if (turn.table) fastest = std::max({fastest, turn.table->largest_rate(), std::sqrt(turn.table->largest_acceleration())});
   }
   NaturalUnits units;
   std::frexp(largest_moment, &units.mass_exponent);
@@ -64,6 +65,7 @@ Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad
     turn.rate = units.rate_from_rad_s(turn.rate);
     turn.acceleration = real::scale(turn.acceleration, 2 * units.time_exponent);
     turn.frequency = units.rate_from_rad_s(turn.frequency);
+    if (turn.table) turn.table = std::make_shared<const AngleSpline<T>>(turn.table->in_time_units(units.time_exponent));
   }
   model.kind = weighed || platform != nullptr ? SceneKind::full : SceneKind::plain;
   return model;

@@ -1,5 +1,7 @@
 #include "earthtop/model/platform.hpp"
 
+#include <stdexcept>
+
 #include "earthtop/frames/earth.hpp"
 
 namespace earthtop {
@@ -22,6 +24,10 @@ Platform<T> make_platform(const PlatformSpec& spec) {
       platform.turn.amplitude = T(spec.amplitude_rad);
       platform.turn.frequency = T(spec.frequency_hz);
       platform.turn.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
+      break;
+    case PlatformMotion::table:
+      if (!spec.table) throw std::invalid_argument("platform motion \"table\": there is no table");
+      platform.turn.table = std::make_shared<const AngleSpline<T>>(*spec.table);
       break;
   }
   return platform;

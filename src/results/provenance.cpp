@@ -4,16 +4,14 @@
 #include <erfaextra.h>
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
-#include <openssl/evp.h>
 #include <openssl/opensslv.h>
 
 #include <Eigen/Core>
-#include <array>
 #include <boost/version.hpp>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "build_info.hpp"
+#include "text/sha256.hpp"
 
 namespace earthtop {
 
@@ -33,16 +31,6 @@ const BuildInfo& build_info() {
        {"ERFA", eraVersion()},
        {"OpenSSL", OPENSSL_VERSION_STR}}};
   return info;
-}
-
-std::string sha256_hex(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL has no SHA-256");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
-  return hex;
 }
 
 std::string scenario_sha256(const Scenario& scenario) { return sha256_hex(canonical_json(scenario)); }

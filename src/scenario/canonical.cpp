@@ -73,8 +73,12 @@ Json platform_json(const PlatformSpec& platform) {
       json["frequency_hz"] = platform.frequency_hz;
       json["phase_deg"] = platform.phase_deg;
       break;
+    case PlatformMotion::table:
+      json["file"] = platform.file;
+      json["file_sha256"] = platform.file_sha256;  // the table itself, as far as the run's identity goes
+      break;
   }
-  static constexpr const char* kMotions[] = {"constant", "ramp", "harmonic"};
+  static constexpr const char* kMotions[] = {"constant", "ramp", "harmonic", "table"};
   json["motion"] = kMotions[static_cast<int>(platform.motion)];
   return json;
 }

@@ -20,9 +20,16 @@ struct PlatformDemand {
 };
 
 PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double earth_rate_rad_s) {
-  const double omega = 2 * std::numbers::pi * std::abs(platform.frequency_hz), amplitude = std::abs(platform.amplitude_rad);
-  const double rate = std::abs(platform.rate_rad_s) + std::abs(platform.acceleration_rad_s2) * duration_s + amplitude * omega;
-  const double alpha = std::abs(platform.acceleration_rad_s2) + amplitude * omega * omega;
+  const double amplitude = std::abs(platform.amplitude_rad);
+  double omega = 2 * std::numbers::pi * std::abs(platform.frequency_hz);
+  double rate = std::abs(platform.rate_rad_s) + std::abs(platform.acceleration_rad_s2) * duration_s + amplitude * omega;
+  double alpha = std::abs(platform.acceleration_rad_s2) + amplitude * omega * omega;
+  if (platform.table) {
+    const AngleSpline<double> turn(*platform.table);
+    rate = turn.largest_rate();
+    alpha = turn.largest_acceleration();
+    if (rate > 0) omega = alpha / rate;  // of a harmonic turn, its own
+  }
   const auto& d = platform.pivot_offset_m;
   const double offset = std::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
@@ -130,7 +137,10 @@ Work work_of(const Scenario& scenario) {
   if (method == Method::long_horizon && !method_refusal(method, scenario)) return long_horizon_work(scenario);
   const double tolerance = options.relative_tolerance;
   const double step_s = options.step_s.value_or(radians_a_step(method, tolerance) / step_rate_rad_s(scenario));
-  const double steps = scenario.duration_s / step_s;
+  // Steps end where the pieces of a table's spline meet.
+  const bool tabulated = scenario.platform && scenario.platform->table;
+  const double joints = tabulated ? static_cast<double>(scenario.platform->table->t_s.size()) : 0;
+  const double steps = scenario.duration_s / step_s + joints;
   // Each row ends a step, for which `extrapolation` needs fewer columns than for a long one; but `taylor` steps past it.
   const double rows = scenario.duration_s / scenario.output_step_s;
   const double row_evaluations = method == Method::taylor ? 1 : method == Method::extrapolation ? 40 : 13;

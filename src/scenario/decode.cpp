@@ -100,8 +100,8 @@ std::array<double, kInputNames.size()> decode_uncertainty(const Section& uncerta
   return standard_errors;
 }
 
-void decode(const Section& root, const std::string& file, Scenario& scenario) {
-  decode_name(root, file, scenario);
+void decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
+  decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
   const auto body = root.require("body") ? decode_body(root.section("body")) : std::nullopt;
   const auto release = root.require("release") ? decode_release(root.section("release")) : std::nullopt;
@@ -109,7 +109,7 @@ void decode(const Section& root, const std::string& file, Scenario& scenario) {
   if (release) scenario.release = *release;
   const bool starts = body && release && gravity && check_start(root.section("release"), scenario);
   decode_motion(root.section("motion"), scenario);
-  if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"));
+  if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
   decode_effects(root, scenario);
   if (starts) check_effects(root.section("effects"), scenario);
   decode_numerics(root.section("numerics"), scenario);
@@ -141,7 +141,7 @@ ScenarioReport examine_scenario(const ScenarioSource& source,
   Scenario scenario;
   if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
   check_structure(root, findings);
-  decode(Section(root, findings), source.file, scenario);
+  decode(Section(root, findings), source, scenario);
   ScenarioReport report{std::nullopt, findings.count(), findings.errors(text), findings.warnings(text)};
   if (findings.empty()) report.scenario = std::move(scenario);
   return report;

@@ -19,7 +19,8 @@ std::optional<ReleaseSpec> decode_release(const Section& release);
 /// Duration and output step, with the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
 
-std::optional<PlatformSpec> decode_platform(const Section& platform);
+/// @param source  says where a table is looked for, and whether   @param duration_s  what it must cover
+std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
 /// Which torques act, where the Earth's pole and the plumb line are, and when the top is released.
 /// @param scenario  its site and rate must be known; effects, site and rate are written

@@ -1,6 +1,5 @@
-// Motion, platform and numerics: what happens after the release.
+// Motion and numerics: what happens after the release.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,35 +37,6 @@ void decode_motion(const Section& motion, Scenario& scenario) {
                                      rows, kMostRows, *duration / (kMostRows - 1)));
   scenario.duration_s = *duration;
   scenario.output_step_s = *step;
-}
-
-std::optional<PlatformSpec> decode_platform(const Section& platform) {
-  PlatformSpec spec;
-  platform.require("motion");
-  const auto word = platform.word("motion");
-  if (word) {
-    const MotionRule& rule =
-        *std::find_if(kMotionRules.begin(), kMotionRules.end(), [&](const auto& m) { return m.word == *word; });
-    spec.motion = rule.motion;
-    for (const std::string_view key : split_words(kMotionKeys)) {
-      if (lists(rule.required, key)) platform.require(key);
-      if (!lists(rule.allowed, key) && platform.has(key))
-        platform.refuse_key(key, fmt::format("does not belong to \"{}\" motion; allowed with it: {}", rule.word,
-                                             fmt::join(split_words(rule.allowed), ", ")));
-    }
-  }
-  const auto axis = platform.vector("axis");
-  // The square of a shorter one is no normal double, and its direction would be lost.
-  if (axis && std::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
-    platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
-  spec.axis = axis.value_or(spec.axis);
-  spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);
-  spec.acceleration_rad_s2 = platform.number("acceleration_rad_s2").value_or(0);
-  spec.amplitude_rad = platform.number("amplitude_rad").value_or(0);
-  spec.frequency_hz = platform.number("frequency_hz").value_or(0);
-  spec.phase_deg = platform.number("phase_deg").value_or(0);
-  spec.pivot_offset_m = platform.vector("pivot_offset_m").value_or(spec.pivot_offset_m);
-  return spec;
 }
 
 namespace {

@@ -115,7 +115,7 @@ constexpr Field kFields[] = {
      "the instant of release, YYYY-MM-DDThh:mm:ssZ: what Moon, Sun and pole are looked up by"},
 
     {"/platform", object, "", any(), "", "", "", "a platform that carries the pivot; none if left out"},
-    {"/platform/motion", word, "", any(), "constant|ramp|harmonic", "table", "", "kind of motion", kRequired},
+    {"/platform/motion", word, "", any(), "constant|ramp|harmonic|table", "", "", "kind of motion", kRequired},
     {"/platform/axis", vector3, "", kLengths, "", "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
     {"/platform/rate_rad_s", number, "rad/s", kRates, "", "", "0", "constant, ramp: rate at t = 0"},
     {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "", "0", "ramp: angular acceleration"},
@@ -123,7 +123,11 @@ constexpr Field kFields[] = {
     {"/platform/frequency_hz", number, "Hz", from(0, 1e6), "", "", "0", "harmonic: frequency"},
     {"/platform/phase_deg", number, "deg", kAngles, "", "", "0", "harmonic: phase at t = 0"},
     {"/platform/pivot_offset_m", vector3, "m", kLengths, "", "", "[0, 0, 0]", "pivot from the centre, platform axes"},
-    {"/platform/file", not_yet, "", any(), "", "", "", "table of angles"},
+    {"/platform/file", text, "", any(), "", "", "",
+     "table: a CSV file, its path as seen from the scenario file; header t_s,angle_rad, rows from 0 or before to the duration "
+     "or "
+     "after; a cubic spline joins them"},
+    {"/platform/file_sha256", text, "", any(), "", "", "", "table: SHA-256 that the file must have; any if left out"},
 
     {"/effects", object_or_word, "", any(), "auto", "", "{}",
      "which torques act; \"auto\": what accuracy.drift_rad needs of those that have no parameter of their own"},

@@ -38,11 +38,13 @@ struct MotionRule {
   std::string_view allowed;   ///< of kMotionKeys
 };
 
-inline constexpr std::string_view kMotionKeys = "rate_rad_s|acceleration_rad_s2|amplitude_rad|frequency_hz|phase_deg";
+inline constexpr std::string_view kMotionKeys =
+    "rate_rad_s|acceleration_rad_s2|amplitude_rad|frequency_hz|phase_deg|file|file_sha256";
 inline constexpr std::array kMotionRules = {
     MotionRule{"constant", PlatformMotion::constant, "rate_rad_s", "rate_rad_s"},
     MotionRule{"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
+    MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
 
 /// All methods and precisions; which go together says `is_built`.

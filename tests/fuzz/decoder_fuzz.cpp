@@ -1,6 +1,7 @@
 // Any bytes at all into the decoder: it accepts or refuses, in words that can be shown, and what it accepts is a scenario
 // with a canonical form that is its own. Bytes 0x01, which stand in no JSON text, part the text from --set pairs.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "earthtop/scenario/scenario.hpp"
+#include "scenario/angle_table.hpp"
 
 namespace {
 
@@ -53,21 +55,36 @@ void check_refusal(const earthtop::ScenarioError& error, std::string_view text, 
   }
 }
 
+/// Or a table of angles.
+void check_table(std::string_view text) {
+  const auto parsed = earthtop::scenario::parse_angle_table(text, 1);
+  if (const auto* fault = std::get_if<earthtop::scenario::TableFault>(&parsed)) {
+    demand(fault->line > 0 && fault->message == earthtop::printable(fault->message), "a fault that can be shown",
+           fault->message);
+    return;
+  }
+  const earthtop::AngleSpline<double> spline(std::get<earthtop::AngleTable>(parsed));
+  demand(std::abs(spline.angle_acceleration(0.5)) <= 1e9 * (1 + 1e-9), "an acceleration in bounds", std::string(text));
+}
+
+constexpr bool kMayNameFiles = false;  // any bytes may be the name of any file
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto parts = parts_of({reinterpret_cast<const char*>(data), size});
+  check_table(parts[0]);
   std::vector<std::pair<std::string, std::string>> sets;
   for (std::size_t i = 2; i < parts.size(); i += 2) sets.emplace_back(parts[i - 1], parts[i]);
   std::string canonical;
   try {
-    canonical = canonical_json(earthtop::parse_scenario({"fuzz.json", parts[0]}, sets));
+    canonical = canonical_json(earthtop::parse_scenario({"fuzz.json", parts[0], kMayNameFiles}, sets));
   } catch (const earthtop::ScenarioError& error) {
     check_refusal(error, parts[0], !sets.empty());
     return 0;
   }
   try {
-    const std::string again = canonical_json(earthtop::parse_scenario({"canonical.json", canonical}));
+    const std::string again = canonical_json(earthtop::parse_scenario({"canonical.json", canonical, kMayNameFiles}));
     demand(again == canonical, "a canonical form that is its own", canonical + "\n" + again);
   } catch (const earthtop::ScenarioError& error) {
     demand(false, "a canonical form that is accepted", canonical + "\n" + error.what());

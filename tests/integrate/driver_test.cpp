@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -71,6 +72,50 @@ TEST(Driver, EveryMethodLandsOnEveryOutputTime) {
     const std::size_t rows_between = method == Method::dop853 ? times.size() - 2 : 0;
     EXPECT_EQ(recorder.step_times.size(), static_cast<std::size_t>(recorder.counters.accepted) + rows_between + 1);
     EXPECT_TRUE(std::is_sorted(recorder.step_times.begin(), recorder.step_times.end()));
+  }
+}
+
+/// The oscillator beside z' = |t - 1.05|, whose slope jumps.
+struct Kinked : Oscillator {
+  static constexpr double kKink = 1.05;
+  void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double t) const {
+    dxdt = {x[1], -x[0], std::abs(t - kKink)};
+  }
+  static double z(double t) { return (kKink * kKink + (t - kKink) * std::abs(t - kKink)) / 2; }
+};
+
+TEST(Driver, StepsEndAtJoints) {
+  const std::vector<double> times = equidistant(0.7, 10);
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(to_string(method));
+    const auto worst = [&](Recorder<Kinked>& recorder, std::vector<double> joints) {
+      DriveOptions<double> options;
+      options.method = method;
+      options.relative_tolerance = 1e-12;
+      options.fixed_step = 0.03;
+      options.joints = std::move(joints);
+      EXPECT_EQ(recorder.run({}, {1, 0, 0}, times, options), RunStatus::completed);
+      EXPECT_EQ(recorder.rows.size(), times.size());  // a joint is no row
+      double error = 0;
+      for (std::size_t i = 0; i < recorder.rows.size(); ++i) {
+        error = std::max(error, std::abs(recorder.rows[i][2] - Kinked::z(times[i])));
+        EXPECT_NEAR(recorder.rows[i][0], std::cos(times[i]), 2e-9);
+      }
+      return error;
+    };
+    // One before the first row, one at a row, two that no step fits between, one after the end.
+    Recorder<Kinked> with, without;
+    const double error = worst(with, {-0.5, times[1], Kinked::kKink, 5, 5 + 1e-15, 9});
+    // Of a straight line every method makes no error but rounding.
+    EXPECT_LT(error, static_cast<double>(with.counters.evaluations) * 1.2e-16 * 22);
+    EXPECT_TRUE(std::is_sorted(with.step_times.begin(), with.step_times.end()));
+    for (const double joint : {Kinked::kKink, 5.0})
+      EXPECT_TRUE(std::any_of(with.step_times.begin(), with.step_times.end(), [&](double t) {
+        return std::abs(t - joint) < 4e-15;
+      })) << joint;
+    if (method == Method::dop853) {
+      EXPECT_GT(worst(without, {}), 10 * error);  // the kink is felt
+    }
   }
 }
 

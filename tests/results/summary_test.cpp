@@ -7,6 +7,7 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "results/made_up_run.hpp"
+#include "text/sha256.hpp"
 
 namespace earthtop {
 namespace {

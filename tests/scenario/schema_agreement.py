@@ -6,6 +6,7 @@ usage: schema_agreement.py PATH_OF_EARTHTOP SCENARIO_DIRECTORY
 """
 
 import copy
+import hashlib
 import json
 import pathlib
 import random
@@ -22,6 +23,9 @@ BODY = {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03],
         "inertia": {"about": "pivot", "principal_kg_m2": [1.2e-4, 1.2e-4, 4e-5]}}
 SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release": {"tilt_deg": 20, "spin_rad_s": 200},
          "motion": {"duration_s": 1}}
+
+
+ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
 
 
 def scene(**sections):
@@ -77,6 +81,7 @@ WHOLE = [
     scene(numerics={"method": "dop853"}),
     scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
+    scene(platform={"motion": "table", "file": "angles.csv", "file_sha256": hashlib.sha256(ANGLES).hexdigest()}),
 ]
 
 # Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
@@ -102,6 +107,11 @@ BEYOND_THE_SCHEMA = [
     ({"numerics": {"method": "splitting", "observer": "body"}}, "no body axes"),
     ({"numerics": {"method": "splitting", "model": "general"}}, "no general model"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
+    ({"platform": {"motion": "table", "file": "none.csv"}}, "there is no such file"),
+    ({"platform": {"motion": "table", "file": "."}}, "is a directory"),
+    ({"platform": {"motion": "table", "file": ""}}, "names no file"),
+    ({"platform": {"motion": "table", "file": "angles.csv", "file_sha256": ""}}, "is not that of"),
+    ({"platform": {"motion": "table", "file": "angles.csv"}, "motion": {"duration_s": 2.5}}, "it must reach the duration"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
     ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),
 ]
@@ -188,6 +198,7 @@ def check(earthtop, texts):
     """The decoder's errors for every text, a list of messages each."""
     with tempfile.TemporaryDirectory() as directory:
         files = []
+        pathlib.Path(directory, "angles.csv").write_bytes(ANGLES)
         for index, text in enumerate(texts):
             path = pathlib.Path(directory, f"s{index}.json")
             path.write_text(text, encoding="utf-8")

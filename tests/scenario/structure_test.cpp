@@ -136,8 +136,6 @@ TEST(ScenarioFields, WhatIsNotAvailableIsSaidSo) {
       {"/effects/gravity_gradient", "true"},
       {"/effects/magnetic", "true"},
       {"/accuracy/drift_rad", "1e-9"},
-      {"/platform", R"({"motion": "table"})"},
-      {"/platform", R"({"motion": "constant", "rate_rad_s": 1, "file": "a.csv"})"},
   };
   for (const auto& c : cases) {
     const Found found = found_in(kMinimal, {c});

@@ -1,27 +1,42 @@
 /// A prescribed turn about a fixed axis: the motion of a platform, of the Earth, or of any layer of a frame stack.
 #pragma once
 
+#include <memory>
+
+#include "earthtop/frames/angle_spline.hpp"
 #include "earthtop/frames/rotation.hpp"
 
 namespace earthtop {
 
-/// angle(t) = angle0 + rate t + acceleration t^2 / 2 + amplitude sin(2 pi frequency t + phase), about `axis`.
-/// Constant rate, ramp and harmonic are this with the other terms zero; a layer at rest has all of them zero.
+/// angle(t) = angle0 + rate t + acceleration t^2 / 2 + amplitude sin(2 pi frequency t + phase) + table(t), about `axis`.
+/// Constant rate, ramp, harmonic and table are this with the other terms zero; a layer at rest has all of them zero.
 template <class T>
 struct PrescribedMotion {
-  Vec3<T> axis = Vec3<T>::UnitZ();  ///< unit vector, the same in the parent and in the layer
-  T angle0 = T(0);                  ///< rad
-  T rate = T(0);                    ///< rad/s
-  T acceleration = T(0);            ///< rad/s^2
-  T amplitude = T(0);               ///< rad
-  T frequency = T(0);               ///< Hz
-  T phase = T(0);                   ///< rad
+  Vec3<T> axis = Vec3<T>::UnitZ();                        ///< unit vector, the same in the parent and in the layer
+  T angle0 = T(0);                                        ///< rad
+  T rate = T(0);                                          ///< rad/s
+  T acceleration = T(0);                                  ///< rad/s^2
+  T amplitude = T(0);                                     ///< rad
+  T frequency = T(0);                                     ///< Hz
+  T phase = T(0);                                         ///< rad
+  std::shared_ptr<const AngleSpline<T>> table = nullptr;  ///< none: zero
 
-  T angle(T t) const { return angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t)); }
-  T angle_rate(T t) const { return rate + t * acceleration + amplitude * pulsation() * real::cos(argument(t)); }
-  T angle_acceleration(T t) const { return acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t)); }
+  T angle(T t) const {
+    const T formula = angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t));
+    return table ? formula + table->angle(t) : formula;
+  }
+  T angle_rate(T t) const {
+    const T formula = rate + t * acceleration + amplitude * pulsation() * real::cos(argument(t));
+    return table ? formula + table->angle_rate(t) : formula;
+  }
+  T angle_acceleration(T t) const {
+    const T formula = acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t));
+    return table ? formula + table->angle_acceleration(t) : formula;
+  }
   /// Whether the layer stays parallel to its parent.
-  bool never_turns() const { return angle0 == T(0) && rate == T(0) && acceleration == T(0) && amplitude == T(0); }
+  bool never_turns() const {
+    return angle0 == T(0) && rate == T(0) && acceleration == T(0) && amplitude == T(0) && (!table || table->is_zero());
+  }
 
  private:
   T pulsation() const { return T(2) * real::pi<T>() * frequency; }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 
 #include "earthtop/frames/prescribed_motion.hpp"
 
 namespace earthtop {
 
-enum class PlatformMotion { constant, ramp, harmonic };
+enum class PlatformMotion { constant, ramp, harmonic, table };
 
 /// A platform as a scenario gives it. P is parallel to L at angle 0.
 struct PlatformSpec {
@@ -18,7 +20,10 @@ struct PlatformSpec {
   double amplitude_rad = 0;
   double frequency_hz = 0;
   double phase_deg = 0;
-  std::array<double, 3> pivot_offset_m = {0, 0, 0};  ///< in P
+  std::array<double, 3> pivot_offset_m = {0, 0, 0};   ///< in P
+  std::shared_ptr<const AngleTable> table = nullptr;  ///< of the motion `table`; copies share it
+  std::string file = {};                              ///< where it was read from, as the scenario names it
+  std::string file_sha256 = {};                       ///< of that file's bytes
 };
 
 /// The platform's turn relative to L, and where it carries the pivot.
@@ -28,6 +33,7 @@ struct Platform {
   Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< m
 };
 
+/// @throws std::invalid_argument for the motion `table` without a sound table.
 template <class T>
 Platform<T> make_platform(const PlatformSpec& spec);
 extern template Platform<double> make_platform(const PlatformSpec&);

@@ -20,9 +20,6 @@ struct BuildInfo {
 };
 const BuildInfo& build_info();
 
-/// SHA-256 as 64 lower-case hexadecimal digits.
-std::string sha256_hex(std::string_view bytes);
-
 /// SHA-256 of the canonical scenario: equal for two runs that compute the same thing.
 std::string scenario_sha256(const Scenario& scenario);
 

@@ -95,8 +95,9 @@ std::vector<double> output_times(double duration_s, double output_step_s);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).
 struct ScenarioSource {
-  std::string file;
+  std::string file;  ///< files that the text names are looked for beside it; beside nothing: in the working directory
   std::string text;
+  bool may_name_files = true;  ///< false: a text that names a file is refused, and none is opened
 };
 
 /// Reads a scenario file, "-" for standard input. @throws ScenarioError for a missing, unreadable, oversized (over 16 MiB)

@@ -1,0 +1,93 @@
+#include "scenario/angle_table.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "earthtop/error.hpp"
+#include "scenario/node.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr std::string_view kTableHeader = "t_s,angle_rad";
+constexpr std::size_t kFewestRows = 4;  // of a not-a-knot spline
+/// As for the rates of the other motions.
+constexpr double kFastestTurn = 1e9;
+
+/// Takes the first line off the front of a text, without its end.
+std::string_view take_line(std::string_view& text) {
+  std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// The whole of a field as a finite number.
+std::optional<double> finite_number(std::string_view field) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// The beginning of what stands there; a table may hold any bytes.
+std::string shown_text(std::string_view text) { return printable(excerpt(text)); }
+
+std::string no_number(std::string_view key, std::string_view field) {
+  return fmt::format("{} is \"{}\"; must be a finite number that a double can hold, like -1.25e-3", key, shown_text(field));
+}
+
+/// Appends a row. @returns what is wrong with it, nothing if it is right
+std::optional<std::string> read_row(std::string_view line, AngleTable& table) {
+  if (line.empty()) return "is empty; must be a row \"t_s,angle_rad\", or leave it out";
+  const auto comma = line.find(',');
+  if (comma == std::string_view::npos || line.find(',', comma + 1) != std::string_view::npos)
+    return fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line));
+  const std::string_view time_field = line.substr(0, comma), angle_field = line.substr(comma + 1);
+  const auto time = finite_number(time_field), angle = finite_number(angle_field);
+  if (!time) return no_number("t_s", time_field);
+  if (!angle) return no_number("angle_rad", angle_field);
+  if (!table.t_s.empty() && !(*time > table.t_s.back()))
+    return fmt::format("t_s is {} after {}; times must ascend, each above the one before", *time, table.t_s.back());
+  table.t_s.push_back(*time);
+  table.angle_rad.push_back(*angle);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s) {
+  const std::string_view header = take_line(text);
+  if (header != kTableHeader)
+    return TableFault{1,
+                      fmt::format("is \"{}\"; must be the header \"{}\", and nothing else", shown_text(header), kTableHeader)};
+  AngleTable table;
+  std::size_t line = 1;
+  while (!text.empty()) {
+    ++line;
+    if (auto wrong = read_row(take_line(text), table)) return TableFault{line, *std::move(wrong)};
+  }
+  if (table.t_s.size() < kFewestRows)
+    return TableFault{line,
+                      fmt::format("the table ends after {} rows; a spline needs at least {}", table.t_s.size(), kFewestRows)};
+  if (table.t_s.front() > 0)
+    return TableFault{2,
+                      fmt::format("the table begins at {} s; it must begin at 0 s, the release, or before", table.t_s.front())};
+  if (table.t_s.back() < duration_s)
+    return TableFault{line, fmt::format("the table ends at {} s; it must reach the duration, {} s: add rows, or shorten "
+                                        "/motion/duration_s",
+                                        table.t_s.back(), duration_s)};
+  const AngleSpline<double> spline(table);
+  const double rate = spline.largest_rate(), acceleration = spline.largest_acceleration();
+  if (!(rate <= kFastestTurn && acceleration <= kFastestTurn))
+    return TableFault{line,
+                      fmt::format("up to here the spline reaches {:.3g} rad/s and {:.3g} rad/s^2; at most {:g} are allowed: "
+                                  "are the times in seconds and the angles in radians?",
+                                  rate, acceleration, kFastestTurn)};
+  return table;
+}
+
+}  // namespace earthtop::scenario

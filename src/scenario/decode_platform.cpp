@@ -1,0 +1,88 @@
+// The platform, and the table of angles that may move it.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "scenario/angle_table.hpp"
+#include "scenario/decode.hpp"
+#include "scenario/fields.hpp"
+#include "scenario/file.hpp"
+#include "scenario/rules.hpp"
+#include "text/sha256.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr std::size_t kLongestShownPath = 200;
+
+/// The table's bytes, nothing where they have been refused.
+std::optional<std::string> read_table(const Section& platform, const ScenarioSource& source, const std::string& file) {
+  if (!source.may_name_files)
+    platform.refuse("file", "files are not read here; give a motion without a table");
+  else if (file.empty() || file.find('\0') != std::string::npos)
+    platform.refuse("file", "names no file; must be the path of a CSV file");
+  else
+    try {
+      const std::filesystem::path path = std::filesystem::path(source.file).parent_path() / file;
+      return read_regular_file(path.string(), excerpt(path.string(), kLongestShownPath), {"table"});
+    } catch (const ScenarioError& error) {
+      for (const Diagnostic& diagnostic : error.diagnostics())
+        platform.refuse("file", fmt::format("{}: {}", error.file(), diagnostic.message));
+    }
+  return std::nullopt;
+}
+
+void decode_table(const Section& platform, const ScenarioSource& source, double duration_s, PlatformSpec& spec) {
+  const auto file = platform.word("file");
+  if (!file) return;
+  const auto text = read_table(platform, source, *file);
+  if (!text) return;
+  spec.file = *file;
+  spec.file_sha256 = sha256_hex(*text);
+  const auto sha256 = platform.word("file_sha256");
+  if (sha256 && *sha256 != spec.file_sha256)
+    platform.refuse("file_sha256", fmt::format("is not that of {}, {}; take the file that was meant, or leave this key out",
+                                               excerpt(*file, kLongestShownPath), spec.file_sha256));
+  auto parsed = parse_angle_table(*text, duration_s);
+  if (const auto* fault = std::get_if<TableFault>(&parsed))
+    return platform.refuse("file", fmt::format("{}:{}: {}", excerpt(*file, kLongestShownPath), fault->line, fault->message));
+  spec.table = std::make_shared<const AngleTable>(std::get<AngleTable>(std::move(parsed)));
+}
+
+}  // namespace
+
+std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s) {
+  PlatformSpec spec;
+  platform.require("motion");
+  const auto word = platform.word("motion");
+  if (word) {
+    const MotionRule& rule =
+        *std::find_if(kMotionRules.begin(), kMotionRules.end(), [&](const auto& m) { return m.word == *word; });
+    spec.motion = rule.motion;
+    for (const std::string_view key : split_words(kMotionKeys)) {
+      if (lists(rule.required, key)) platform.require(key);
+      if (!lists(rule.allowed, key) && platform.has(key))
+        platform.refuse_key(key, fmt::format("does not belong to \"{}\" motion; allowed with it: {}", rule.word,
+                                             fmt::join(split_words(rule.allowed), ", ")));
+    }
+  }
+  const auto axis = platform.vector("axis");
+  // The square of a shorter one is no normal double, and its direction would be lost.
+  if (axis && std::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
+    platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
+  spec.axis = axis.value_or(spec.axis);
+  spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);
+  spec.acceleration_rad_s2 = platform.number("acceleration_rad_s2").value_or(0);
+  spec.amplitude_rad = platform.number("amplitude_rad").value_or(0);
+  spec.frequency_hz = platform.number("frequency_hz").value_or(0);
+  spec.phase_deg = platform.number("phase_deg").value_or(0);
+  if (word == "table") decode_table(platform, source, duration_s, spec);
+  spec.pivot_offset_m = platform.vector("pivot_offset_m").value_or(spec.pivot_offset_m);
+  return spec;
+}
+
+}  // namespace earthtop::scenario

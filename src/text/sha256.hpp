@@ -1,0 +1,12 @@
+/// The fingerprint by which texts and files are told apart.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace earthtop {
+
+/// SHA-256 as 64 lower-case hexadecimal digits [FIPS 180-4].
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace earthtop
