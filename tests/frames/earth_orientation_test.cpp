@@ -131,8 +131,8 @@ TEST(EarthOrientation, SecularPoleIsThatOfTheConventions) {
 TEST(EarthOrientation, PrecessionTurnsTheAxisByTwentyArcsecondsAYear) {
   const UtcInstant utc = parse_utc("2000-01-01T18:30:00Z").value();
   const Vec3<double> rate_I = precession_rate_I(utc);
-  // The pole of J2000 moves towards the equinox (x) by 2004.191903" a century [IAU 2006: Capitaine et al. 2003], a turn about +y,
-  // and not across, to the change of the rate over the two years.
+  // The pole of J2000 moves towards the equinox (x) by 2004.191903" a century [IAU 2006: Capitaine et al. 2003], a turn about
+  // +y, and not across, to the change of the rate over the two years.
   const double expected = 2004.191903 * ERFA_DAS2R / (100 * ERFA_DJY * ERFA_DAYSEC);
   EXPECT_NEAR(expected, 3.079e-12, 0.0005e-12);
   EXPECT_TRUE(close<double>(rate_I, Vec3<double>(0, expected, 0), 1e-4 * expected));

@@ -33,9 +33,9 @@ Vec3<T> celestial_axis_E(const PolarMotion& pole) {
   return {real::sin(x), -real::sin(y) * real::cos(x), real::cos(y) * real::cos(x)};
 }
 
-/// R_GL: laboratory axes, whose Up is the plumb line's zenith (tan eta, tan xi, 1) / norm, in geodetic East, North, Up (G). It is
-/// the least rotation that takes the normal there: azimuths stay geodetic to first order, and astronomical north lies west of
-/// North by eta tan(latitude), which is Laplace's correction and the East component of the Earth's rotation.
+/// R_GL: laboratory axes, whose Up is the plumb line's zenith (tan eta, tan xi, 1) / norm, in geodetic East, North, Up (G). It
+/// is the least rotation that takes the normal there: azimuths stay geodetic to first order, and astronomical north lies west
+/// of North by eta tan(latitude), which is Laplace's correction and the East component of the Earth's rotation.
 template <class T>
 Rotation<T> plumb_line_attitude(const VerticalDeflection& deflection) {
   const T xi = arcsec_to_rad<T>(deflection.north_arcsec), eta = arcsec_to_rad<T>(deflection.east_arcsec);
@@ -55,8 +55,8 @@ Vec3<T> celestial_axis_L(const Site& site, const PolarMotion& pole, const Vertic
   return plumb_line_attitude<T>(deflection).inverse() * n_G;
 }
 
-/// The Earth's rate when a day is longer than 86400 s by `excess_s`: nominal (1 - excess / 86400). This is the definition of the
-/// excess, exact, of the first order by intent [IERS Conventions (2010), 5.4.3: LOD].
+/// The Earth's rate when a day is longer than 86400 s by `excess_s`: nominal (1 - excess / 86400). This is the definition of
+/// the excess, exact, of the first order by intent [IERS Conventions (2010), 5.4.3: LOD].
 /// @param nominal  (rad/s), of a day without excess: 7.292115146706979e-5 rad/s
 template <class T>
 T earth_rate_with_length_of_day(T nominal, T excess_s) {
@@ -71,9 +71,9 @@ constexpr PolarMotion secular_pole(double julian_epoch_year) {
   return {0.0550 + 0.001677 * years, 0.3205 + 0.003460 * years};
 }
 
-/// The angular velocity with which precession turns the Earth's mean axis, in celestial axes (rad/s): normal to the axis, 3.1e-12
-/// rad/s. What turns about the axis is in the Earth's rate. Nutation, left out, is of the same size, to and fro in
-/// weeks to years. [IAU 2006, ERFA; difference over two years]
+/// The angular velocity with which precession turns the Earth's mean axis, in celestial axes (rad/s): normal to the
+/// axis, 3.1e-12 rad/s. What turns about the axis is in the Earth's rate. Nutation, left out, is of the same size, to and fro
+/// in weeks to years. [IAU 2006, ERFA; difference over two years]
 Vec3<double> precession_rate_I(const UtcInstant& utc);
 /// The same in laboratory axes (geodetic East, North, Up) at that instant (rad/s).
 Vec3<double> precession_rate_L(const Site& site, const UtcInstant& utc);

@@ -13,9 +13,9 @@ namespace earthtop {
 inline constexpr double kGravitationalConstantMoon = 4.902800118e12;
 inline constexpr double kGravitationalConstantSun = 1.32712440041279419e20;
 
-/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the vertical
-/// part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the tilt factor,
-/// about 0.69 [Melchior 1983; for degree 2, oceans left out].
+/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the
+/// vertical part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the
+/// tilt factor, about 0.69 [Melchior 1983; for degree 2, oceans left out].
 struct TideOptions {
   bool moon = true;
   bool sun = true;
@@ -25,13 +25,13 @@ struct TideOptions {
 
 /// The tidal acceleration at the site in geodetic East, North, Up (m/s^2), `seconds_later` after `utc`:
 ///   a = GM [ (d - r)/|d - r|^3 - d/|d|^3 ],  d: body, r: site, both from the Earth's centre,
-/// summed over the bodies. Good to some 1e-4 of its size: the Moon's abridged theory, UT1 = UTC. It has a mean value, the permanent
-/// tide, which normal gravity lacks and measured gravity, by the usual convention ("zero tide"), holds only in part.
+/// summed over the bodies. Good to some 1e-4 of its size: the Moon's abridged theory, UT1 = UTC. It has a mean value, the
+/// permanent tide, which normal gravity lacks and measured gravity, by the usual convention ("zero tide"), holds only in part.
 Vec3<double> tidal_acceleration_L(const Site& site, const UtcInstant& utc, double seconds_later = 0,
                                   const TideOptions& options = {});
 
-/// The tide of one body of a given constant GM at d, at the place r, both from the Earth's centre in any axes (m/s^2). No digits
-/// are lost however far the body is.
+/// The tide of one body of a given constant GM at d, at the place r, both from the Earth's centre in any axes (m/s^2). No
+/// digits are lost however far the body is.
 Vec3<double> differential_attraction(double gm, const Vec3<double>& d, const Vec3<double>& r);
 
 /// A function of time in pieces of equal length, each a sum of Chebyshev polynomials of the piece's own time in [-1, 1].
@@ -42,7 +42,8 @@ struct ChebyshevPieces {
   std::vector<Vec3<double>> coefficients;  ///< kTerms a piece, the constant first
 };
 
-/// tidal_acceleration_L as pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0]); to 1e-13 of its size.
+/// tidal_acceleration_L as pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0]); to 1e-13 of its size, less the
+/// rounding of the Moon's place, a few 1e-12.
 ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options);
 
 /// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, a
@@ -88,7 +89,7 @@ class TideSeries {
  private:
   static bool is_zero(const Vec3<T>& v) { return v[0] == T(0) && v[1] == T(0) && v[2] == T(0); }
 
-  /// Clenshaw's recurrence.
+  /// Clenshaw's recurrence, bracketed so that a step waits for one product and one sum of the step before.
   static Vec3<T> value(const ChebyshevPieces& pieces, T t_s) {
     const T halves = (t_s - T(pieces.begin_s)) / T(pieces.half_piece_s);
     const int last = static_cast<int>(pieces.coefficients.size()) / ChebyshevPieces::kTerms - 1;
@@ -96,15 +97,16 @@ class TideSeries {
     const int piece = !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
     const T x = halves - T(2 * piece + 1);
     const Vec3<double>* c = pieces.coefficients.data() + piece * ChebyshevPieces::kTerms;
+    const T twice_x = T(2) * x;
     T b0[3] = {T(0), T(0), T(0)}, b1[3] = {T(0), T(0), T(0)};
     for (int n = ChebyshevPieces::kTerms - 1; n > 0; --n) {
       for (int i = 0; i < 3; ++i) {
-        const T b = T(c[n][i]) + T(2) * x * b0[i] - b1[i];
+        const T b = (T(c[n][i]) - b1[i]) + twice_x * b0[i];
         b1[i] = b0[i];
         b0[i] = b;
       }
     }
-    return {T(c[0][0]) + x * b0[0] - b1[0], T(c[0][1]) + x * b0[1] - b1[1], T(c[0][2]) + x * b0[2] - b1[2]};
+    return {(T(c[0][0]) - b1[0]) + x * b0[0], (T(c[0][1]) - b1[1]) + x * b0[1], (T(c[0][2]) - b1[2]) + x * b0[2]};
   }
 
   std::shared_ptr<const ChebyshevPieces> pieces_;
