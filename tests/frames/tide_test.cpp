@@ -250,6 +250,8 @@ TEST(TideSeries, HarmonicAndNothing) {
     EXPECT_TRUE(nothing.empty());
     EXPECT_TRUE(test::identical(nothing.acceleration_L(T(3)), Vec3<T>::Zero()));
     EXPECT_TRUE(nothing.scaled(-5).empty());
+    EXPECT_TRUE(TideSeries<T>::of_bodies({}, at("2026-03-20T22:15:00Z"), 10, {.moon = false, .sun = false}).empty());
+    EXPECT_FALSE(TideSeries<T>::of_bodies({}, at("2026-03-20T22:15:00Z"), 10, {.sun = false}).empty());
     const Vec3<T> amplitude(T(1e-6), T(-2e-6), T(4e-6));
     EXPECT_TRUE(TideSeries<T>::harmonic(Vec3<T>::Zero(), T(1), T(0)).empty());
     const auto harmonic = TideSeries<T>::harmonic(amplitude, T(0.25), real::pi<T>() / T(6));

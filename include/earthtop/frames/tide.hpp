@@ -46,8 +46,8 @@ struct ChebyshevPieces {
 /// rounding of the Moon's place, a few 1e-12.
 ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options);
 
-/// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, a
-/// harmonic of given amplitude, or the sum of both. Copies share the coefficients.
+/// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, or
+/// a harmonic of given amplitude. Copies share the coefficients.
 template <class T>
 class TideSeries {
  public:
@@ -56,6 +56,7 @@ class TideSeries {
   /// The tide from `utc` on (t = 0). Beyond [0, duration_s] the next piece is continued, which is good for some minutes.
   static TideSeries of_bodies(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options = {}) {
     TideSeries series;
+    if (!options.moon && !options.sun) return series;
     series.pieces_ = std::make_shared<const ChebyshevPieces>(tidal_pieces(site, utc, duration_s, options));
     return series;
   }
