@@ -55,6 +55,17 @@ TEST(Utc, ReadsOneFormOnly) {
     EXPECT_FALSE(parse_utc(text)) << text;
 }
 
+TEST(Utc, TerrestrialTimeIsAheadByTheLeapSecondsAnd32184Milliseconds) {
+  for (const auto& [text, leap_seconds] :
+       {std::pair{"1999-01-01T00:00:00Z", 32}, {"2016-12-31T00:00:00Z", 36}, {"2024-04-08T18:00:00Z", 37}}) {
+    const UtcInstant utc = at(text);
+    const TerrestrialTime tt = terrestrial_time(utc, 1000);
+    // Days to three roundings of a number below 2.
+    EXPECT_NEAR((tt.day - utc.day) + (tt.fraction - utc.fraction), (1000 + leap_seconds + 32.184) / 86400,
+                3 * real::epsilon<double>());
+  }
+}
+
 TEST(Tide, DifferentialAttractionLosesNoDigits) {
   Random random(71);
   for (const auto& [gm, distance] :
