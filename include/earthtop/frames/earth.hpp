@@ -43,7 +43,7 @@ struct PolarMotion {
 
 /// The plumb line's zenith less the ellipsoid's normal: xi towards North, eta towards East (arcsec), each the angle between the
 /// normal and the zenith's projection onto that vertical plane. Astronomical latitude = geodetic + xi, astronomical longitude =
-/// geodetic + eta / cos(latitude) to first order [Heiskanen & Moritz, eq. 2-230].
+/// geodetic + eta / cos(latitude) to first order [Heiskanen & Moritz, ch. 2].
 struct VerticalDeflection {
   double north_arcsec = 0;
   double east_arcsec = 0;

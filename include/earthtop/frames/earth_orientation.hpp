@@ -12,7 +12,8 @@ T arcsec_to_rad(double arcsec) {
   return T(arcsec) * real::pi<T>() / T(648000);
 }
 
-/// The rotation axis in Earth-fixed axes: Rx(-y) Ry(-x) turn it to z, (x, -y, 1) to first order [IERS Conventions 5.4.1].
+/// The rotation axis in Earth-fixed axes: R1(-y) R2(-x) of the z axis, (x, -y, 1) to first order [IERS
+/// Conventions (2010), 5.4.1].
 template <class T>
 Vec3<T> celestial_axis_E(const PolarMotion& pole) {
   const T x = arcsec_to_rad<T>(pole.x_arcsec), y = arcsec_to_rad<T>(pole.y_arcsec);
@@ -42,7 +43,7 @@ Vec3<T> celestial_axis_L(const Site& site, const PolarMotion& pole, const Vertic
 }
 
 /// The Earth's rate when a day is longer than 86400 s by `excess_s`: nominal (1 - excess / 86400). This is the definition of
-/// the excess, exact, of the first order by intent [IERS Conventions (2010), 5.4.3: LOD].
+/// the excess, exact, of the first order by intent [IERS: omega = Omega_N (1 - D/86400 s)].
 /// @param nominal  (rad/s), of a day without excess: 7.292115146706979e-5 rad/s
 template <class T>
 T earth_rate_with_length_of_day(T nominal, T excess_s) {
@@ -50,7 +51,7 @@ T earth_rate_with_length_of_day(T nominal, T excess_s) {
 }
 
 /// The secular pole, about which the pole moves by up to some 0.3 arcsec in 433 and 365 days: the conventional pole where none
-/// was measured [IERS Conventions (2010) v1.3.0, eq. 21].
+/// was measured [IERS Conventions (2010) v1.3.0, 7.1.4, eq. 21].
 /// @param julian_epoch_year  e.g. 2026.5
 constexpr PolarMotion secular_pole(double julian_epoch_year) {
   const double years = julian_epoch_year - 2000;

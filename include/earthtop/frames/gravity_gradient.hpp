@@ -8,7 +8,7 @@ namespace earthtop {
 /// The gradient d g_i / d x_j of the gravitation of the WGS 84 level ellipsoid (no centrifugal part), in axes East, North, Up
 /// of the geodetic normal (1/s^2). Symmetric, and of trace 0 down to the surface and below it, where the field is continued.
 /// From the series of zonal harmonics, all digits of a double from 12 km below the ellipsoid upwards.
-///   V = GM/r (1 - sum_k J_2k (a/r)^2k P_2k(sin delta))                              [Heiskanen & Moritz, eq. 2-89 to 2-92]
+///   V = GM/r (1 - sum_k J_2k (a/r)^2k P_2k(sin delta))                              [Heiskanen & Moritz, eq. 2-90 and 2-92]
 /// @param latitude_deg  geodetic latitude   @param height_m  above the ellipsoid
 Mat3<double> normal_gravity_gradient_L(double latitude_deg, double height_m);
 

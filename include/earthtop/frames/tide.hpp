@@ -42,11 +42,12 @@ struct ChebyshevPieces {
   std::vector<Vec3<double>> coefficients;  ///< kTerms a piece, the constant first
 };
 
-/// tidal_acceleration_L as pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0]); to 1e-13 of its size.
+/// tidal_acceleration_L as pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0]); to 1e-13 of its size, less the
+/// rounding of the Moon's place, a few 1e-12.
 ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options);
 
-/// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, a
-/// harmonic of given amplitude, or the sum of both. Copies share the coefficients.
+/// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, or
+/// a harmonic of given amplitude. Copies share the coefficients.
 template <class T>
 class TideSeries {
  public:
@@ -55,6 +56,7 @@ class TideSeries {
   /// The tide from `utc` on (t = 0). Beyond [0, duration_s] the next piece is continued, which is good for some minutes.
   static TideSeries of_bodies(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options = {}) {
     TideSeries series;
+    if (!options.moon && !options.sun) return series;
     series.pieces_ = std::make_shared<const ChebyshevPieces>(tidal_pieces(site, utc, duration_s, options));
     return series;
   }
@@ -88,7 +90,7 @@ class TideSeries {
  private:
   static bool is_zero(const Vec3<T>& v) { return v[0] == T(0) && v[1] == T(0) && v[2] == T(0); }
 
-  /// Clenshaw's recurrence.
+  /// Clenshaw's recurrence, bracketed so that a step waits for one product and one sum of the step before.
   static Vec3<T> value(const ChebyshevPieces& pieces, T t_s) {
     const T halves = (t_s - T(pieces.begin_s)) / T(pieces.half_piece_s);
     const int last = static_cast<int>(pieces.coefficients.size()) / ChebyshevPieces::kTerms - 1;
@@ -96,15 +98,16 @@ class TideSeries {
     const int piece = !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
     const T x = halves - T(2 * piece + 1);
     const Vec3<double>* c = pieces.coefficients.data() + piece * ChebyshevPieces::kTerms;
+    const T twice_x = T(2) * x;
     T b0[3] = {T(0), T(0), T(0)}, b1[3] = {T(0), T(0), T(0)};
     for (int n = ChebyshevPieces::kTerms - 1; n > 0; --n) {
       for (int i = 0; i < 3; ++i) {
-        const T b = T(c[n][i]) + T(2) * x * b0[i] - b1[i];
+        const T b = (T(c[n][i]) - b1[i]) + twice_x * b0[i];
         b1[i] = b0[i];
         b0[i] = b;
       }
     }
-    return {T(c[0][0]) + x * b0[0] - b1[0], T(c[0][1]) + x * b0[1] - b1[1], T(c[0][2]) + x * b0[2] - b1[2]};
+    return {(T(c[0][0]) - b1[0]) + x * b0[0], (T(c[0][1]) - b1[1]) + x * b0[1], (T(c[0][2]) - b1[2]) + x * b0[2]};
   }
 
   std::shared_ptr<const ChebyshevPieces> pieces_;
