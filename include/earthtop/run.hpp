@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scenario/scenario.hpp"
@@ -87,8 +88,19 @@ struct SensitivityReport {
   double axis_error_rad = 0;             ///< standard error of the axis drift from all inputs, taken as independent
 };
 
+/// Whether the error asked for was reached, bound and effects left out taken together.
+struct AccuracyReport {
+  double asked_rad = 0;
+  double reached_rad = 0;
+  int attempts = 0;  ///< runs it took to find a tolerance
+  bool reached() const { return reached_rad <= asked_rad; }
+};
+
 struct RunResult {
-  Scenario scenario;
+  Scenario scenario;                       ///< as given
+  Scenario modelled;                       ///< the same with the effects and the tolerance that were chosen for it
+  std::optional<Selection> selection;      ///< where the scenario leaves the choice of effects open
+  std::optional<AccuracyReport> accuracy;  ///< where it asks for one
   RunStatus status = RunStatus::completed;
   double reached_s = 0;  ///< time of the last row
   std::vector<DriftRow> rows;
@@ -112,6 +124,8 @@ const DriftRow* last_reliable_row(const RunResult& result);
 /// Asks a running integration to stop; safe in a signal handler.
 void request_interrupt() noexcept;
 bool interrupt_requested() noexcept;
+/// What `request_interrupt` sets, for other work that can be stopped.
+const std::atomic<bool>& interrupt_flag() noexcept;
 
 /// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run;
 /// ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers.

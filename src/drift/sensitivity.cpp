@@ -160,7 +160,9 @@ class System {
   System(const Model<double>& plain, const Model<Jet>& model, const std::array<ProblemDerivative, kInputs>& inputs)
       : values_(plain), model_(model), inputs_(inputs) {}
 
-  void operator()(const State& x, State& dxdt, double t) const {
+  void operator()(const State& x, State& dxdt, double t) {
+    if constexpr (K == SceneKind::full)
+      if (values_.platform.turn.table) follow_table(t);
     const PivotField<Jet> field = field_at(t);
     const Motion<Jet> reference = motion_in(x);
     const Deviation<Jet> deviation = deviation_in(x);
@@ -171,6 +173,15 @@ class System {
   }
 
  private:
+  /// The platform's turn at t as a parabola that touches the table's there.
+  void follow_table(double t) {
+    const PrescribedMotion<double>& table = values_.platform.turn;
+    const double rate = table.angle_rate(t), acceleration = table.angle_acceleration(t);
+    PrescribedMotion<Jet>& turn = model_.platform.turn;
+    turn.acceleration = acceleration;
+    turn.rate = rate - acceleration * t;
+    turn.angle0 = table.angle(t) - t * (rate - acceleration * t / 2);
+  }
   PivotField<Jet> field_at(double t) const {
     PivotField<Jet> field = pivot_field<K>(model_, Jet(t));
     if constexpr (K == SceneKind::full)
@@ -230,7 +241,7 @@ class System {
   static Quaternion<double> value_of(const Quaternion<Jet>& q) { return {q.w.value, value_of(q.v)}; }
 
   const Model<double>& values_;
-  const Model<Jet>& model_;
+  Model<Jet> model_;
   const std::array<ProblemDerivative, kInputs>& inputs_;
 };
 
@@ -274,7 +285,7 @@ DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<P
                         double time_s, double relative_tolerance, const std::atomic<bool>* stop,
                         const std::function<void(const FollowedStep&)>& on_step) {
   const Model<Jet> model = jet_model(problem.model, inputs);
-  const System<K> equations(problem.model, model, inputs);
+  System<K> equations(problem.model, model, inputs);
   DriftSensitivity result;
   const auto system = [&](const State& x, State& dxdt, double t) {
     ++result.counters.evaluations;

@@ -173,16 +173,44 @@ Json ledger_json(const LedgerReport& ledger) {
 
 /// Everything that could turn a top is on one of the two lists.
 Json effects_json(const Scenario& scenario) {
+  const EffectsSpec& effects = scenario.effects;
+  const AppliedTorquesSpec& applied = effects.applied;
+  const Site& site = scenario.site;
   Json modelled = Json::array({"gravity"});
   Json left_out = Json::array();
-  (scenario.effects.coriolis ? modelled : left_out).push_back("coriolis");
-  (scenario.effects.centrifugal ? modelled : left_out).push_back("centrifugal");
-  (scenario.effects.transverse ? modelled : left_out).push_back("transverse");
-  (scenario.platform ? modelled : left_out).push_back("platform_motion");
-  for (const char* effect : {"viscous_torque", "pivot_friction", "air_drag", "gravity_gradient", "polar_motion",
-                             "variation_of_earth_rate", "earth_tides", "elasticity"})
-    left_out.push_back(effect);
+  const auto list = [&](const char* name, bool on) { (on ? modelled : left_out).push_back(name); };
+  list("coriolis", effects.coriolis);
+  list("centrifugal", effects.centrifugal);
+  list("transverse", effects.transverse);
+  list("platform_motion", scenario.platform.has_value());
+  list("gravity_gradient", applied.gravity_gradient.has_value());
+  list("tide", effects.tide.has_value());
+  list("polar_motion", site.pole.x_arcsec != 0 || site.pole.y_arcsec != 0);
+  list("length_of_day", scenario.excess_length_of_day_s != 0);
+  list("deflection_of_vertical", site.deflection.north_arcsec != 0 || site.deflection.east_arcsec != 0);
+  list("viscous_torque", applied.viscous_N_m_s != 0);
+  list("quadratic_torque", applied.quadratic_N_m_s2 != 0);
+  list("air_drag", applied.air_drag.has_value());
+  list("coulomb_torque", applied.coulomb_N_m != 0);
+  list("gimbal", applied.gimbal.has_value());
+  list("axis_precession", false);
+  list("elasticity", false);
   return {{"modelled", std::move(modelled)}, {"left_out", std::move(left_out)}};
+}
+
+/// What was chosen for a scene that left it open, and what the error asked for came to.
+Json selection_json(const Selection& selection) {
+  return {{"accuracy_rad", selection.accuracy_rad},
+          {"switched_on", selection.switched_on},
+          {"left_out", selection.left_out},
+          {"left_out_drift_rad", selection.left_out_drift_rad},
+          {"how", selection.how}};
+}
+Json accuracy_json(const AccuracyReport& accuracy) {
+  return {{"asked_rad", accuracy.asked_rad},
+          {"reached_rad", accuracy.reached_rad},
+          {"reached", accuracy.reached()},
+          {"attempts", accuracy.attempts}};
 }
 
 Json provenance_json(const Scenario& scenario) {
@@ -255,7 +283,9 @@ std::string summary_json(const RunResult& result) {
   if (result.sensitivities) summary["sensitivities"] = sensitivities_json(*result.sensitivities);
   if (result.sensitivities && result.scenario.uncertainty) summary["uncertainty"] = uncertainty_json(result);
   if (result.ledger) summary["ledger"] = ledger_json(*result.ledger);
-  summary["effects"] = effects_json(scenario);
+  summary["effects"] = effects_json(result.modelled);
+  if (result.selection) summary["selection"] = selection_json(*result.selection);
+  if (result.accuracy) summary["accuracy"] = accuracy_json(*result.accuracy);
   summary["notes"] = result.notes;
   summary["scenario"] = Json::parse(canonical_json(scenario));
   summary["provenance"] = provenance_json(scenario);
@@ -265,6 +295,7 @@ std::string summary_json(const RunResult& result) {
 std::string timing_json(const RunResult& result) {
   return dump({{"solution_s", result.solution.seconds},
                {"certificate_s", result.certificate.seconds},
+               {"selection_s", result.selection ? Json(result.selection->seconds) : Json()},
                {"written_utc", utc_now()},
                {"host", host_name()}});
 }

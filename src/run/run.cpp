@@ -180,15 +180,7 @@ RunResult run_in(const Scenario& scenario) {
   return result;
 }
 
-}  // namespace
-
-void request_interrupt() noexcept { stop_asked = true; }
-
-bool interrupt_requested() noexcept { return stop_asked; }
-
-RunResult run(const Scenario& scenario) {
-  require_ieee_arithmetic();
-  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
+RunResult run_once(const Scenario& scenario) {
   require_affordable(scenario);
   switch (scenario.precision) {
     case Precision::bits53: break;
@@ -196,6 +188,52 @@ RunResult run(const Scenario& scenario) {
     case Precision::bits113: return run_in<float128>(scenario);
   }
   return run_in<double>(scenario);
+}
+
+/// Where an error is asked for, and method and tolerance are free, from the loosest tolerance that may reach it to finer ones.
+/// @param left_out_rad  what the effects left out may cost of it
+RunResult run_to_accuracy(Scenario scenario, double left_out_rad) {
+  if (!scenario.accuracy_rad) return run_once(scenario);
+  constexpr double kLoosest = 1e-6, kFiner = 1e-3;
+  constexpr int kAttempts = 4;
+  AccuracyReport accuracy{*scenario.accuracy_rad, 0, 0};
+  double& tolerance = scenario.numerics.relative_tolerance;
+  const double least = least_tolerance(scenario.precision);
+  const bool free = scenario.numerics.method == Method::automatic && tolerance == default_tolerance(scenario.precision);
+  // Of the error asked for a hundredth: steps are many, and the second run's error counts as the first one's.
+  if (free) tolerance = std::clamp(accuracy.asked_rad / 100, least, kLoosest);
+  for (;;) {
+    RunResult result = run_once(scenario);
+    ++accuracy.attempts;
+    accuracy.reached_rad = result.drift.axis_bound_rad + left_out_rad;
+    const bool may_be_finer = free && tolerance > least && accuracy.attempts < kAttempts;
+    if (accuracy.reached() || !may_be_finer || result.status != RunStatus::completed) {
+      result.accuracy = accuracy;
+      return result;
+    }
+    tolerance = std::max(least, tolerance * std::max(kFiner, 0.1 * accuracy.asked_rad / accuracy.reached_rad));
+  }
+}
+
+}  // namespace
+
+void request_interrupt() noexcept { stop_asked = true; }
+
+bool interrupt_requested() noexcept { return stop_asked; }
+
+const std::atomic<bool>& interrupt_flag() noexcept { return stop_asked; }
+
+RunResult run(const Scenario& scenario) {
+  require_ieee_arithmetic();
+  Scenario modelled = scenario;
+  std::optional<Selection> selection;
+  if (scenario.effects.automatic) selection = select_effects(modelled, &stop_asked);
+  if (const auto reason = method_refusal(modelled.numerics.method, modelled)) throw ScenarioError("/numerics/method", *reason);
+  RunResult result = run_to_accuracy(modelled, selection ? selection->left_out_drift_rad : 0);
+  result.modelled = std::move(result.scenario);
+  result.scenario = scenario;
+  result.selection = std::move(selection);
+  return result;
 }
 
 }  // namespace earthtop

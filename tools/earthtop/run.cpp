@@ -75,6 +75,11 @@ int run_verb(const RunArguments& arguments) try {
   } catch (const WriteError& error) {
     throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
   }
+  if (result.status == RunStatus::completed && result.accuracy && !result.accuracy->reached()) {
+    message(fmt::format("earthtop: error: the drift error asked for, {} rad, was not reached: it is {:.2g} rad",
+                        result.accuracy->asked_rad, result.accuracy->reached_rad));
+    return kNumericalFailure;
+  }
   if (result.status == RunStatus::completed) return kDone;
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
                       to_string(result.status), result.reached_s, scenario.duration_s, printable(dir.string())));

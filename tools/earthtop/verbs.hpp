@@ -13,6 +13,7 @@ namespace earthtop::tool {
 using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);

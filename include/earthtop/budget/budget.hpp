@@ -16,6 +16,7 @@ namespace earthtop {
 struct EffectEntry {
   std::string name;           ///< as the scenario's key names it
   bool modelled = false;      ///< whether the scene has it
+  bool assumed = false;       ///< whether its size is a usual one, for want of the scene's
   bool in_difference = true;  ///< whether it enters the difference of the two predictions to first order, or cancels
   /// Size of its torque at release and at its largest (N m); none where no parameter says how large the effect is.
   std::optional<double> torque_release_N_m, torque_largest_N_m;

@@ -29,6 +29,9 @@ std::optional<DriftDigits> drift_digits(const RunResult& result);
 /// bytes, on any host and at any time; a number that is not finite is null.
 std::string summary_json(const RunResult& result);
 
+/// The effect budget of a scenario, and what `run` would take for it, as JSON with a final newline.
+std::string budget_json(const Budget& budget, const Scenario& scenario);
+
 /// The matching rule in words: what is equal at release in both predictions.
 std::string matching_rule(const Scenario& scenario);
 

@@ -1,0 +1,147 @@
+#include "earthtop/budget/budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "budget/candidates.hpp"
+#include "earthtop/drift/sensitivity.hpp"
+#include "scenario/input_derivatives.hpp"
+#include "scenario/problem.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kTolerance = 1e-7;     // of the variations: a budget is read to a few digits
+constexpr double kFollowedPhase = 1e5;  // rad of the fastest rate; some ten seconds of computing
+constexpr double kBeforeFrictionStops = 0.9;
+
+/// How far the motion is followed: to its end, to where its cost ends it, or until dry friction is about to stop it.
+double followed_time(const Scenario& scenario, const DriftProblem<double>& problem) {
+  double time_s = std::min(scenario.duration_s, kFollowedPhase / fastest_rate_rad_s(scenario));
+  if (const double coulomb = scenario.effects.applied.coulomb_N_m; coulomb > 0) {
+    const auto body = make_body<double>(scenario.body);
+    const double momentum = norm(Vec3<double>(times(body.I_BP_B, problem.release.w_XB_B)));
+    time_s = std::min(time_s, kBeforeFrictionStops * momentum / coulomb);
+  }
+  return time_s;
+}
+
+/// The responses of one candidate, put together from those of the inputs that it stands for.
+struct Sized {
+  Responses responses;
+  double torque_release = 0, torque_largest = 0;
+};
+
+double in_newton_metres(double torque, const NaturalUnits& units) {
+  return real::scale(torque, units.mass_exponent - 2 * units.time_exponent);
+}
+
+/// Follows the candidates in groups of kInputs.
+std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const DriftProblem<double>& problem, double time_s,
+                           double& drift_rad, double& reached_s, const std::atomic<bool>* stop) {
+  std::vector<Sized> sized(candidates.size());
+  for (std::size_t first = 0; first < candidates.size() && (stop == nullptr || !*stop); first += kInputs) {
+    const std::size_t count = std::min(kInputs, candidates.size() - first);
+    std::array<ProblemDerivative, kInputs> inputs;
+    for (std::size_t i = 0; i < count; ++i) inputs[i] = candidates[first + i].input;
+    double end = 0;
+    const auto on_step = [&](const FollowedStep& step) {
+      end = step.t;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double torque = candidates[first + i].torque(step);
+        if (step.t == 0) sized[first + i].torque_release = torque;
+        sized[first + i].torque_largest = std::max(sized[first + i].torque_largest, torque);
+      }
+    };
+    const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, stop, on_step);
+    reached_s = real::scale(end, problem.units.time_exponent);
+    drift_rad = drift.axis.value;
+    for (std::size_t i = 0; i < count; ++i) sized[first + i].responses = drift.responses[i];
+  }
+  return sized;
+}
+
+EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const NaturalUnits& units, double later) {
+  EffectEntry entry;
+  entry.name = candidate.name;
+  entry.modelled = candidate.modelled;
+  entry.assumed = candidate.assumed;
+  entry.in_difference = candidate.in_difference;
+  entry.reason = candidate.reason;
+  const double size = std::abs(candidate.size);
+  entry.torque_release_N_m = in_newton_metres(size * sized.torque_release, units);
+  entry.torque_largest_N_m = in_newton_metres(size * sized.torque_largest, units);
+  if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses.displacement_largest;
+  entry.drift_rad = later * size * sized.responses.drift_largest;
+  entry.drift_final_rad = later * size * sized.responses.drift_final;
+  return entry;
+}
+
+/// What a scene that models one effect and omits a larger one should be told.
+std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
+  std::vector<std::string> warnings;
+  for (const EffectEntry& omitted : effects) {
+    if (omitted.modelled || omitted.assumed || !omitted.torque_largest_N_m || omitted.name == kAxisPrecession) continue;
+    const EffectEntry* smallest = nullptr;
+    for (const EffectEntry& modelled : effects) {
+      if (!modelled.modelled || !(modelled.torque_largest_N_m.value_or(0) > 0)) continue;
+      if (*modelled.torque_largest_N_m < *omitted.torque_largest_N_m &&
+          (smallest == nullptr || *modelled.torque_largest_N_m < *smallest->torque_largest_N_m))
+        smallest = &modelled;
+    }
+    if (smallest != nullptr)
+      warnings.push_back(
+          fmt::format("the scene models {} ({:.2g} N m at its largest) and leaves out {} ({:.2g} N m), which is "
+                      "larger",
+                      smallest->name, *smallest->torque_largest_N_m, omitted.name, *omitted.torque_largest_N_m));
+  }
+  return warnings;
+}
+
+void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, double time_s, double later,
+                const std::atomic<bool>* stop, Budget& budget) {
+  if (scenario.rotation_rate_rad_s == 0) {
+    budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
+    return;
+  }
+  const InputDerivatives inputs = input_derivatives(scenario, problem.units);
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, time_s, kTolerance, stop);
+  if (drift.status != RunStatus::completed) {
+    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
+    return;
+  }
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
+    const Responses& r = drift.responses[i];
+    InputNeed need{std::string(kInputNames[i]), inputs.values[i], later * r.displacement_largest / inputs.scales[i],
+                   later * r.drift_final / inputs.scales[i], std::nullopt};
+    const bool of_earth = need.name == "latitude_deg" || need.name == "rotation_rate_rad_s";
+    const double moved = of_earth ? need.drift_per_unit_rad : need.displacement_per_unit_rad;
+    if (moved > 0) need.hides_earth = budget.earth_drift_rad / moved;
+    budget.inputs.push_back(need);
+  }
+}
+
+}  // namespace
+
+Budget effect_budget(const Scenario& scenario, BudgetScope scope, const std::atomic<bool>* stop) {
+  const auto problem = make_problem<double>(scenario);
+  const std::vector<Candidate> candidates = effect_candidates(scenario, problem, scope);
+  const double time_s = followed_time(scenario, problem);
+  Budget budget;
+  const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, stop);
+  // Secular drifts grow with the time.
+  const double later = budget.followed_s > 0 ? scenario.duration_s / budget.followed_s : 1;
+  budget.earth_drift_rad *= later;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later));
+  if (scope == BudgetScope::selectable) return budget;
+  for (EffectEntry& entry : effects_of_unknown_size(scenario)) budget.effects.push_back(std::move(entry));
+  budget.warnings = warnings_of(budget.effects);
+  add_inputs(scenario, problem, budget.followed_s, later, stop, budget);
+  return budget;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,266 @@
+#include "budget/candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "earthtop/frames/earth_orientation.hpp"
+#include "earthtop/model/applied_motion.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr std::string_view kWithoutDate = "2026-01-01T00:00:00Z";  // for sizes only, where a scene names no date
+constexpr double kUsualExcess_s = 1e-3;                            // of the length of day
+constexpr double kUsualDeflection_arcsec = 10;                     // of the vertical
+
+using Problem = DriftProblem<double>;
+
+Vec3<double> seen_from(const FollowedStep& step, const Vec3<double>& u_L) {
+  return transposed_times(rotation_matrix(step.q_LB), u_L);
+}
+
+UtcInstant start_of(const Scenario& scenario) {
+  return *parse_utc(scenario.start_utc ? std::string_view(*scenario.start_utc) : kWithoutDate);
+}
+std::string dated(const Scenario& scenario) { return scenario.start_utc ? "" : fmt::format(", sized as on {}", kWithoutDate); }
+
+Candidate coriolis(const Scenario& scenario, const Problem& problem) {
+  Candidate c;
+  c.name = "coriolis";
+  c.modelled = scenario.effects.coriolis;
+  c.reason = c.modelled ? "the Earth's rotation: on unless switched off" : "switched off";
+  c.input.coriolis = 1;
+  c.torque = [&problem](const FollowedStep& s) {
+    const Model<double>& m = problem.model;
+    return norm(coriolis_torque(seen_from(s, m.W_IL_L), velocity_moment(m.S_BP_B, s.w_LB_B)));
+  };
+  return c;
+}
+
+Candidate centrifugal(const Scenario& scenario, const Problem& problem) {
+  Candidate c;
+  c.name = "centrifugal";
+  c.modelled = scenario.effects.centrifugal;
+  c.reason = c.modelled ? "of second order in the Earth's rate; the first is in apparent gravity" : "switched off";
+  c.input.centrifugal = 1;
+  c.torque = [&problem](const FollowedStep& s) {
+    return norm(centrifugal_torque(seen_from(s, problem.model.W_IL_L), problem.model.S_BP_B));
+  };
+  return c;
+}
+
+/// A start that is the same in inertial space is, in the laboratory, one at the rate -W.
+Candidate matching() {
+  Candidate c;
+  c.name = "release_matching";
+  c.modelled = true;
+  c.reason = "the two predictions start with the same inertial rates, which differ by the Earth's in the laboratory";
+  c.input.release = 1;
+  c.torque = [](const FollowedStep&) { return 0.0; };
+  return c;
+}
+
+/// A change of the Earth's rate in laboratory axes by `share` of it.
+Candidate earth_rate_change(std::string_view name, const Vec3<double>& share_L, const Problem& problem) {
+  Candidate c;
+  c.name = name;
+  const Model<double>& m = problem.model;
+  const double rate_scaled = norm(m.W_IL_L_scaled), size = norm(share_L);
+  const Vec3<double> direction = size > 0 ? Vec3<double>(share_L / size) : Vec3<double>(Vec3<double>::UnitZ());
+  c.size = size;
+  c.input.W_IL_L_scaled = rate_scaled * direction;
+  const Vec3<double> change_L = m.epsilon * rate_scaled * direction;
+  c.torque = [&m, change_L](const FollowedStep& s) {
+    return norm(coriolis_torque(seen_from(s, change_L), velocity_moment(m.S_BP_B, s.w_LB_B)));
+  };
+  return c;
+}
+
+Vec3<double> axis_change(const Scenario& scenario, const PolarMotion& pole, const VerticalDeflection& deflection) {
+  Site ellipsoid = scenario.site;
+  ellipsoid.pole = {}, ellipsoid.deflection = {};
+  return celestial_axis_L<double>(ellipsoid, pole, deflection) - celestial_axis_L<double>(ellipsoid);
+}
+
+Candidate polar_motion(const Scenario& scenario, const Problem& problem) {
+  const PolarMotion& given = scenario.site.pole;
+  const bool modelled = given.x_arcsec != 0 || given.y_arcsec != 0;
+  const PolarMotion pole = modelled ? given : secular_pole(julian_epoch_year(start_of(scenario)));
+  Candidate c = earth_rate_change("polar_motion", axis_change(scenario, pole, {}), problem);
+  c.modelled = modelled;
+  c.reason = modelled ? "as given" : "left out; sized by the secular pole" + dated(scenario);
+  return c;
+}
+
+Candidate length_of_day(const Scenario& scenario, const Problem& problem) {
+  const double given_s = scenario.excess_length_of_day_s;
+  const double excess_s = given_s != 0 ? given_s : kUsualExcess_s;
+  Candidate c =
+      earth_rate_change("length_of_day", Vec3<double>(excess_s / 86400 * celestial_axis_L<double>(scenario.site)), problem);
+  c.modelled = given_s != 0;
+  c.assumed = !c.modelled;
+  c.reason = c.modelled ? "as given" : "left out; sized by a day longer by 1 ms";
+  return c;
+}
+
+Candidate deflection(const Scenario& scenario, const Problem& problem) {
+  const VerticalDeflection& given = scenario.site.deflection;
+  const bool modelled = given.north_arcsec != 0 || given.east_arcsec != 0;
+  const VerticalDeflection sized = modelled ? given : VerticalDeflection{kUsualDeflection_arcsec, 0};
+  Candidate c = earth_rate_change("deflection_of_vertical", axis_change(scenario, {}, sized), problem);
+  c.modelled = modelled;
+  c.assumed = !modelled;
+  c.reason = modelled ? "as given" : fmt::format("left out; sized by {} arcsec to the North", kUsualDeflection_arcsec);
+  return c;
+}
+
+Candidate axis_precession(const Scenario& scenario, const Problem& problem) {
+  const double rate = std::abs(scenario.rotation_rate_rad_s);
+  const Vec3<double> precession_L = precession_rate_L(scenario.site, start_of(scenario));
+  const Vec3<double> share_L = rate > 0 ? Vec3<double>(precession_L / rate) : Vec3<double>(Vec3<double>::Zero());
+  Candidate c = earth_rate_change(kAxisPrecession, share_L, problem);
+  c.reason = "never modelled: the axis goes round in 26,000 years, 4e-8 of the Earth's rate";
+  return c;
+}
+
+/// A torque in both predictions, in units of its own size at release.
+Candidate torque_in_both(std::string_view name, const AppliedTorques<double>& applied, double strength,
+                         const Problem& problem) {
+  Candidate c;
+  c.name = name;
+  c.in_difference = false;
+  c.size = strength;
+  AppliedTorques<double> unit = applied;
+  unit.any = true, unit.level_axis = false;
+  for (double* part : {&unit.viscous, &unit.quadratic, &unit.coulomb, &unit.disc_laminar, &unit.disc_turbulent,
+                       &unit.gradient[0].strength, &unit.gradient[1].strength})
+    *part /= strength;
+  c.input.applied = unit;
+  c.torque = [&problem, unit](const FollowedStep& s) {
+    Model<double> alone = problem.model;
+    alone.applied = unit;
+    return norm(applied_torque_B(alone, s.t, s.q_LB, s.w_LB_B, true));
+  };
+  return c;
+}
+
+double largest_moment(const Problem& problem) { return problem.model.I_BP_B.diagonal().maxCoeff(); }
+
+Candidate gravity_gradient(const Scenario& scenario, const Problem& problem) {
+  AppliedTorquesSpec spec;
+  const auto& given = scenario.effects.applied.gravity_gradient;
+  spec.gravity_gradient = given ? given : GravityGradientSpec{GradientField::normal, 0};
+  const auto applied =
+      make_applied_torques<double>(spec, scenario.site, 0, problem.units.mass_exponent, problem.units.time_exponent);
+  const double strength = std::max(std::abs(applied.gradient[0].strength), std::abs(applied.gradient[1].strength));
+  if (!(strength > 0)) {
+    Candidate none = torque_in_both("gravity_gradient", applied, 1, problem);
+    none.modelled = true;
+    none.reason = "of strength 0";
+    return none;
+  }
+  Candidate c = torque_in_both("gravity_gradient", applied, strength * largest_moment(problem), problem);
+  c.modelled = given.has_value();
+  c.reason = c.modelled ? "asked for" : "left out; sized by the tensor of the normal field";
+  return c;
+}
+
+Candidate tide(const Scenario& scenario, const Problem& problem) {
+  Candidate c;
+  c.name = "tide";
+  c.in_difference = false;
+  c.modelled = scenario.effects.tide.has_value();
+  c.reason = c.modelled ? "asked for" : "left out; sized on a rigid Earth" + dated(scenario);
+  constexpr double kLongest_s = 86400;  // a day shows its size
+  TideSeries<double> series;
+  if (c.modelled)
+    series = problem.model.tide;
+  else
+    series = TideSeries<double>::of_bodies(scenario.site, start_of(scenario), std::min(scenario.duration_s, kLongest_s))
+                 .scaled(problem.units.time_exponent);
+  c.input.tide = series;
+  const Vec3<double> moment_B = problem.model.mass_moment_B;
+  c.torque = [moment_B, tide = c.input.tide](const FollowedStep& s) {
+    return norm(field_torque(moment_B, seen_from(s, tide.acceleration_L(s.t))));
+  };
+  return c;
+}
+
+/// Friction that the scene gives, each kind by itself.
+void add_friction(const Problem& problem, std::vector<Candidate>& candidates) {
+  const AppliedTorques<double>& all = problem.model.applied;
+  const double rate = std::max(norm(problem.units.rate_from_rad_s(problem.release.w_XB_B)), 1e-3);
+  const auto add = [&](std::string_view name, double size, const std::function<void(AppliedTorques<double>&)>& keep) {
+    if (!(size > 0)) return;
+    AppliedTorques<double> alone;
+    keep(alone);
+    Candidate c = torque_in_both(name, alone, size, problem);
+    c.modelled = true;
+    c.reason = "as given";
+    candidates.push_back(c);
+  };
+  add("viscous_torque_N_m_s", all.viscous * rate, [&](auto& a) { a.viscous = all.viscous; });
+  add("quadratic_torque_N_m_s2", all.quadratic * rate * rate, [&](auto& a) { a.quadratic = all.quadratic; });
+  add("coulomb_torque_N_m", all.coulomb, [&](auto& a) { a.coulomb = all.coulomb; });
+  add("air_drag", all.disc_laminar * std::pow(rate, 1.5) + all.disc_turbulent * std::pow(rate, 1.8), [&](auto& a) {
+    a.disc_laminar = all.disc_laminar;
+    a.disc_turbulent = all.disc_turbulent;
+  });
+}
+
+}  // namespace
+
+std::vector<Candidate> effect_candidates(const Scenario& scenario, const Problem& problem, BudgetScope scope) {
+  const bool selectable = scope == BudgetScope::selectable;
+  std::vector<Candidate> candidates;
+  if (!selectable) {
+    candidates.push_back(coriolis(scenario, problem));
+    candidates.push_back(centrifugal(scenario, problem));
+    if (scenario.release.rates_relative_to == RatesRelativeTo::inertial) candidates.push_back(matching());
+  }
+  const auto add = [&](Candidate candidate, bool can_be_chosen) {
+    if (!selectable || (!candidate.modelled && can_be_chosen)) candidates.push_back(std::move(candidate));
+  };
+  const bool dated = scenario.start_utc.has_value();
+  add(gravity_gradient(scenario, problem), true);
+  add(tide(scenario, problem), dated);
+  add(polar_motion(scenario, problem), dated);
+  add(length_of_day(scenario, problem), false);
+  add(deflection(scenario, problem), false);
+  add(axis_precession(scenario, problem), false);
+  if (!selectable) add_friction(problem, candidates);
+  return candidates;
+}
+
+std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario) {
+  const AppliedTorquesSpec& applied = scenario.effects.applied;
+  std::vector<EffectEntry> entries;
+  const auto add = [&](std::string_view name, bool modelled, std::string_view reason) {
+    EffectEntry entry;
+    entry.name = name;
+    entry.modelled = modelled;
+    entry.in_difference = false;
+    entry.reason = reason;
+    entries.push_back(std::move(entry));
+  };
+  {
+    EffectEntry transverse;
+    transverse.name = "transverse";
+    transverse.modelled = scenario.effects.transverse;
+    transverse.torque_release_N_m = transverse.torque_largest_N_m = transverse.drift_rad = transverse.drift_final_rad = 0;
+    transverse.reason = "zero: the Earth turns uniformly";
+    entries.push_back(std::move(transverse));
+  }
+  constexpr std::string_view kNoCoefficient = "left out; the scene gives no coefficient";
+  if (applied.viscous_N_m_s == 0) add("viscous_torque_N_m_s", false, kNoCoefficient);
+  if (applied.quadratic_N_m_s2 == 0) add("quadratic_torque_N_m_s2", false, kNoCoefficient);
+  if (applied.coulomb_N_m == 0) add("coulomb_torque_N_m", false, kNoCoefficient);
+  if (!applied.air_drag) add("air_drag", false, kNoCoefficient);
+  if (applied.gimbal) add("gimbal", true, "holds the axis level: a constraint, not sized");
+  add("platform", scenario.platform.has_value(),
+      scenario.platform ? "both predictions ride on it: not sized" : "left out; the pivot is at rest in the laboratory");
+  return entries;
+}
+
+}  // namespace earthtop

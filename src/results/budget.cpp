@@ -1,0 +1,60 @@
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/results.hpp"
+
+namespace earthtop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+
+Json effect_json(const EffectEntry& entry) {
+  return {{"name", entry.name},
+          {"modelled", entry.modelled},
+          {"size_assumed", entry.assumed},
+          {"enters_difference", entry.in_difference},
+          {"torque_release_N_m", or_null(entry.torque_release_N_m)},
+          {"torque_largest_N_m", or_null(entry.torque_largest_N_m)},
+          {"displacement_rad", or_null(entry.displacement_rad)},
+          {"drift_rad", or_null(entry.drift_rad)},
+          {"drift_final_rad", or_null(entry.drift_final_rad)},
+          {"reason", entry.reason}};
+}
+
+Json input_json(const InputNeed& need) {
+  return {{"name", need.name},
+          {"value", need.value},
+          {"displacement_per_unit_rad", need.displacement_per_unit_rad},
+          {"drift_per_unit_rad", need.drift_per_unit_rad},
+          {"hides_earth", or_null(need.hides_earth)}};
+}
+
+}  // namespace
+
+std::string budget_json(const Budget& budget, const Scenario& scenario) {
+  Json effects = Json::array(), inputs = Json::array();
+  for (const EffectEntry& entry : budget.effects) effects.push_back(effect_json(entry));
+  for (const InputNeed& need : budget.inputs) inputs.push_back(input_json(need));
+  const MethodChoice choice = method_choice(scenario);
+  Json document = {{"$schema", "earthtop-budget-1.json"},
+                   {"name", scenario.name},
+                   {"duration_s", scenario.duration_s},
+                   {"followed_s", budget.followed_s},
+                   {"earth_drift_rad", budget.earth_drift_rad},
+                   {"matching_rule", matching_rule(scenario)},
+                   {"effects", std::move(effects)},
+                   {"inputs", std::move(inputs)},
+                   {"inputs_unavailable", budget.inputs_unavailable},
+                   {"warnings", budget.warnings},
+                   {"run",
+                    {{"method", to_string(choice.options.method)},
+                     {"observer", to_string(choice.options.observer)},
+                     {"reason", choice.reason},
+                     {"relative_tolerance", choice.options.relative_tolerance},
+                     {"estimated_steps", estimated_steps(scenario)},
+                     {"estimated_seconds", estimated_seconds(scenario)}}}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace earthtop

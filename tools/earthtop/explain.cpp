@@ -1,0 +1,109 @@
+// earthtop explain: the effect budget of a scenario.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "earthtop/budget/budget.hpp"
+#include "earthtop/results/results.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct ExplainArguments {
+  std::string scenario;  // a file, or "-"
+  bool json = false;
+  bool quiet = false;
+  std::vector<std::string> sets;
+};
+
+std::string sized(const std::optional<double>& value) { return value ? fmt::format("{:.2e}", *value) : "?"; }
+
+std::string effects_text(const Budget& budget) {
+  std::string text = fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}  {}\n", "Effect", "", "torque", "largest", "moves axis",
+                                 "drift", "why");
+  text += fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}\n", "", "", "N m", "N m", "rad", "rad");
+  for (const EffectEntry& entry : budget.effects) {
+    const std::string in_each = entry.in_difference ? "-" : sized(entry.displacement_rad);
+    text += fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}  {}\n", entry.name, entry.modelled ? "modelled" : "left out",
+                        sized(entry.torque_release_N_m), sized(entry.torque_largest_N_m), in_each, sized(entry.drift_rad),
+                        entry.reason);
+  }
+  text +=
+      "moves axis: in both predictions alike, so that it cancels in their difference to first order; what is left is under "
+      "drift\n"
+      "drift: its part of the difference of the two predictions; both at their largest, to first order\n";
+  return text;
+}
+
+/// A unit from the input's name, as the scenario's keys have it.
+std::string unit_of(const std::string& name) {
+  if (name.ends_with("_deg")) return "deg";
+  if (name.ends_with("_rad_s")) return "rad/s";
+  if (name.ends_with("_m_s2")) return "m/s^2";
+  if (name.ends_with("_m")) return "m";
+  return "";
+}
+
+std::string inputs_text(const Budget& budget) {
+  if (!budget.inputs_unavailable.empty()) return "Inputs: " + budget.inputs_unavailable + "\n";
+  std::string text =
+      fmt::format("How well the inputs must be known: an error that moves the axis as far as the Earth does, {:.3e} rad\n",
+                  budget.earth_drift_rad);
+  for (const InputNeed& need : budget.inputs) {
+    const std::string relative =
+        need.value != 0 && need.hides_earth ? fmt::format(", {:.1e} of it", *need.hides_earth / std::abs(need.value)) : "";
+    text += fmt::format(
+        "  {:<22}{:>14.6g}   {}\n", need.name, need.value,
+        need.hides_earth ? fmt::format("{:.2e} {}{}", *need.hides_earth, unit_of(need.name), relative) : "has no part in it");
+  }
+  text += "  (of latitude and rotation rate: an error that changes the drift by all of itself)\n";
+  return text;
+}
+
+std::string explained(const Budget& budget, const Scenario& scenario) {
+  const MethodChoice choice = method_choice(scenario);
+  std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: about {:.3e} rad; {}\n\n", scenario.name,
+                                 scenario.duration_s, budget.earth_drift_rad, matching_rule(scenario));
+  text += effects_text(budget) + '\n' + inputs_text(budget);
+  if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
+    text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to the time.\n",
+                        budget.followed_s);
+  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, about {:.1g} s\n", to_string(choice.options.method),
+                      choice.reason, estimated_steps(scenario), estimated_seconds(scenario));
+  for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
+  return text;
+}
+
+int explain_verb(const ExplainArguments& arguments) {
+  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
+  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+  if (!arguments.quiet) report_warnings(source.file, report.warnings);
+  install_stop_handlers();
+  Scenario scenario = *std::move(report.scenario);
+  if (scenario.effects.automatic) select_effects(scenario, &interrupt_flag());
+  const Budget budget = effect_budget(scenario, BudgetScope::everything, &interrupt_flag());
+  if (interrupt_requested())
+    return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
+  print(arguments.json ? budget_json(budget, scenario) : explained(budget, scenario));
+  return kDone;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<ExplainArguments>();
+  CLI::App* explain =
+      app.add_subcommand("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why");
+  explain->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
+  explain->add_flag("--json", arguments->json, "as one JSON document, errors too");
+  explain->add_flag("--quiet", arguments->quiet, "no warnings about the scenario");
+  add_set_option(*explain, arguments->sets);
+  explain->callback([&action, arguments] { action = [arguments] { return explain_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool
