@@ -126,9 +126,9 @@ void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, d
 
 }  // namespace
 
-Budget effect_budget(const Scenario& scenario, BudgetScope scope, const std::atomic<bool>* stop) {
+Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
   const auto problem = make_problem<double>(scenario);
-  const std::vector<Candidate> candidates = effect_candidates(scenario, problem, scope);
+  const std::vector<Candidate> candidates = effect_candidates(scenario, problem);
   const double time_s = followed_time(scenario, problem);
   Budget budget;
   const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, stop);
@@ -137,7 +137,6 @@ Budget effect_budget(const Scenario& scenario, BudgetScope scope, const std::ato
   budget.earth_drift_rad *= later;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later));
-  if (scope == BudgetScope::selectable) return budget;
   for (EffectEntry& entry : effects_of_unknown_size(scenario)) budget.effects.push_back(std::move(entry));
   budget.warnings = warnings_of(budget.effects);
   add_inputs(scenario, problem, budget.followed_s, later, stop, budget);

@@ -211,25 +211,16 @@ void add_friction(const Problem& problem, std::vector<Candidate>& candidates) {
 
 }  // namespace
 
-std::vector<Candidate> effect_candidates(const Scenario& scenario, const Problem& problem, BudgetScope scope) {
-  const bool selectable = scope == BudgetScope::selectable;
-  std::vector<Candidate> candidates;
-  if (!selectable) {
-    candidates.push_back(coriolis(scenario, problem));
-    candidates.push_back(centrifugal(scenario, problem));
-    if (scenario.release.rates_relative_to == RatesRelativeTo::inertial) candidates.push_back(matching());
-  }
-  const auto add = [&](Candidate candidate, bool can_be_chosen) {
-    if (!selectable || (!candidate.modelled && can_be_chosen)) candidates.push_back(std::move(candidate));
-  };
-  const bool dated = scenario.start_utc.has_value();
-  add(gravity_gradient(scenario, problem), true);
-  add(tide(scenario, problem), dated);
-  add(polar_motion(scenario, problem), dated);
-  add(length_of_day(scenario, problem), false);
-  add(deflection(scenario, problem), false);
-  add(axis_precession(scenario, problem), false);
-  if (!selectable) add_friction(problem, candidates);
+std::vector<Candidate> effect_candidates(const Scenario& scenario, const Problem& problem) {
+  std::vector<Candidate> candidates{coriolis(scenario, problem), centrifugal(scenario, problem)};
+  if (scenario.release.rates_relative_to == RatesRelativeTo::inertial) candidates.push_back(matching());
+  candidates.push_back(gravity_gradient(scenario, problem));
+  candidates.push_back(tide(scenario, problem));
+  candidates.push_back(polar_motion(scenario, problem));
+  candidates.push_back(length_of_day(scenario, problem));
+  candidates.push_back(deflection(scenario, problem));
+  candidates.push_back(axis_precession(scenario, problem));
+  add_friction(problem, candidates);
   return candidates;
 }
 

@@ -25,9 +25,9 @@ struct Candidate {
   std::function<double(const FollowedStep&)> torque;
 };
 
-/// Everything whose size is known, from the scene or in nature; or what "auto" may choose.
+/// Everything whose size is known, from the scene or in nature.
 /// @param problem  must outlive the candidates
-std::vector<Candidate> effect_candidates(const Scenario& scenario, const DriftProblem<double>& problem, BudgetScope scope);
+std::vector<Candidate> effect_candidates(const Scenario& scenario, const DriftProblem<double>& problem);
 
 /// Effects that the scene gives no coefficient for, and the platform, which both predictions ride on.
 std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario);

@@ -1,5 +1,4 @@
-// "auto": what a scene needs at the accuracy asked for, found by an estimate that errs to the safe side, and by the variational
-// equations where the estimate cannot tell.
+// "auto": what a scene needs at the accuracy asked for.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,21 +6,25 @@
 #include <cmath>
 
 #include "earthtop/budget/budget.hpp"
+#include "earthtop/drift/growth.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
+#include "earthtop/model/applied_motion.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
 
-constexpr double kShare = 0.1;            // of the accuracy asked for: what is left out may cost so much, each
-constexpr double kSafety = 3;             // of a first-order size
-constexpr double kTide_m_s2 = 2e-6;       // more than Moon and Sun ever add
-constexpr double kPole = 3e-6;            // rad; more than the secular pole is away
-constexpr double kAffordablePhase = 1e5;  // rad
+constexpr double kTolerance = 1e-6;
+constexpr double kFollowedPhase = 1e7;  // rad: half a minute; later displacements are taken in proportion to the time
+constexpr double kShare = 0.2;          // of the accuracy asked for: what each effect left out may cost of it
+// An effect of both predictions changes their difference by no more than its displacement of each times the drift itself, times
+// a number of order 1 (over 300 random scenes this one was enough); one of the Earth's rate by its share of the drift.
+constexpr double kSafety = 5;
+constexpr double kPole = 3e-6;  // rad; more than the secular pole is away
 
 struct Option {
   std::string_view name;
-  double estimate_rad = HUGE_VAL;  ///< of the change of the drift; without end where none is safe
+  double change_rad;  ///< of the drift, to the safe side; without end where nothing is known
 };
 
 bool has_gradient(const Scenario& s) { return s.effects.applied.gravity_gradient.has_value(); }
@@ -33,38 +36,60 @@ void switch_on(Scenario& scenario, std::string_view name) {
   if (name == "polar_motion") scenario.site.pole = secular_pole(julian_epoch_year(*parse_utc(*scenario.start_utc)));
 }
 
-/// The drift, and by how much a torque of both predictions displaces the axis in each, to the safe side: for symmetric tops on
-/// a pivot at rest, whose axis moves under a torque no faster than torque over momentum.
-struct SimpleSizes {
-  double drift_rad, displacement_per_N_m;
+/// How far the gradient, the tide and the Earth's rotation displace the axis of the non-rotating motion.
+struct Displacements {
+  double gradient_rad, tide_rad, earth_rad;
 };
-std::optional<SimpleSizes> simple_sizes(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  if (scenario.platform || scenario.effects.applied.any() || symmetry_axis(body) != 2) return std::nullopt;
-  const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
-  const double I1 = body.I_BP_B(0, 0), momentum = std::abs(body.I_BP_B(2, 2) * release.w_XB_B[2]);
-  const double mgl = std::abs(body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2]);
-  // Asleep or fast: twice the critical spin. Slower ones may fall, and where they are differs with everything.
-  if (momentum * momentum < 16 * I1 * mgl) return std::nullopt;
-  if (momentum == 0) return std::nullopt;
-  const double earth_angle = std::abs(scenario.rotation_rate_rad_s) * scenario.duration_s;
-  return SimpleSizes{std::min(kSafety * earth_angle, 3.2), kSafety * scenario.duration_s / momentum};
+
+Displacements displacements(const Scenario& scenario, const std::atomic<bool>* stop) {
+  const auto problem = make_problem<double>(scenario);
+  const Model<double>& model = problem.model;
+  const double time_s = std::min(scenario.duration_s, kFollowedPhase / fastest_rate_rad_s(scenario));
+  const double later = scenario.duration_s / time_s;
+
+  AppliedTorquesSpec spec;
+  spec.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
+  AppliedTorques<double> gradient =
+      make_applied_torques<double>(spec, scenario.site, 0, problem.units.mass_exponent, problem.units.time_exponent);
+  const double strength = std::max(std::abs(gradient.gradient[0].strength), std::abs(gradient.gradient[1].strength));
+  for (auto& term : gradient.gradient) term.strength /= strength;
+  // About an hour of it shows its size; the largest component stands for all of it.
+  const double tide_SI = scenario.start_utc ? norm(tidal_acceleration_L(scenario.site, *parse_utc(*scenario.start_utc))) : 0;
+  const double tide = real::scale(std::max(tide_SI, 1e-6), 2 * problem.units.time_exponent);
+
+  const auto seen = [](const Motion<double>& m, const Vec3<double>& u_L) {
+    return transposed_times(rotation_matrix(m.q), u_L);
+  };
+  std::array<Forcing, kForcings> forcings;
+  forcings[0].torque_B = [&](double, const Motion<double>& m) {
+    Vec3<double> torque = Vec3<double>::Zero();
+    for (const auto& term : gradient.gradient) torque += gravity_gradient_torque(term, model.I_BP_B, seen(m, term.direction_L));
+    return torque;
+  };
+  const Vec3<double> level_L = Vec3<double>(1, 1, 0) / std::sqrt(2.0);
+  forcings[1].torque_B = [&, level_L](double, const Motion<double>& m) {
+    return field_torque(model.mass_moment_B, Vec3<double>(seen(m, level_L)));
+  };
+  const double rate = norm(model.W_IL_L);
+  const Vec3<double> W_L = rate > 0 ? Vec3<double>(model.W_IL_L / rate) : Vec3<double>(Vec3<double>::Zero());
+  forcings[2].lag_B = [&, W_L](double, const Motion<double>& m) { return seen(m, W_L); };
+  if (problem.release.X == RatesRelativeTo::laboratory)
+    forcings[2].dw_at_release_B = transposed_times(rotation_matrix(problem.release.q_LB), W_L);
+  const ForcedDisplacements displaced = forced_displacements(problem, forcings, time_s, kTolerance, stop);
+  const auto grown = [&](std::size_t i, double size) {
+    return displaced.completed ? later * size * displaced.largest_rad[i] : HUGE_VAL;
+  };
+  return {grown(0, strength), grown(1, tide), grown(2, rate)};
 }
 
-std::vector<Option> options_of(const Scenario& scenario) {
+std::vector<Option> options_of(const Scenario& scenario, const std::atomic<bool>* stop) {
+  const Displacements d = displacements(scenario, stop);
+  const double drift_rad = std::min(d.earth_rad, 3.2);
   std::vector<Option> options;
-  const auto sizes = simple_sizes(scenario);
-  const auto body = make_body<double>(scenario.body);
-  const auto add = [&](std::string_view name, double torque_N_m, double share) {
-    Option option{name, HUGE_VAL};
-    if (sizes) option.estimate_rad = sizes->drift_rad * (kSafety * torque_N_m * sizes->displacement_per_N_m + share);
-    options.push_back(option);
-  };
-  const Vec3<double> moments = body.I_BP_B.diagonal();
-  if (!has_gradient(scenario)) add("gravity_gradient", 2.4e-6 * (moments.maxCoeff() - moments.minCoeff()), 0);
+  if (!has_gradient(scenario)) options.push_back({"gravity_gradient", kSafety * d.gradient_rad * drift_rad});
   if (!scenario.start_utc) return options;
-  if (!scenario.effects.tide) add("tide", body.mass * norm(body.p_PBcm_B) * kTide_m_s2, 0);
-  if (!has_pole(scenario)) add("polar_motion", 0, kPole);
+  if (!scenario.effects.tide) options.push_back({"tide", kSafety * d.tide_rad * drift_rad});
+  if (!has_pole(scenario)) options.push_back({"polar_motion", kPole * d.earth_rad});
   return options;
 }
 
@@ -74,26 +99,10 @@ Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop) {
   const auto start = std::chrono::steady_clock::now();
   Selection selection;
   selection.accuracy_rad = scenario.accuracy_rad.value_or(0);
-  std::vector<Option> options = options_of(scenario);
-  const double allowed = kShare * selection.accuracy_rad;
-  const bool told = std::all_of(options.begin(), options.end(), [&](const Option& o) { return o.estimate_rad <= allowed; });
-  const bool affordable = fastest_rate_rad_s(scenario) * scenario.duration_s <= kAffordablePhase;
-  if (told) {
-    selection.how = "an estimate from torque, momentum and time, to the safe side";
-  } else if (affordable) {
-    selection.how = "first variations of both motions";
-    const Budget budget = effect_budget(scenario, BudgetScope::selectable, stop);
-    for (Option& option : options)
-      for (const EffectEntry& entry : budget.effects)
-        if (entry.name == option.name && std::isfinite(entry.drift_rad.value_or(HUGE_VAL)))
-          option.estimate_rad = std::min(option.estimate_rad, kSafety * *entry.drift_rad);
-  } else {
-    selection.how = "what an estimate does not exclude is taken: the motion is too long to be followed for a choice";
-  }
-  for (const Option& option : options) {
-    if (option.estimate_rad <= allowed) {
+  for (const Option& option : options_of(scenario, stop)) {
+    if (option.change_rad <= kShare * selection.accuracy_rad) {
       selection.left_out.emplace_back(option.name);
-      selection.left_out_drift_rad += option.estimate_rad;
+      selection.left_out_drift_rad += option.change_rad;
     } else {
       switch_on(scenario, option.name);
       selection.switched_on.emplace_back(option.name);

@@ -203,8 +203,7 @@ Json selection_json(const Selection& selection) {
   return {{"accuracy_rad", selection.accuracy_rad},
           {"switched_on", selection.switched_on},
           {"left_out", selection.left_out},
-          {"left_out_drift_rad", selection.left_out_drift_rad},
-          {"how", selection.how}};
+          {"left_out_drift_rad", selection.left_out_drift_rad}};
 }
 Json accuracy_json(const AccuracyReport& accuracy) {
   return {{"asked_rad", accuracy.asked_rad},

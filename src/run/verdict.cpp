@@ -58,10 +58,12 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
   const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
   const double log_earth = std::log(kGrownAngle / earth_share);
   const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
+  // Dry friction damps the more the slower the motion is: at rest without end.
+  const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
-    const GrowthReport report = disturbance_growth(problem, kind, result.reached_s, tolerance, &stop);
+    const GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, &stop);
     growth.exponent_1_s = std::max(growth.exponent_1_s, report.exponent_1_s);
     growth.completed = growth.completed && report.completed;
     if (!report.exponential_s) continue;

@@ -110,13 +110,13 @@ void decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   const bool starts = body && release && gravity && check_start(root.section("release"), scenario);
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
+  scenario.accuracy_rad = root.section("accuracy").number("drift_rad");
   decode_effects(root, scenario);
   if (starts) check_effects(root.section("effects"), scenario);
   decode_numerics(root.section("numerics"), scenario);
   if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.criteria = decode_criteria(root);
-  scenario.accuracy_rad = root.section("accuracy").number("drift_rad");
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));

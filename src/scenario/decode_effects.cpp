@@ -128,6 +128,10 @@ void decode_effects(const Section& root, Scenario& scenario) {
   }
   EffectsSpec& spec = scenario.effects;
   spec.automatic = root.is_word("effects") || effects.has("select");
+  if (spec.automatic && !scenario.accuracy_rad && !root.section("accuracy").has("drift_rad")) {
+    constexpr const char* kNeeded = "\"auto\" chooses by the drift error asked for; give /accuracy/drift_rad";
+    root.is_word("effects") ? root.refuse("effects", kNeeded) : effects.refuse("select", kNeeded);
+  }
   decode_orientation(effects, motion, scenario);
   spec.tide = decode_tide(effects, motion);
   spec.coriolis = effects.flag("coriolis").value_or(true);
@@ -147,8 +151,6 @@ void check_effects(const Section& effects, const Scenario& scenario) {
   if (applied.gimbal) check_gimbal(effects, scenario);
   if (applied.coulomb_N_m != 0 && scenario.platform)
     effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
-  if (scenario.effects.automatic && !scenario.accuracy_rad)
-    effects.refuse("select", "chooses by the drift error asked for; give /accuracy/drift_rad");
 }
 
 }  // namespace earthtop::scenario

@@ -65,7 +65,7 @@ constexpr Field kFields[] = {
     {"/site/gravity_m_s2", number, "m/s^2", from(0, kInfinity), "", "", "",
      "apparent gravity along -Up, what a gravimeter reads; default: WGS 84 normal gravity at latitude and height"},
 
-    {"/site/gravity_anomaly_m_s2", number, "m/s^2", from(-0.1, 0.1), "", "", "0",
+    {"/site/gravity_anomaly_m_s2", number, "m/s^2", from(-0.1, 0.1), "", "", "",
      "added to normal gravity, where no gravity_m_s2 is given: what a gravity map shows"},
 
     {"/earth", object, "", any(), "", "", "{}", "the rotating planet"},

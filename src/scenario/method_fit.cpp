@@ -14,7 +14,7 @@ std::optional<std::string> need_plain_scene(Method method, const Scenario& scena
   if (scenario.platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
   if (!scenario.effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
-  if (scenario.effects.applied.any())
+  if (!is_plain(scenario))
     return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }

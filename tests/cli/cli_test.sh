@@ -22,7 +22,7 @@ for arguments in "" frobnicate run "run top.json --frobnicate" "run top.json --o
   nothing_on_stdout
   on_stderr "error: "
 done
-for verb in explain study compare report; do
+for verb in study compare report; do
   expect 2 "$verb" something
   on_stderr "not available"
   nothing_on_stdout

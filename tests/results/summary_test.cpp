@@ -83,7 +83,7 @@ TEST(Summary, MatchingRuleIsSaidInWords) {
 
 TEST(Summary, EffectSwitchedOffIsLeftOut) {
   RunResult result = made_up_run();
-  result.scenario.effects.centrifugal = false;
+  result.modelled.effects.centrifugal = false;
   const json effects = summary_of(result).at("effects");
   const auto has = [&](const char* list, const char* effect) {
     const json& names = effects.at(list);

@@ -90,7 +90,7 @@ TEST(RunLedger, ChangedScenesCloseToRoundOff) {
     expect_closed(scene);
     scene.effects.coriolis = false;
     expect_closed(scene);
-    scene.effects = {true, false, false};
+    scene.effects.coriolis = true, scene.effects.centrifugal = scene.effects.transverse = false;
     scene.platform.reset();
     expect_closed(scene);
     scene.rotation_rate_rad_s = 0;
@@ -146,8 +146,9 @@ TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
   // L'_A of the integrated motion at t -+ h, h/2, h/4, extrapolated. The solution's own error (tolerance 1e-20 a step) and the
   // differences' W (W h)^6 stay nine orders below the smallest torque.
   const double centre = 0.5, h = 0x1p-13;
-  for (const EffectsSpec effects :
-       {EffectsSpec{true, true, true}, EffectsSpec{false, true, true}, EffectsSpec{true, false, true}})
+  EffectsSpec all_on, without_coriolis, without_centrifugal;
+  without_coriolis.coriolis = without_centrifugal.centrifugal = false;
+  for (const EffectsSpec& effects : {all_on, without_coriolis, without_centrifugal})
     for (const LedgerObserver observer : kLedgerObservers) {
       Scenario scenario = lively_scene();
       scenario.effects = effects;

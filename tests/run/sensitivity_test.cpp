@@ -148,8 +148,8 @@ TEST(Sensitivity, SaysWhyThereIsNone) {
   scenario.rotation_rate_rad_s = 0;
   EXPECT_NE(run(scenario).sensitivities->unavailable.find("does not turn"), std::string::npos);
   scenario.rotation_rate_rad_s = kEarthRateWgs84;
-  scenario.effects.centrifugal = false;
-  EXPECT_FALSE(run(scenario).sensitivities->unavailable.empty());
+  scenario.effects.applied.coulomb_N_m = 1e-6;
+  EXPECT_NE(run(scenario).sensitivities->unavailable.find("dry friction"), std::string::npos);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "earthtop/bench/bench.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "integrate/compositions.hpp"
-#include "run/setup.hpp"
+#include "scenario/problem.hpp"
 
 namespace {
 

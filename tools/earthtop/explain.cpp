@@ -86,7 +86,7 @@ int explain_verb(const ExplainArguments& arguments) {
   install_stop_handlers();
   Scenario scenario = *std::move(report.scenario);
   if (scenario.effects.automatic) select_effects(scenario, &interrupt_flag());
-  const Budget budget = effect_budget(scenario, BudgetScope::everything, &interrupt_flag());
+  const Budget budget = effect_budget(scenario, &interrupt_flag());
   if (interrupt_requested())
     return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
   print(arguments.json ? budget_json(budget, scenario) : explained(budget, scenario));

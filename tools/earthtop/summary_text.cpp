@@ -94,7 +94,7 @@ void write_scene(Page& page, const Scenario& scenario, double reached_s) {
 
 /// The drift of the rows that can be trusted: of all of them, mostly.
 DriftSummary reliable_drift(const RunResult& result) {
-  if (!result.verdict.from_s) return result.drift;
+  if (!result.verdict.from_s && result.stops.empty()) return result.drift;
   std::vector<DriftRow> rows = result.rows;
   std::erase_if(rows, [](const DriftRow& row) { return !row.drift_reliable; });
   return summarize_drift(rows, result.scenario.rotation_rate_rad_s);
@@ -134,7 +134,34 @@ void write_drift(Page& page, const RunResult& result) {
   page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad));
-  if (result.verdict.from_s) page.line("  later rows are written, marked as not reliable");
+  if (last != &result.rows.back()) page.line("  later rows are written, marked as not reliable");
+}
+
+void write_stops(Page& page, const RunResult& result) {
+  for (const StopEvent& stop : result.stops)
+    page.entry("At rest", fmt::format("the {} prediction, by dry friction, at t = {:.9g} s",
+                                      stop.prediction == Prediction::rotating ? "rotating" : "non-rotating", stop.t_s));
+  if (result.stops.size() == 1) page.entry("", page.warning("the other one moves on: later rows are marked as not reliable"));
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + spoken(name);
+  return text.empty() ? "nothing" : text;
+}
+
+/// What "auto" chose, and what the accuracy asked for came to.
+void write_choice(Page& page, const RunResult& result) {
+  if (const auto& selection = result.selection) {
+    page.entry("Effects", fmt::format("switched on: {}; left out: {}, worth {:.1e} rad at most ({:.2g} s to choose)",
+                                      listed(selection->switched_on), listed(selection->left_out),
+                                      selection->left_out_drift_rad, selection->seconds));
+  }
+  if (const auto& accuracy = result.accuracy) {
+    const std::string text = fmt::format("{:.1e} rad asked for, {:.1e} rad {}", accuracy->asked_rad, accuracy->reached_rad,
+                                         accuracy->reached() ? "reached" : "NOT reached");
+    page.entry("Accuracy", accuracy->reached() ? text : page.warning(text));
+  }
 }
 
 void write_trend(Page& page, const RunResult& result) {
@@ -222,6 +249,8 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_drift(page, result);
   page.line("");
   write_verdict(page, result);
+  write_stops(page, result);
+  write_choice(page, result);
   write_trend(page, result);
   if (result.sensitivities) write_sensitivities(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);

@@ -47,22 +47,20 @@ struct Budget {
   std::vector<std::string> warnings;
 };
 
-/// Which effects to size: all, or those that need no parameters of their own and are not in the scene yet.
-enum class BudgetScope { everything, selectable };
-
 /// Follows both predictions with the first variations by every effect's strength (variational equations of the reference motion
 /// and of the deviation). @param stop  ends it early; may be null
-Budget effect_budget(const Scenario& scenario, BudgetScope scope, const std::atomic<bool>* stop = nullptr);
+Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop = nullptr);
 
 /// What "auto" took, and what it left out.
 struct Selection {
   double accuracy_rad = 0;
   std::vector<std::string> switched_on, left_out;
   double left_out_drift_rad = 0;  ///< estimate of what is left out, altogether
-  std::string how;                ///< how the sizes were found
   double seconds = 0;             ///< what the choice cost
 };
-/// The scene with the effects that its accuracy needs switched on. @param scenario  with effects.automatic and an accuracy
+/// The scene with the effects that its accuracy needs switched on, of those that have no parameter of their own: gravity
+/// gradient, and where a date is given tide and polar motion. Sized by first variations of the non-rotating motion. @param
+/// scenario  with effects.automatic and an accuracy
 Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace earthtop
