@@ -67,7 +67,7 @@ Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, 
   const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) {
     return transposed_times(R_LB, Vec3<T>(u_L + epsilon * change_L));
   };
-  const Vec3<T> W_B_scaled = transposed_times(R_LB, model.W_IL_L_scaled), W_B = epsilon * W_B_scaled;
+  const Vec3<T> W_B = see(Vec3<T>::Zero(), model.W_IL_L_scaled);  // as of the platform: at rest its friction is none
   auto seen = applied_motion::seen_from_body<T>(model, t, Vec3<T>(w_LB_B + W_B), see);
   if (applied_motion::leaves_something_out(model))
     seen.other_torque_B += applied_motion::left_out_torque(model, W_B, W_B, w_LB_B);
