@@ -262,6 +262,10 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
                          times(model_.I_BP_B_inverse, applied_torque_B(model_, t, moving.q, w_LB_B, true));
       deviation_rate.p = times<T>(model_.I_BP_B, dw / epsilon);
     } else if (rotating_rests && !reference_rests) {
+      // By itself: a pair of which one rests has no dry friction.
+      const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
+      reference_rate.m = body_equation<false, K>(model_, reference, pivot_field<K>(model_, t).reference_L).m +
+                         times(model_.I_BP_B_inverse, applied_torque_B(model_, t, reference.q, reference.m, false));
       deviation_rate.p = -times<T>(model_.I_BP_B, reference_rate.m / epsilon);
     } else {
       deviation_rate = {T(0), Vec3<T>::Zero(), Vec3<T>::Zero()};
