@@ -278,8 +278,8 @@ TEST(AppliedTorques, AGimbalHoldsTheAxisLevelAndDoesNothingElse) {
     EXPECT_NEAR(added.dot(z), -0.4 * w_PB.dot(z), 1e-13 * size);
     // Euler's equation in inertial space, with all torques; then the second derivative of n.z.
     const Vec3<T> w_IB_B = R_LB.transpose() * w_IB;
-    const Motion<T> rate = body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, w_IB_B},
-                                                                pivot_field<SceneKind::full>(model, t).rotating_L);
+    const Motion<T> rate =
+        body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, w_IB_B}, pivot_field<SceneKind::full>(model, t).rotating_L);
     const Vec3<T> dw = R_LB * (rate.m + model.I_BP_B_inverse * (R_LB.transpose() * held));
     const Vec3<T> dw_IP = alpha_LP_L + W.cross(w_LP_L);
     const Vec3<T> dn = w_IB.cross(n), dz = w_IP.cross(z);

@@ -1,0 +1,169 @@
+// The effect budget against runs with and without each effect, and what "auto" takes.
+#include "earthtop/budget/budget.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "earthtop/frames/earth_orientation.hpp"
+#include "earthtop/run.hpp"
+#include "scenario/problem.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::toy_top;
+
+const EffectEntry& entry_of(const Budget& budget, std::string_view name) {
+  const auto found = std::find_if(budget.effects.begin(), budget.effects.end(), [&](const auto& e) { return e.name == name; });
+  if (found == budget.effects.end()) throw std::runtime_error("the budget has no " + std::string(name));
+  return *found;
+}
+
+/// Symmetric, unsymmetric and hanging tops of a few hundred radians, of one matching rule.
+std::vector<Scenario> plain_scenes(RatesRelativeTo matching) {
+  Scenario toy = toy_top(), asymmetric = testing::asymmetric_top(), hanging = toy_top();
+  toy.duration_s = 3;
+  asymmetric.duration_s = 4;
+  hanging.name = "hanging";
+  hanging.release.tilt_deg = 150;
+  hanging.release.azimuth_deg = 10;
+  hanging.release.spin_rad_s = 50;
+  hanging.duration_s = 6;
+  hanging.site.latitude_deg = -30;
+  std::vector<Scenario> scenes{toy, asymmetric, hanging};
+  for (Scenario& s : scenes) s.release.rates_relative_to = matching, s.output_step_s = 0.5;
+  return scenes;
+}
+
+TEST(Budget, TheEarthsTorquesMakeTheDrift) {
+  for (const auto matching : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial})
+    for (const Scenario& s : plain_scenes(matching)) {
+      SCOPED_TRACE(s.name);
+      const double drift = run(s).drift.axis_final_rad;
+      ASSERT_LT(drift, 1e-3);
+      ASSERT_GT(drift, 1e-5);
+      const Budget budget = effect_budget(s);
+      EXPECT_NEAR(budget.earth_drift_rad, drift, 1e-5 * drift);  // a few digits are asked of the variations
+      EXPECT_EQ(budget.followed_s, s.duration_s);
+      const double coriolis = *entry_of(budget, "coriolis").drift_final_rad;
+      const double centrifugal = *entry_of(budget, "centrifugal").drift_final_rad;
+      EXPECT_GT(centrifugal, 0);
+      EXPECT_LT(centrifugal, 1e-4 * coriolis);  // of second order
+      if (matching == RatesRelativeTo::laboratory) {
+        EXPECT_NEAR(coriolis, drift, 1e-3 * drift);
+      } else {  // of two vectors only the lengths are known
+        const double release = *entry_of(budget, "release_matching").drift_final_rad;
+        EXPECT_LE(std::abs(coriolis - release), 1.001 * drift);
+        EXPECT_GE(coriolis + release, 0.999 * drift);
+      }
+    }
+}
+
+/// What an effect does: the reference's axis at its largest distance from that without it, and the drift's change at the end.
+struct Difference {
+  double displacement_rad = 0, drift_final_rad = 0;
+};
+Difference difference(const Scenario& with, const Scenario& without) {
+  IntegrationOptions options;
+  options.observer = Observer::body, options.method = Method::dop853, options.relative_tolerance = 1e-14;
+  const auto a = integrate_drift(make_problem<double>(with), options),
+             b = integrate_drift(make_problem<double>(without), options);
+  EXPECT_EQ(a.status, RunStatus::completed);
+  EXPECT_EQ(b.status, RunStatus::completed);
+  Difference d;
+  for (std::size_t i = 0; i < a.samples.size(); ++i) {
+    const auto axis = [i](const auto& run) { return Vec3<double>(rotation_matrix(run.samples[i].state.ref_q_LB).col(2)); };
+    d.displacement_rad = std::max(d.displacement_rad, norm(Vec3<double>(axis(a) - axis(b))));
+  }
+  const auto drift = [](const auto& run) {
+    const auto& last = run.samples.back();
+    return Vec3<double>(last.state.epsilon * last.measures.axis_difference_L_scaled);
+  };
+  d.drift_final_rad = norm(Vec3<double>(drift(a) - drift(b)));
+  return d;
+}
+
+void expect_sized(const EffectEntry& entry, const Difference& truth) {
+  ASSERT_GT(truth.displacement_rad, 0);
+  EXPECT_NEAR(entry.displacement_rad.value_or(0) / truth.displacement_rad, 1, 0.02) << entry.name;
+  EXPECT_NEAR(entry.drift_final_rad.value_or(0) / truth.drift_final_rad, 1, 0.02) << entry.name;
+}
+
+TEST(Budget, WhatIsLeftOutIsSizedAsARunWithItShows) {
+  for (Scenario s : plain_scenes(RatesRelativeTo::inertial)) {
+    SCOPED_TRACE(s.name);
+    s.output_step_s = 0.02;
+    s.start_utc = "2026-11-22T12:00:00Z";
+    const Budget budget = effect_budget(s);
+    Scenario with = s;
+    with.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
+    expect_sized(entry_of(budget, "gravity_gradient"), difference(with, s));
+    with = s;
+    with.effects.tide.emplace();
+    expect_sized(entry_of(budget, "tide"), difference(with, s));
+    for (const auto name : {"gravity_gradient", "tide", "polar_motion"}) EXPECT_FALSE(entry_of(budget, name).modelled);
+    with = s;
+    with.site.pole = secular_pole(julian_epoch_year(*parse_utc(*s.start_utc)));
+    const Difference pole = difference(with, s);
+    EXPECT_LT(pole.displacement_rad, 1e-12);  // the reference knows of no pole
+    EXPECT_NEAR(*entry_of(budget, "polar_motion").drift_final_rad / pole.drift_final_rad, 1, 1e-3);
+  }
+}
+
+TEST(Budget, FrictionIsSizedAsARunWithoutItShows) {
+  for (Scenario s : plain_scenes(RatesRelativeTo::laboratory)) {
+    SCOPED_TRACE(s.name);
+    s.output_step_s = 0.02;
+    AppliedTorquesSpec& applied = s.effects.applied;
+    applied.viscous_N_m_s = 1e-9;
+    applied.quadratic_N_m_s2 = 1e-11;
+    applied.coulomb_N_m = 1e-8;
+    applied.air_drag.emplace().disc_radius_m = 0.005;
+    const Budget budget = effect_budget(s);
+    const auto expect_that_of = [&](const char* name, const std::function<void(AppliedTorquesSpec&)>& leave_out) {
+      Scenario without = s;
+      leave_out(without.effects.applied);
+      expect_sized(entry_of(budget, name), difference(s, without));
+      EXPECT_TRUE(entry_of(budget, name).modelled);
+    };
+    expect_that_of("viscous_torque_N_m_s", [](auto& a) { a.viscous_N_m_s = 0; });
+    expect_that_of("quadratic_torque_N_m_s2", [](auto& a) { a.quadratic_N_m_s2 = 0; });
+    expect_that_of("coulomb_torque_N_m", [](auto& a) { a.coulomb_N_m = 0; });
+    expect_that_of("air_drag", [](auto& a) { a.air_drag.reset(); });
+  }
+}
+
+TEST(Selection, AccuracyDecidesWhatActs) {
+  Scenario s = toy_top();
+  s.duration_s = 3;
+  s.output_step_s = 0.5;
+  s.start_utc = "2026-11-22T12:00:00Z";
+  Scenario all = s;
+  all.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
+  all.effects.tide.emplace();
+  all.site.pole = secular_pole(julian_epoch_year(*parse_utc(*s.start_utc)));
+  const double everything = run(all).drift.axis_final_rad;
+  s.effects.automatic = true;
+  for (const double accuracy : {1e-3, 1e-9, 1e-12}) {
+    s.accuracy_rad = accuracy;
+    const RunResult result = run(s);
+    ASSERT_TRUE(result.selection);
+    ASSERT_TRUE(result.accuracy);
+    EXPECT_TRUE(result.accuracy->reached()) << accuracy;
+    const bool has_gradient = result.modelled.effects.applied.gravity_gradient.has_value();
+    const auto& on = result.selection->switched_on;
+    EXPECT_EQ(std::count(on.begin(), on.end(), "gravity_gradient"), has_gradient ? 1 : 0);
+    EXPECT_FALSE(result.scenario.effects.applied.gravity_gradient);  // as given
+    if (accuracy != 1e-9) {
+      EXPECT_EQ(has_gradient, accuracy == 1e-12) << accuracy;
+    }
+    EXPECT_NEAR(result.drift.axis_final_rad, everything, accuracy);
+  }
+}
+
+}  // namespace
+}  // namespace earthtop

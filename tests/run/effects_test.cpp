@@ -1,0 +1,94 @@
+// Runs with applied torques: three observers, more bits, an Earth that does not turn or hardly turns, the ledger.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "earthtop/run.hpp"
+#include "support/effect_scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::busy_scene, testing::gyrocompass, testing::held_rotor, testing::spinning_top;
+
+TEST(Effects, AllObserversAndMoreBitsAgree) {
+  for (const Scenario& scene : {busy_scene(), held_rotor()}) {
+    SCOPED_TRACE(scene.name);
+    Scenario extended = scene;
+    extended.precision = Precision::bits113;
+    extended.numerics.relative_tolerance = 1e-20;
+    const RunResult truth = run(extended);
+    ASSERT_EQ(truth.status, RunStatus::completed);
+    for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
+      SCOPED_TRACE(to_string(observer));
+      Scenario s = scene;
+      s.numerics.observer = observer;
+      const RunResult result = run(s);
+      ASSERT_EQ(result.status, RunStatus::completed);
+      for (std::size_t i = 1; i < result.rows.size(); ++i) {
+        const DriftRow &row = result.rows[i], &exact = truth.rows[i];
+        EXPECT_NEAR(row.drift_axis_rad, exact.drift_axis_rad, row.drift_axis_bound_rad);
+        EXPECT_NEAR(row.drift_axis_rad, exact.drift_axis_rad, 1e-9 * exact.drift_axis_rad);
+        EXPECT_NEAR(row.drift_attitude_rad, exact.drift_attitude_rad, row.drift_attitude_bound_rad);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(row.axis_L[k], exact.axis_L[k], result.attitude_bound_rad);
+      }
+    }
+  }
+}
+
+TEST(Effects, AnEarthThatDoesNotTurnMakesNoDrift) {
+  Scenario held = testing::non_rotating(gyrocompass(30, 10, 1e-5));
+  held.duration_s = 0.5, held.output_step_s = 0.1;
+  Scenario rubbed = spinning_top();
+  rubbed.effects.applied.viscous_N_m_s = 1e-5, rubbed.effects.applied.coulomb_N_m = 4e-3;
+  for (const Scenario& s : {testing::non_rotating(busy_scene()), held, rubbed}) {
+    const RunResult result = run(s);
+    ASSERT_EQ(result.status, RunStatus::completed);
+    for (const DriftRow& row : result.rows) {
+      EXPECT_EQ(row.drift_axis_rad, 0);
+      EXPECT_EQ(row.drift_attitude_rad, 0);
+      EXPECT_EQ(row.drift_tilt_rad, 0);
+      EXPECT_EQ(row.drift_spin_rad, 0);
+    }
+  }
+}
+
+TEST(Effects, ATinyRatesDriftIsInProportion) {
+  for (const bool gimbal : {false, true}) {
+    Scenario s = gimbal ? gyrocompass(30, 10, 1e-5) : busy_scene();
+    s.duration_s = 0.5, s.output_step_s = 0.1;
+    s.rotation_rate_rad_s = 1e-300;
+    const RunResult tiny = run(s);
+    s.rotation_rate_rad_s = 1e-9;
+    const RunResult small = run(s);
+    ASSERT_EQ(tiny.rows.size(), small.rows.size());
+    for (std::size_t i = 1; i < tiny.rows.size(); ++i) {
+      EXPECT_GT(tiny.rows[i].drift_axis_rad, 0);
+      EXPECT_NEAR(tiny.rows[i].drift_axis_rad * 1e300 / (small.rows[i].drift_axis_rad * 1e9), 1, 1e-6);
+      EXPECT_NEAR(tiny.rows[i].drift_attitude_rad * 1e300 / (small.rows[i].drift_attitude_rad * 1e9), 1, 1e-6);
+    }
+  }
+}
+
+TEST(Effects, EveryObserversLedgerBalances) {
+  Scenario held = gyrocompass(30, 10, 1e-5);
+  held.effects.applied.viscous_N_m_s = 1e-5;
+  held.effects.coriolis = false;
+  held.duration_s = 0.5, held.output_step_s = 0.1;
+  Scenario rubbed = spinning_top();
+  rubbed.rotation_rate_rad_s = 0.01;
+  rubbed.effects.applied.coulomb_N_m = 8e-4;  // stops after the end
+  for (const Scenario& scene : {busy_scene(), held, rubbed})
+    for (const LedgerObserver observer :
+         {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform, LedgerObserver::body}) {
+      Scenario s = scene;
+      s.ledger = observer;
+      const RunResult result = run(s);
+      ASSERT_TRUE(result.ledger);
+      EXPECT_GT(result.ledger->largest.tau_phys, 0);
+      EXPECT_LT(result.ledger->largest.relative_residual(), 1e-14) << to_string(observer);
+    }
+}
+
+}  // namespace
+}  // namespace earthtop

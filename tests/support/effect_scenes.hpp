@@ -1,0 +1,80 @@
+/// Scenes with torques beside gravity and the Earth's.
+#pragma once
+
+#include "support/scenes.hpp"
+
+namespace earthtop::testing {
+
+/// A flat disc at 6000 rpm, its axis held level, released at rest `amplitude_deg` from North.
+inline Scenario gyrocompass(double latitude_deg, double amplitude_deg, double damping_N_m_s) {
+  Scenario s = toy_top();
+  s.site.latitude_deg = latitude_deg;
+  s.body.center_of_mass_m = {0, 0, 0};
+  set_principal(s.body, 5e-4, 5e-4, 1e-3);
+  s.release.tilt_deg = 90;
+  s.release.azimuth_deg = amplitude_deg;
+  s.release.spin_rad_s = 200 * real::pi<double>();
+  s.effects.applied.gimbal = GimbalSpec{damping_N_m_s};
+  return s;
+}
+
+/// A balanced top that spins about its axis alone, on an Earth that does not turn.
+inline Scenario spinning_top() {
+  Scenario s = non_rotating(toy_top());
+  s.body.center_of_mass_m = {0, 0, 0};
+  s.release.tilt_deg = 35;
+  s.release.spin_rad_s = 100;
+  s.duration_s = 4;
+  s.output_step_s = 0.25;
+  return s;
+}
+
+/// A spinning top that dry friction stops; both predictions with the same inertial spin of 100 rad/s.
+inline Scenario stopping_top(double latitude_deg, double tilt_deg, double rotation_rate_rad_s) {
+  Scenario s = spinning_top();
+  s.site.latitude_deg = latitude_deg;
+  s.rotation_rate_rad_s = rotation_rate_rad_s;
+  s.release.tilt_deg = tilt_deg;
+  s.release.rates_relative_to = RatesRelativeTo::inertial;
+  s.effects.applied.coulomb_N_m = 2e-3;
+  s.duration_s = 2.05;
+  s.output_step_s = 0.005;
+  return s;
+}
+
+/// Every torque that goes with the others, and a platform; without dry friction, which goes with none.
+inline Scenario busy_scene() {
+  Scenario s = asymmetric_top();
+  s.name = "busy";
+  s.effects.applied.viscous_N_m_s = 2e-6;
+  s.effects.applied.quadratic_N_m_s2 = 1e-8;
+  s.effects.applied.air_drag.emplace().disc_radius_m = 0.05;
+  s.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::given, 1e-3};
+  TideSpec& tide = s.effects.tide.emplace();
+  tide.given = true, tide.amplitude_m_s2 = {1e-3, 2e-3, -1e-3}, tide.frequency_hz = 0.3;
+  PlatformSpec& platform = s.platform.emplace();
+  platform.motion = PlatformMotion::harmonic;
+  platform.axis = {0.1, 0, 1};
+  platform.amplitude_rad = 0.2;
+  platform.frequency_hz = 0.5;
+  platform.pivot_offset_m = {0.1, 0, 0.05};
+  s.duration_s = 0.5;
+  s.output_step_s = 0.1;
+  return s;
+}
+
+/// An unsymmetric rotor in a gimbal, with what goes with one.
+inline Scenario held_rotor() {
+  Scenario s = gyrocompass(30, 10, 1e-5);
+  s.name = "held-rotor";
+  set_principal(s.body, 5e-4, 7e-4, 1e-3);
+  s.body.center_of_mass_m = {0, 0, 0.001};
+  s.release.spin_rad_s = 60;
+  s.effects.applied.viscous_N_m_s = 1e-5;
+  s.effects.applied.gravity_gradient = GravityGradientSpec{};
+  s.duration_s = 0.2;
+  s.output_step_s = 0.05;
+  return s;
+}
+
+}  // namespace earthtop::testing
