@@ -39,28 +39,24 @@ double in_newton_metres(double torque, const NaturalUnits& units) {
   return real::scale(torque, units.mass_exponent - 2 * units.time_exponent);
 }
 
-/// Follows the candidates in groups of kInputs.
 std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const DriftProblem<double>& problem, double time_s,
                            double& drift_rad, double& reached_s, const std::atomic<bool>* stop) {
   std::vector<Sized> sized(candidates.size());
-  for (std::size_t first = 0; first < candidates.size() && (stop == nullptr || !*stop); first += kInputs) {
-    const std::size_t count = std::min(kInputs, candidates.size() - first);
-    std::array<ProblemDerivative, kInputs> inputs;
-    for (std::size_t i = 0; i < count; ++i) inputs[i] = candidates[first + i].input;
-    double end = 0;
-    const auto on_step = [&](const FollowedStep& step) {
-      end = step.t;
-      for (std::size_t i = 0; i < count; ++i) {
-        const double torque = candidates[first + i].torque(step);
-        if (step.t == 0) sized[first + i].torque_release = torque;
-        sized[first + i].torque_largest = std::max(sized[first + i].torque_largest, torque);
-      }
-    };
-    const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, stop, on_step);
-    reached_s = real::scale(end, problem.units.time_exponent);
-    drift_rad = drift.axis.value;
-    for (std::size_t i = 0; i < count; ++i) sized[first + i].responses = drift.responses[i];
-  }
+  std::vector<ProblemDerivative> inputs;
+  for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
+  double end = 0;
+  const auto on_step = [&](const FollowedStep& step) {
+    end = step.t;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double torque = candidates[i].torque(step);
+      if (step.t == 0) sized[i].torque_release = torque;
+      sized[i].torque_largest = std::max(sized[i].torque_largest, torque);
+    }
+  };
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, stop, on_step);
+  reached_s = real::scale(end, problem.units.time_exponent);
+  drift_rad = drift.axis.value;
+  for (std::size_t i = 0; i < drift.responses.size(); ++i) sized[i].responses = drift.responses[i];
   return sized;
 }
 

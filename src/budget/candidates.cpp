@@ -224,6 +224,16 @@ std::vector<Candidate> effect_candidates(const Scenario& scenario, const Problem
   return candidates;
 }
 
+std::vector<Candidate> selectable_effects(const Scenario& scenario, const Problem& problem) {
+  std::vector<Candidate> candidates{gravity_gradient(scenario, problem)};
+  if (scenario.start_utc) {
+    candidates.push_back(tide(scenario, problem));
+    candidates.push_back(polar_motion(scenario, problem));
+  }
+  std::erase_if(candidates, [](const Candidate& candidate) { return candidate.modelled; });
+  return candidates;
+}
+
 std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario) {
   const AppliedTorquesSpec& applied = scenario.effects.applied;
   std::vector<EffectEntry> entries;

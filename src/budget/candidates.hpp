@@ -29,6 +29,10 @@ struct Candidate {
 /// @param problem  must outlive the candidates
 std::vector<Candidate> effect_candidates(const Scenario& scenario, const DriftProblem<double>& problem);
 
+/// Those of them that need no parameter of their own and are not in the scene yet: gravity gradient, and where a date is given
+/// tide and polar motion.
+std::vector<Candidate> selectable_effects(const Scenario& scenario, const DriftProblem<double>& problem);
+
 /// Effects that the scene gives no coefficient for, and the platform, which both predictions ride on.
 std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario);
 

@@ -13,7 +13,6 @@
 namespace earthtop {
 namespace {
 
-static_assert(kForcings == 3);
 constexpr std::size_t kDisturbances = 3, kMotionSize = 7, kSize = kMotionSize + 6 * kDisturbances;
 using State = std::array<double, kSize>;  // q, w, then theta and dw of each disturbance
 
@@ -152,55 +151,6 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   return report;
 }
 
-/// Disturbances of the reference with their forcings.
-template <SceneKind K>
-struct ForcedVariations {
-  const Model<double>* model;
-  const std::array<Forcing, kForcings>* forcings;
-
-  void operator()(const State& x, State& dxdt, double t) const {
-    Variations<false, K>{model}(x, dxdt, t);
-    const Motion<double> motion = motion_in(x);
-    for (std::size_t d = 0; d < kForcings; ++d) {
-      const Forcing& forcing = (*forcings)[d];
-      const std::size_t at = kMotionSize + 6 * d;
-      if (forcing.lag_B) put(Vec3<double>(vector_at(dxdt, at) - forcing.lag_B(t, motion)), dxdt, at);
-      if (forcing.torque_B)
-        put(Vec3<double>(vector_at(dxdt, at + 3) + times(model->I_BP_B_inverse, forcing.torque_B(t, motion))), dxdt, at + 3);
-    }
-  }
-};
-
-template <SceneKind K>
-ForcedDisplacements follow_forced(const MotionProblem<double>& problem, const std::array<Forcing, kForcings>& forcings,
-                                  double duration_s, double tolerance, const std::atomic<bool>* stop) {
-  const double end = problem.units.time_from_s(duration_s);
-  State x = {};
-  put(Motion<double>{problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B)}, x);
-  for (std::size_t d = 0; d < kForcings; ++d) put(forcings[d].dw_at_release_B, x, kMotionSize + 6 * d + 3);
-  namespace odeint = boost::numeric::odeint;
-  auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance);
-  ForcedDisplacements displaced;
-  double t = 0, dt = std::min(end, 0.1 / problem.fastest_rate);
-  long steps = 0;
-  for (; t < end && steps < kStepLimit; ++steps) {
-    if (stop != nullptr && *stop) return displaced;
-    dt = std::min(dt, end - t);
-    if (stepper.try_step(ForcedVariations<K>{&problem.model, &forcings}, x, t, dt) == odeint::fail) {
-      if (!(t + dt > t)) break;
-      continue;
-    }
-    for (std::size_t d = 0; d < kForcings; ++d) {
-      const std::size_t at = kMotionSize + 6 * d;
-      const double size = std::hypot(x[at], x[at + 1]);  // across body axis 3
-      if (!(size <= displaced.largest_rad[d])) displaced.largest_rad[d] = size;
-      if (!std::isfinite(size)) return displaced;
-    }
-  }
-  displaced.completed = !(t < end);
-  return displaced;
-}
-
 template <SceneKind K>
 GrowthReport follow(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                     const std::atomic<bool>* stop) {
@@ -220,13 +170,6 @@ GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind
                                 const std::atomic<bool>* stop) {
   return problem.model.kind == SceneKind::plain ? follow<SceneKind::plain>(problem, kind, duration_s, tolerance, stop)
                                                 : follow<SceneKind::full>(problem, kind, duration_s, tolerance, stop);
-}
-
-ForcedDisplacements forced_displacements(const MotionProblem<double>& problem, const std::array<Forcing, kForcings>& forcings,
-                                         double duration_s, double relative_tolerance, const std::atomic<bool>* stop) {
-  return problem.model.kind == SceneKind::plain
-             ? follow_forced<SceneKind::plain>(problem, forcings, duration_s, relative_tolerance, stop)
-             : follow_forced<SceneKind::full>(problem, forcings, duration_s, relative_tolerance, stop);
 }
 
 }  // namespace earthtop

@@ -8,11 +8,14 @@
 #include "drift/measures.ipp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/drift/sensitivity.hpp"
+#include "integrate/inline_all.hpp"
 #include "model/applied_motion.ipp"
 
 namespace earthtop {
 namespace {
 
+constexpr std::size_t kInputs = 4;  // followed at once: with more the motion is repeated less often, and each step costs more
+using Inputs = std::array<ProblemDerivative, kInputs>;
 using Jet = real::Jet<kInputs>;
 constexpr std::size_t kVariables = 14;  // q and w of the reference; w, y and p of the deviation
 constexpr std::size_t kSlots = kInputs + 1;
@@ -50,8 +53,7 @@ void put(const Motion<Jet>& motion, const Deviation<Jet>& deviation, State& x) {
 
 /// A matrix or vector of the problem with the same member of its derivatives. @param member  from a ProblemDerivative
 template <class Derived, class Member>
-auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const std::array<ProblemDerivative, kInputs>& inputs,
-                      const Member& member) {
+auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const Inputs& inputs, const Member& member) {
   Eigen::Matrix<Jet, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime> jets;
   for (int i = 0; i < values.rows(); ++i)
     for (int j = 0; j < values.cols(); ++j) {
@@ -82,7 +84,7 @@ Platform<Jet> constant(const Platform<double>& given) {
   return jets;
 }
 
-Model<Jet> jet_model(const Model<double>& model, const std::array<ProblemDerivative, kInputs>& inputs) {
+Model<Jet> jet_model(const Model<double>& model, const Inputs& inputs) {
   using D = ProblemDerivative;
   Model<Jet> jets;
   jets.I_BP_B = with_derivatives(model.I_BP_B, inputs, [](const D& d) { return d.I_BP_B; });
@@ -104,8 +106,7 @@ Model<Jet> jet_model(const Model<double>& model, const std::array<ProblemDerivat
   return jets;
 }
 
-State initial_state(const MotionProblem<double>& problem, const Model<Jet>& model,
-                    const std::array<ProblemDerivative, kInputs>& inputs) {
+State initial_state(const MotionProblem<double>& problem, const Model<Jet>& model, const Inputs& inputs) {
   const Release<double>& release = problem.release;
   Quaternion<Jet> q;
   q.w = release.q_LB.w;
@@ -151,16 +152,23 @@ class Sizes {
   std::array<std::array<double, std::size(kGroups)>, kSlots> largest_ = {};
 };
 
-Differentiated differentiated(const Jet& jet) { return {jet.value, jet.d}; }
+/// Adds the derivatives of one group.
+void include(Differentiated& quantity, const Jet& jet, std::size_t count) {
+  quantity.value = jet.value;
+  quantity.derivatives.insert(quantity.derivatives.end(), jet.d.begin(), jet.d.begin() + static_cast<std::ptrdiff_t>(count));
+}
 
 /// The right-hand side: reference and deviation with their derivatives, and the torques whose strengths are inputs.
 template <SceneKind K>
 class System {
  public:
-  System(const Model<double>& plain, const Model<Jet>& model, const std::array<ProblemDerivative, kInputs>& inputs)
-      : values_(plain), model_(model), inputs_(inputs) {}
+  System(const Model<double>& plain, const Model<Jet>& model, const Inputs& inputs)
+      : values_(plain), model_(model), inputs_(inputs) {
+    const auto is_torque = [](const ProblemDerivative& d) { return d.applied.any || !d.tide.empty(); };
+    has_torques_ = plain.applied.any || std::any_of(inputs.begin(), inputs.end(), is_torque);
+  }
 
-  void operator()(const State& x, State& dxdt, double t) {
+  EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, double t) {
     if constexpr (K == SceneKind::full)
       if (values_.platform.turn.table) follow_table(t);
     const PivotField<Jet> field = field_at(t);
@@ -168,7 +176,7 @@ class System {
     const Deviation<Jet> deviation = deviation_in(x);
     Motion<Jet> reference_rate = body_equation<false, K>(model_, reference, field.reference_L);
     Deviation<Jet> deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field);
-    if constexpr (K == SceneKind::full) add_torques(t, reference, deviation, reference_rate, deviation_rate);
+    if (has_torques_) add_torques(t, reference, deviation, reference_rate, deviation_rate);
     put(reference_rate, deviation_rate, dxdt);
   }
 
@@ -192,7 +200,7 @@ class System {
       }
     return field;
   }
-  void add_torques(double t, const Motion<Jet>& reference, const Deviation<Jet>& deviation, Motion<Jet>& reference_rate,
+  [[gnu::noinline]] void add_torques(double t, const Motion<Jet>& reference, const Deviation<Jet>& deviation, Motion<Jet>& reference_rate,
                    Deviation<Jet>& deviation_rate) const {
     if (model_.applied.any) {
       const Vec3<Jet> Dw = times(model_.I_BP_B_inverse, deviation.p);
@@ -242,7 +250,8 @@ class System {
 
   const Model<double>& values_;
   Model<Jet> model_;
-  const std::array<ProblemDerivative, kInputs>& inputs_;
+  bool has_torques_;
+  const Inputs& inputs_;
 };
 
 DriftState<Jet> drift_state_of(const State& x, const Model<Jet>& model) {
@@ -280,13 +289,14 @@ FollowedStep followed_step(const State& x, const Model<double>& model, double t)
   return step;
 }
 
+/// Follows one group of inputs, of which `count` are asked for, and adds what they do to the result.
 template <SceneKind K>
-DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
-                        double time_s, double relative_tolerance, const std::atomic<bool>* stop,
-                        const std::function<void(const FollowedStep&)>& on_step) {
+void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count, double time_s,
+            double relative_tolerance, const std::atomic<bool>* stop, const std::function<void(const FollowedStep&)>& on_step,
+            DriftSensitivity& result) {
   const Model<Jet> model = jet_model(problem.model, inputs);
   System<K> equations(problem.model, model, inputs);
-  DriftSensitivity result;
+  std::array<Responses, kInputs> responses;
   const auto system = [&](const State& x, State& dxdt, double t) {
     ++result.counters.evaluations;
     equations(x, dxdt, t);
@@ -294,7 +304,7 @@ DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<P
   State x = initial_state(problem, model, inputs), after, error;
   Sizes sizes;
   sizes.include(x);
-  follow_responses(x, model, result.responses);
+  follow_responses(x, model, responses);
   if (on_step) on_step(followed_step(x, problem.model, 0));
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const double end = problem.units.time_from_s(time_s);
@@ -302,7 +312,7 @@ DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<P
   while (t < end) {
     if (stop != nullptr && *stop) {
       result.status = RunStatus::interrupted;
-      return result;
+      return;
     }
     const bool last = t + dt >= end;
     const double step = last ? end - t : dt;
@@ -314,35 +324,48 @@ DriftSensitivity follow(const MotionProblem<double>& problem, const std::array<P
       dt = step * (std::isfinite(used) ? std::min(factor, 0.9) : 0.2);
       if (t + dt > t) continue;
       result.status = RunStatus::step_underflow;
-      return result;
+      return;
     }
     ++result.counters.accepted;
     x = after;
     t = last ? end : t + step;
     if (!last) dt = step * factor;
     sizes.include(x);
-    follow_responses(x, model, result.responses);
+    follow_responses(x, model, responses);
     if (on_step) on_step(followed_step(x, problem.model, t));
   }
   const DriftMeasures<Jet> measures = measure_drift(drift_state_of(x, model));
-  result.axis = differentiated(measures.axis);
-  result.attitude = differentiated(measures.attitude);
-  result.tilt = differentiated(measures.tilt);
-  if (measures.azimuth_defined) result.azimuth = differentiated(measures.azimuth);
-  return result;
+  include(result.axis, measures.axis, count);
+  include(result.attitude, measures.attitude, count);
+  include(result.tilt, measures.tilt, count);
+  if (measures.azimuth_defined) {
+    if (!result.azimuth) result.azimuth.emplace();
+    include(*result.azimuth, measures.azimuth, count);
+  }
+  result.responses.insert(result.responses.end(), responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 }  // namespace
 
-DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
+DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const std::atomic<bool>* stop,
                                    const std::function<void(const FollowedStep&)>& on_step) {
   const bool plain =
       problem.model.kind == SceneKind::plain && std::none_of(inputs.begin(), inputs.end(), [](const ProblemDerivative& d) {
-        return d.coriolis != 0 || d.centrifugal != 0 || d.applied.any || !d.tide.empty();
+        return d.coriolis != 0 || d.centrifugal != 0;
       });
-  return plain ? follow<SceneKind::plain>(problem, inputs, time_s, relative_tolerance, stop, on_step)
-               : follow<SceneKind::full>(problem, inputs, time_s, relative_tolerance, stop, on_step);
+  DriftSensitivity result;
+  for (std::size_t first = 0; first < inputs.size() && result.status == RunStatus::completed; first += kInputs) {
+    const std::size_t count = std::min(kInputs, inputs.size() - first);
+    Inputs group;
+    std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
+    const auto& watched = first == 0 ? on_step : nullptr;
+    if (plain)
+      follow<SceneKind::plain>(problem, group, count, time_s, relative_tolerance, stop, watched, result);
+    else
+      follow<SceneKind::full>(problem, group, count, time_s, relative_tolerance, stop, watched, result);
+  }
+  return result;
 }
 
 }  // namespace earthtop

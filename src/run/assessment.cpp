@@ -100,8 +100,8 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
                                         const DriftSummary& drift) {
   const auto body = make_body<double>(scenario.body);
   const double Omega = scenario.rotation_rate_rad_s;
-  if (symmetry_axis(body) != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide || !scenario.effects.coriolis ||
-      Omega == 0 || rows.size() < 3)
+  if (symmetry_axis(body) != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
+      !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
     return {};
   const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
   const SinCos<double> phi = sin_cos_degrees(scenario.site.latitude_deg);

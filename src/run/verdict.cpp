@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drift/stability.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "run/stability.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {

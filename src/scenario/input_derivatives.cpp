@@ -8,7 +8,6 @@
 namespace earthtop {
 namespace {
 
-static_assert(kInputs >= kInputNames.size());
 constexpr std::size_t kNamed = kInputNames.size();
 enum Input : std::size_t { latitude, gravity, spin, tilt, rotation_rate, inertia_ratio, center_of_mass };
 
@@ -140,7 +139,7 @@ InputDerivatives input_derivatives(const Scenario& scenario, const NaturalUnits&
     const double step = kStep * derivatives.scales[i];
     float128 up = 0, down = 0;
     const Numbers high = numbers_at(scenario, units, i, step, up), low = numbers_at(scenario, units, i, -step, down);
-    derivatives.by_scaled_input[i] = difference(high, low, (up - down) / float128(derivatives.scales[i]), epsilon, units);
+    derivatives.by_scaled_input.push_back(difference(high, low, (up - down) / float128(derivatives.scales[i]), epsilon, units));
   }
   return derivatives;
 }

@@ -8,7 +8,7 @@ namespace earthtop {
 
 /// The derivatives of a scene's model and release by its inputs, in units of `scales`, in the model's natural units.
 struct InputDerivatives {
-  std::array<ProblemDerivative, kInputs> by_scaled_input;
+  std::vector<ProblemDerivative> by_scaled_input;
   std::array<double, kInputNames.size()> values;  ///< of the inputs
   std::array<double, kInputNames.size()> scales;  ///< the size of an input, or of what it is measured against
 };

@@ -1,14 +1,11 @@
 /// How fast the smallest disturbance of a motion grows: its variational equations, integrated beside it.
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
-#include "earthtop/model/equations.hpp"
 
 namespace earthtop {
 
@@ -47,22 +44,5 @@ struct GrowthReport {
 /// @param stop  ends it early, not completed; may be null
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
                                 double relative_tolerance, const std::atomic<bool>* stop = nullptr);
-
-/// What drives a disturbance of the non-rotating motion, in body axes and natural units, best of order 1.
-struct Forcing {
-  std::function<Vec3<double>(double t, const Motion<double>& motion)> torque_B;  ///< may be null
-  /// By how much less the attitude turns than the body: the rate of a laboratory that turns away. May be null.
-  std::function<Vec3<double>(double t, const Motion<double>& motion)> lag_B;
-  Vec3<double> dw_at_release_B = Vec3<double>::Zero();
-};
-inline constexpr std::size_t kForcings = 3;
-
-/// The same equations with something that drives each disturbance, from zero: by how much the axis is displaced at most.
-struct ForcedDisplacements {
-  std::array<double, kForcings> largest_rad = {};  ///< not finite where it has no end
-  bool completed = false;
-};
-ForcedDisplacements forced_displacements(const MotionProblem<double>& problem, const std::array<Forcing, kForcings>& forcings,
-                                         double duration_s, double relative_tolerance, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace earthtop

@@ -2,17 +2,14 @@
 /// deviation, both differentiated exactly (jets) and integrated beside them.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
 
 namespace earthtop {
-
-/// So many inputs are followed at once.
-inline constexpr std::size_t kInputs = 8;
 
 /// What the equations read of one input: derivatives of model and release by it, in the model's natural units; and torques of
 /// which the input is the strength, 0 in the motion itself.
@@ -31,7 +28,7 @@ struct ProblemDerivative {
 /// A number and its derivatives by the inputs.
 struct Differentiated {
   double value = 0;
-  std::array<double, kInputs> derivatives = {};
+  std::vector<double> derivatives;
 };
 
 /// How two directions move with one input, by the length of the change, per unit of it (rad).
@@ -45,7 +42,7 @@ struct DriftSensitivity {
   RunStatus status = RunStatus::completed;
   Differentiated axis, attitude, tilt;
   std::optional<Differentiated> azimuth;  ///< none where an axis is vertical
-  std::array<Responses, kInputs> responses;
+  std::vector<Responses> responses;
   StepCounters counters;
 };
 
@@ -60,9 +57,10 @@ struct FollowedStep {
 
 /// Integrates in body axes, for any scene. The derivatives' errors are held to `relative_tolerance` of their own size, or of a
 /// thousandth of a radian and of the unit of rate: inputs are best measured in units that give derivatives of order 1.
-/// @param inputs  of the model and release of `problem`   @param time_s  after the release
+/// @param inputs  of the model and release of `problem`, any number: they are followed four at a time   @param time_s  after
+/// the release
 /// @param on_step  sees the release and every step; may be null
-DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::array<ProblemDerivative, kInputs>& inputs,
+DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const std::atomic<bool>* stop = nullptr,
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);
 

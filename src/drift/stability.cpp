@@ -1,4 +1,4 @@
-#include "run/stability.hpp"
+#include "drift/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
