@@ -20,6 +20,7 @@ constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular mo
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
 constexpr long kStepLimit = 50'000'000;
+constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
 
 Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
 void put(const Vec3<double>& v, State& x, std::size_t i) {
@@ -134,6 +135,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   for (; t < end && steps < kStepLimit; ++steps) {
     if (stop != nullptr && *stop) return report;
     dt = std::min(dt, end - t);
+    if (model.applied.coulomb != 0 && dt < std::min(kTurning / rate, end - t)) return report;
     if (stepper.try_step(Variations<kEarth, K>{&model}, x, t, dt) == odeint::fail) {
       if (!(t + dt > t)) return report;
       continue;

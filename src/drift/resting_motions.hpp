@@ -22,13 +22,15 @@ class RestingMotions {
   bool rests(Prediction prediction) const { return rests_[index(prediction)]; }
   const std::vector<std::pair<Prediction, T>>& stops() const { return stops_; }
 
-  /// A step that does not pass the corner of the friction at rest: without end where friction could not hold the motion.
+  /// A step that does not pass the corner of the friction, where the motion comes to rest or turns round: what estimates a
+  /// step's error may miss a corner in its middle. Without end for a motion at rest, which sets out or stays.
   T longest_step(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) const {
-    constexpr double kOfTheWay = 0.9;
+    constexpr double kOfTheWay = 0.9, kTurn = 1e-13;
+    const T momentum = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
+    if (rests(prediction) || !(momentum > T(0))) return T(HUGE_VAL);
     const T other = other_torque(prediction, model, t, q_LB);
-    if (rests(prediction) || !(model.applied.coulomb > other)) return T(HUGE_VAL);
-    const T left = norm(Vec3<T>(times(model.I_BP_B, w_LB_B))) / (model.applied.coulomb + other);
-    return std::max(T(kOfTheWay) * left, T(kNear / 4) * t);
+    const T least = T(model.applied.coulomb > other ? kNear / 4 : kTurn);
+    return std::max(T(kOfTheWay) * momentum / (model.applied.coulomb + other), least * t);
   }
 
   /// Whether a motion that moved until now comes to rest here; it is held from then on.

@@ -42,15 +42,11 @@ SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B
   return seen;
 }
 
-/// [F]'s torques that a scene leaves out, as the applied ones that cancel them.
+/// [F]'s torques that a scene leaves out, as the applied ones that cancel them: a gimbal reads them. Where nothing is left out
+/// they are zero, but not their derivatives by the weights.
 template <class T>
 Vec3<T> left_out_torque(const Model<T>& model, const Vec3<T>& W_B, const Vec3<T>& W_B_scaled, const Vec3<T>& w_LB_B) {
   return -laboratory_torque<SceneKind::full>(model.weights.complement(), W_B, W_B_scaled, w_LB_B, model.S_BP_B);
-}
-
-template <class T>
-bool leaves_something_out(const Model<T>& model) {
-  return model.applied.level_axis && (model.weights.coriolis != T(1) || model.weights.centrifugal != T(1));
 }
 
 template <class T, class S>
@@ -69,8 +65,7 @@ Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, 
   };
   const Vec3<T> W_B = see(Vec3<T>::Zero(), model.W_IL_L_scaled);  // as of the platform: at rest its friction is none
   auto seen = applied_motion::seen_from_body<T>(model, t, Vec3<T>(w_LB_B + W_B), see);
-  if (applied_motion::leaves_something_out(model))
-    seen.other_torque_B += applied_motion::left_out_torque(model, W_B, W_B, w_LB_B);
+  if (model.applied.level_axis) seen.other_torque_B += applied_motion::left_out_torque(model, W_B, W_B, w_LB_B);
   return applied_motion::torque_of(model, seen);
 }
 
@@ -90,7 +85,7 @@ Vec3<Paired<T>> applied_torques_B(const Model<T>& model, T t, const Quaternion<T
     return pair(u_B, Vec3<T>(turned_back(u_B) + change_B + epsilon * turned_back(change_B)));
   };
   auto seen = applied_motion::seen_from_body<Paired<T>>(model, t, pair(ref_w_LB_B, Dw_IB_B_scaled), see);
-  if (applied_motion::leaves_something_out(model)) {
+  if (model.applied.level_axis) {
     const Vec3<T> W_ref_B_scaled = transposed_times(R_ref, model.W_IL_L_scaled);
     const Vec3<T> W_B_scaled = W_ref_B_scaled + epsilon * turned_back(W_ref_B_scaled), W_B = epsilon * W_B_scaled;
     const Vec3<T> w_LB_B = ref_w_LB_B + epsilon * Dw_IB_B_scaled - W_B;

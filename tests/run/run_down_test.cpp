@@ -192,5 +192,41 @@ TEST(DryFriction, BothPredictionsStopAndTheBoundHolds) {
   }
 }
 
+/// Where a pendulum released at rest comes to rest, its angle from Up, by the energy that friction takes on the way.
+double resting_angle(double angle, double gravity_torque, double friction) {
+  for (double direction = 1; gravity_torque * std::abs(std::sin(angle)) > friction; direction = -direction) {
+    // Zero at release, positive on the way, and zero where it turns round.
+    const auto energy = [&](double way) {
+      return gravity_torque * (std::cos(angle) - std::cos(angle + direction * way)) - friction * way;
+    };
+    double before = 1e-3, after = before;
+    while (energy(after) > 0) before = after, after += 1e-3;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (before + after) / 2;
+      (energy(middle) > 0 ? before : after) = middle;
+    }
+    angle += direction * after;
+  }
+  return angle;
+}
+
+TEST(DryFriction, APendulumTurnsRoundUntilFrictionHoldsIt) {
+  for (const double rate : {0.0, kEarthRateWgs84}) {
+    Scenario s = testing::toy_top();
+    s.rotation_rate_rad_s = rate;
+    s.release.spin_rad_s = 0;
+    s.effects.applied.coulomb_N_m = 0.005;
+    s.duration_s = 2;
+    const RunResult result = run(s);
+    ASSERT_EQ(result.status, RunStatus::completed);
+    EXPECT_EQ(result.stops.size(), 2U);
+    const double angle = resting_angle(kPi / 9, 0.1 * 9.80665 * 0.03, 0.005);
+    const DriftRow& last = result.rows.back();
+    EXPECT_NEAR(last.ref_axis_L[0], std::sin(angle), 1e-9);
+    EXPECT_NEAR(last.ref_axis_L[2], std::cos(angle), 1e-9);
+    EXPECT_NEAR(last.axis_L[0], std::sin(angle), rate + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace earthtop
