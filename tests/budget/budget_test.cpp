@@ -27,12 +27,12 @@ const EffectEntry& entry_of(const Budget& budget, std::string_view name) {
 std::vector<Scenario> plain_scenes(RatesRelativeTo matching) {
   Scenario toy = toy_top(), asymmetric = testing::asymmetric_top(), hanging = toy_top();
   toy.duration_s = 3;
-  asymmetric.duration_s = 4;
+  asymmetric.duration_s = 3;
   hanging.name = "hanging";
   hanging.release.tilt_deg = 150;
   hanging.release.azimuth_deg = 10;
   hanging.release.spin_rad_s = 50;
-  hanging.duration_s = 6;
+  hanging.duration_s = 4;
   hanging.site.latitude_deg = -30;
   std::vector<Scenario> scenes{toy, asymmetric, hanging};
   for (Scenario& s : scenes) s.release.rates_relative_to = matching, s.output_step_s = 0.5;
