@@ -9,6 +9,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/applied_motion.hpp"
+#include "integrate/drive_options.hpp"
 
 namespace earthtop {
 
@@ -29,8 +30,8 @@ class RestingMotions {
     const T momentum = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
     if (rests(prediction) || !(momentum > T(0))) return T(HUGE_VAL);
     const T other = other_torque(prediction, model, t, q_LB);
-    const T least = T(model.applied.coulomb > other ? kNear / 4 : kTurn);
-    return std::max(T(kOfTheWay) * momentum / (model.applied.coulomb + other), least * t);
+    const T least = model.applied.coulomb > other ? near(t) / T(4) : T(kTurn) * t;
+    return std::max(T(kOfTheWay) * momentum / (model.applied.coulomb + other), least);
   }
 
   /// Whether a motion that moved until now comes to rest here; it is held from then on.
@@ -38,14 +39,15 @@ class RestingMotions {
     if (rests(prediction)) return false;
     const T spare = model.applied.coulomb - other_torque(prediction, model, t, q_LB);
     const T left = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
-    if (!(spare > T(0)) || left > spare * T(kNear) * t) return false;
+    if (!(spare > T(0)) || left > spare * near(t)) return false;
     rests_[index(prediction)] = true;
     stops_.emplace_back(prediction, t);
     return true;
   }
 
  private:
-  static constexpr double kNear = 1e-8;
+  /// How near a stop is one: of the time since the release, and where that is next to nothing, of the steps there are.
+  static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
 
   /// What friction has to hold in a motion at rest.
   static T other_torque(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB) {

@@ -200,8 +200,8 @@ class System {
       }
     return field;
   }
-  [[gnu::noinline]] void add_torques(double t, const Motion<Jet>& reference, const Deviation<Jet>& deviation, Motion<Jet>& reference_rate,
-                   Deviation<Jet>& deviation_rate) const {
+  [[gnu::noinline]] void add_torques(double t, const Motion<Jet>& reference, const Deviation<Jet>& deviation,
+                                     Motion<Jet>& reference_rate, Deviation<Jet>& deviation_rate) const {
     if (model_.applied.any) {
       const Vec3<Jet> Dw = times(model_.I_BP_B_inverse, deviation.p);
       const auto torques = applied_torques_B(model_, Jet(t), reference.q, reference.m, deviation.w, deviation.y, Dw);
@@ -350,10 +350,9 @@ void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::siz
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const std::atomic<bool>* stop,
                                    const std::function<void(const FollowedStep&)>& on_step) {
-  const bool plain =
-      problem.model.kind == SceneKind::plain && std::none_of(inputs.begin(), inputs.end(), [](const ProblemDerivative& d) {
-        return d.coriolis != 0 || d.centrifugal != 0;
-      });
+  const bool plain = problem.model.kind == SceneKind::plain &&
+                     std::none_of(inputs.begin(), inputs.end(),
+                                  [](const ProblemDerivative& d) { return d.coriolis != 0 || d.centrifugal != 0; });
   DriftSensitivity result;
   for (std::size_t first = 0; first < inputs.size() && result.status == RunStatus::completed; first += kInputs) {
     const std::size_t count = std::min(kInputs, inputs.size() - first);

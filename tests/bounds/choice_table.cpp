@@ -108,8 +108,8 @@ int main(int argc, char** argv) {
     else
       numbers.push_back(std::atof(argv[i]));
   numbers.resize(3);
-  const auto count = static_cast<std::uint64_t>(numbers[0] > 0 ? numbers[0] : 16);
-  const double least = numbers[1] > 0 ? numbers[1] : 300, largest = numbers[2] > 0 ? numbers[2] : 3e4;
+  const auto count = static_cast<std::uint64_t>(numbers[0] > 0 ? numbers[0] : 15);
+  const double least = numbers[1] > 0 ? numbers[1] : 3e3, largest = numbers[2] > 0 ? numbers[2] : 1e5;
   std::map<int, std::vector<Compared>> by_decade;
   std::vector<Compared> all;
   int failed = 0;
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
     for (std::uint64_t index = 0; index < count; ++index) {
       const Scenario scenario = random_scene_of(stratum, 5000 + index, least, largest);
       Random random(index * 77 + static_cast<std::uint64_t>(&stratum - strata().data()));
-      const double accuracy = random.log_uniform(1e-10, 1e-4);
+      const double accuracy = random.log_uniform(1e-8, 1e-4);
       try {
         const Compared c = compare(scenario, accuracy);
         by_decade[static_cast<int>(std::floor(std::log10(accuracy) / 2)) * 2].push_back(c);
