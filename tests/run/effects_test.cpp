@@ -36,6 +36,21 @@ TEST(Effects, AllObserversAndMoreBitsAgree) {
   }
 }
 
+// A plumb line under a steady push to the East swings about a/g from where it hung: (1 - cos(w t)) a/g.
+TEST(Effects, APendulumLeansWithTheTide) {
+  Scenario s = testing::toy_top();
+  s.release = {};
+  s.release.tilt_deg = 180;
+  const double push = 1e-4, g = s.site.gravity_m_s2;
+  s.effects.tide = TideSpec{true, {}, {push, 0, 0}, 0, 90};
+  const auto body = make_body<double>(s.body);
+  const double w = std::sqrt(body.mass * g * body.p_PBcm_B[2] / body.I_BP_B(0, 0));
+  s.duration_s = s.output_step_s = 1 / w;
+  const DriftRow row = run(s).rows.back();
+  EXPECT_NEAR(row.ref_axis_L[0], (1 - std::cos(1.0)) * push / g, 1e-8 * push / g);
+  EXPECT_NEAR(row.ref_axis_L[1], 0, 1e-8 * push / g);
+}
+
 TEST(Effects, AnEarthThatDoesNotTurnMakesNoDrift) {
   Scenario held = testing::non_rotating(gyrocompass(30, 10, 1e-5));
   held.duration_s = 0.5, held.output_step_s = 0.1;
