@@ -11,10 +11,10 @@
 namespace earthtop {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // of the variations: one digit of a size is enough
+constexpr double kChoiceTolerance = 1e-4;  // of the variations: one digit of a size is enough
 // rad of the fastest rate, of a motion next to one in closed form: an effect of both predictions changes their difference by no
 // more than its displacement of each times the drift, which both grow with the time; one of the Earth's rate with the time.
-constexpr double kFollowedPhase = 300;
+constexpr double kRegularPhase = 300;
 constexpr double kLongestPhase = 3e5;  // rad, of any other motion: some ten seconds of computing; beyond, nothing is known
 constexpr double kSafety = 3;
 constexpr double kShare = 0.2;  // of the accuracy asked for: what each effect left out may cost of it
@@ -34,10 +34,10 @@ std::vector<double> changes_of(const Scenario& scenario, const Problem& problem,
   const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
   const bool regular = is_regular(problem);
   if (!regular && phase > kLongestPhase) return changes;
-  const double share = regular ? std::min(1.0, kFollowedPhase / phase) : 1;
+  const double share = regular ? std::min(1.0, kRegularPhase / phase) : 1;
   std::vector<ProblemDerivative> inputs;
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs, share * scenario.duration_s, kTolerance, stop);
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs, share * scenario.duration_s, kChoiceTolerance, stop);
   if (drift.status != RunStatus::completed) return changes;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const double later = candidates[i].in_difference ? 1 / share : 1 / (share * share);

@@ -7,18 +7,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+Json finite_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
 
 Json effect_json(const EffectEntry& entry) {
   return {{"name", entry.name},
           {"modelled", entry.modelled},
           {"size_assumed", entry.assumed},
           {"enters_difference", entry.in_difference},
-          {"torque_release_N_m", or_null(entry.torque_release_N_m)},
-          {"torque_largest_N_m", or_null(entry.torque_largest_N_m)},
-          {"displacement_rad", or_null(entry.displacement_rad)},
-          {"drift_rad", or_null(entry.drift_rad)},
-          {"drift_final_rad", or_null(entry.drift_final_rad)},
+          {"torque_release_N_m", finite_or_null(entry.torque_release_N_m)},
+          {"torque_largest_N_m", finite_or_null(entry.torque_largest_N_m)},
+          {"displacement_rad", finite_or_null(entry.displacement_rad)},
+          {"drift_rad", finite_or_null(entry.drift_rad)},
+          {"drift_final_rad", finite_or_null(entry.drift_final_rad)},
           {"reason", entry.reason}};
 }
 
@@ -27,7 +29,7 @@ Json input_json(const InputNeed& need) {
           {"value", need.value},
           {"displacement_per_unit_rad", need.displacement_per_unit_rad},
           {"drift_per_unit_rad", need.drift_per_unit_rad},
-          {"hides_earth", or_null(need.hides_earth)}};
+          {"hides_earth", finite_or_null(need.hides_earth)}};
 }
 
 }  // namespace
