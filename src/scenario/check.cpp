@@ -96,20 +96,13 @@ class Checker {
       case FieldKind::numbers: return number_list(node, field, pointer, 1, 4);
       case FieldKind::changes: return change_list(node, field, pointer);
       case matrix3: return rows(node, field, pointer);
-      case not_yet:
-        node.refused = true;
-        return findings_.add(node.key_place, pointer,
-                             fmt::format("not available in this version ({}); leave it out", field.doc));
     }
   }
 
   void one_word(Node& node, const Field& field, const std::string& pointer) {
     if (node.kind != JsonKind::string) return wrong_type(node, field, pointer);
-    const auto words = split_words(field.words), not_yet = split_words(field.not_yet);
+    const auto words = split_words(field.words);
     if (std::find(words.begin(), words.end(), node.text) != words.end()) return;
-    if (std::find(not_yet.begin(), not_yet.end(), node.text) != not_yet.end())
-      return refuse(node, pointer,
-                    fmt::format("{} is not available in this version; must be {}", shown(node), allowed_values(field)));
     std::string message = fmt::format("is {}; must be {}", shown(node), allowed_values(field));
     if (const auto near = suggest(node.text, words)) message += fmt::format("; did you mean \"{}\"", *near);
     refuse(node, pointer, std::move(message));

@@ -23,7 +23,6 @@ enum class FieldKind {
   matrix3,  ///< three rows of three numbers
   numbers,  ///< one to four numbers
   changes,  ///< "/json/pointer=value", any number of them
-  not_yet,  ///< known, but not available in this version
 };
 
 struct Range {
@@ -39,7 +38,6 @@ struct Field {
   std::string_view unit;      ///< of numbers; empty where there is none
   Range range;                ///< of a number, or of every number of a vector or matrix
   std::string_view words;     ///< allowed ones, separated by '|'
-  std::string_view not_yet;   ///< words that are known, but not available in this version
   std::string_view fallback;  ///< default as JSON; empty where there is none, or it is computed
   std::string_view doc;
   bool required = false;         ///< wherever its parent stands; rules with more than one key are the decoder's

@@ -60,7 +60,7 @@ Json annotated(const Json& given, std::string_view pattern) {
   for (const std::string_view key : keys_below(pattern)) {
     const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
     const bool stands = given.contains(key);
-    if (is_about_original(field.pointer) || field.kind == FieldKind::not_yet || (!stands && field.fallback.empty())) continue;
+    if (is_about_original(field.pointer) || (!stands && field.fallback.empty())) continue;
     if (!stands && !belongs(key, given)) continue;
     const Json value = stands ? given.at(key) : Json::parse(field.fallback);
     if (!stands && value == Json::object() && keys_below(field.pointer).empty()) continue;
@@ -101,7 +101,7 @@ void lay_out(std::string& text, const Json& json, std::size_t depth) {
   text += json.is_object() ? '}' : ']';
 }
 
-bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != FieldKind::list && kind != FieldKind::not_yet; }
+bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != FieldKind::list; }
 
 }  // namespace
 }  // namespace scenario
@@ -110,7 +110,7 @@ std::string scenario_reference_markdown() {
   using namespace scenario;
   std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
   for (const Field& field : all_fields()) {
-    if (field.kind == FieldKind::not_yet || field.key() == "*" || field.pointer == "/$schema") continue;
+    if (field.key() == "*" || field.pointer == "/$schema") continue;
     text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(1), value_text(field), default_text(field),
                         cell(field.doc));
   }

@@ -191,7 +191,6 @@ Json of_field(const Field& field) {
     case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
     case FieldKind::changes:
       return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};
-    case FieldKind::not_yet: break;
   }
   return false;
 }
@@ -200,7 +199,6 @@ Json of_object(std::string_view pattern) {
   Json properties = Json::object(), needed = Json::array();
   for (const std::string_view key : keys_below(pattern)) {
     const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
-    if (field.kind == FieldKind::not_yet) continue;
     Json schema = of_field(field);
     schema["description"] = field.unit.empty() ? std::string(field.doc) : fmt::format("{} ({})", field.doc, field.unit);
     if (!field.fallback.empty()) schema["default"] = Json::parse(field.fallback);
