@@ -88,6 +88,29 @@ Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
   return times(I_BP_B, u_B).cross(u_B);
 }
 
+/// What each effect beside gravity has in the physical torques, in the order of kAppliedShares. A gimbal answers all others.
+template <class T>
+std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, T t, const Quaternion<T>& q_LB,
+                                                            const Vec3<T>& w_LB_B, const Vec3<T>& applied_B) {
+  const Vec3<T> nothing = Vec3<T>::Zero();
+  Vec3<T> tide = nothing, gradient = nothing, friction = nothing, gimbal = nothing;
+  if (!model.tide.empty())
+    tide = field_torque(model.mass_moment_B, transposed_times(rotation_matrix(q_LB), model.tide.acceleration_L(t)));
+  if (model.applied.any) {
+    Model<T> part = model;
+    part.applied.level_axis = false;
+    const Vec3<T> free = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    part.applied.gradient = {};
+    friction = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    part.applied = AppliedTorques<T>();
+    part.applied.any = true;
+    part.applied.gradient = model.applied.gradient;
+    gradient = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    if (model.applied.level_axis) gimbal = applied_B - free;
+  }
+  return {tide, gradient, friction, gimbal};
+}
+
 /// [F]'s side of the ledger.
 template <class T>
 void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory,
@@ -148,6 +171,10 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
     case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L, applied_B); break;
   }
   LedgerEntry<T> entry;
+  if (model.kind == SceneKind::full) {
+    const auto shares_B = applied_shares_B(model, t, q_LB, w_LB_B, applied_B);
+    for (std::size_t i = 0; i < shares_B.size(); ++i) entry.share_A[i] = times(A.R_AB, shares_B[i]) + Vec3<T>::Zero();
+  }
   count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B);
   // The body is at rest in its own axes at all times: L' is zero and stays so.
   if (observer != LedgerObserver::body)

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "earthtop/results/results.hpp"
@@ -15,15 +18,36 @@ constexpr std::string_view kHeader =
     "tau_trans_x_N_m,tau_trans_y_N_m,tau_trans_z_N_m,"
     "tau_cent_x_N_m,tau_cent_y_N_m,tau_cent_z_N_m,"
     "dL_dt_x_N_m,dL_dt_y_N_m,dL_dt_z_N_m,"
-    "residual_x_N_m,residual_y_N_m,residual_z_N_m\n";
+    "residual_x_N_m,residual_y_N_m,residual_z_N_m";
+
+/// Which of kAppliedShares the scene has: those have columns of their own.
+std::array<bool, kAppliedShares.size()> shares_of(const EffectsSpec& effects) {
+  const AppliedTorquesSpec& applied = effects.applied;
+  return {effects.tide.has_value(), applied.gravity_gradient.has_value(), applied.friction(), applied.gimbal.has_value()};
+}
+
+std::string header_of(const EffectsSpec& effects) {
+  std::string header(kHeader);
+  const auto shares = shares_of(effects);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (shares[i])
+      for (const char axis : {'x', 'y', 'z'}) header += fmt::format(",tau_{}_{}_N_m", kAppliedShares[i], axis);
+  return header + '\n';
+}
 
 template <class T, class Append>
-void append_torques(std::string& text, const LedgerEntry<T>& entry, Append append) {
+void append_torques(std::string& text, const LedgerEntry<T>& entry, const EffectsSpec& effects, Append append) {
   for (const Vec3<T>* torque_A :
        {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
     for (int i = 0; i < 3; ++i) {
       text += ',';
       append((*torque_A)[i]);
+    }
+  const auto shares = shares_of(effects);
+  for (std::size_t share = 0; share < shares.size(); ++share)
+    for (int i = 0; shares[share] && i < 3; ++i) {
+      text += ',';
+      append(entry.share_A[share][i]);
     }
 }
 
@@ -31,17 +55,18 @@ void append_torques(std::string& text, const LedgerEntry<T>& entry, Append appen
 
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
+  const EffectsSpec& effects = result.modelled.effects;
   const auto append_row = [&](std::string& text, std::size_t i) {
     append_number(text, result.rows[i].t_s);
     const LedgerReport& ledger = *result.ledger;
     if (ledger.extended_entries.empty())
-      append_torques(text, ledger.entries[i], [&](double value) { append_number(text, value); });
+      append_torques(text, ledger.entries[i], effects, [&](double value) { append_number(text, value); });
     else
-      append_torques(text, ledger.extended_entries[i],
+      append_torques(text, ledger.extended_entries[i], effects,
                      [&](float128 value) { text += digits(value, result.scenario.precision); });
     text += '\n';
   };
-  write_csv(std::string(kHeader), rows, append_row, sink);
+  write_csv(header_of(effects), rows, append_row, sink);
 }
 
 std::string torques_csv(const RunResult& result) {

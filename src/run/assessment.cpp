@@ -83,8 +83,10 @@ LedgerEntry<double> in_double(const LedgerEntry<float128>& entry) {
   const auto cast = [](const Vec3<float128>& v) {
     return Vec3<double>(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
   };
-  return {cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
-          cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
+  LedgerEntry<double> rounded{cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
+                              cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
+  for (std::size_t i = 0; i < entry.share_A.size(); ++i) rounded.share_A[i] = cast(entry.share_A[i]);
+  return rounded;
 }
 
 }  // namespace

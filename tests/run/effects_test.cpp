@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "support/effect_scenes.hpp"
 
@@ -103,6 +104,24 @@ TEST(Effects, EveryObserversLedgerBalances) {
       EXPECT_GT(result.ledger->largest.tau_phys, 0);
       EXPECT_LT(result.ledger->largest.relative_residual(), 1e-14) << to_string(observer);
     }
+}
+
+// At release, where the state is the same: what the effects add to the physical torques is the sum of their columns.
+TEST(Effects, TheLedgerNamesTheirShares) {
+  Scenario with = busy_scene();
+  with.ledger = LedgerObserver::laboratory;
+  Scenario without = with;
+  without.effects.applied = {};
+  without.effects.tide.reset();
+  const RunResult busy = run(with), plain = run(without);
+  const LedgerEntry<double>&a = busy.ledger->entries.front(), &b = plain.ledger->entries.front();
+  Vec3<double> shares = Vec3<double>::Zero();
+  for (const Vec3<double>& share : a.share_A) shares += share;
+  EXPECT_GT(norm(shares), 0);
+  EXPECT_LT(norm(Vec3<double>(a.tau_phys_A - b.tau_phys_A - shares)), 1e-15 * norm(a.tau_phys_A));
+  const std::string header = torques_csv(busy).substr(0, torques_csv(busy).find('\n'));
+  EXPECT_TRUE(header.ends_with("tau_friction_x_N_m,tau_friction_y_N_m,tau_friction_z_N_m")) << header;
+  EXPECT_TRUE(torques_csv(plain).find("tau_friction") == std::string::npos);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 /// The torque ledger: every torque that an observer counts, beside the change of the angular momentum that it sees.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "earthtop/model/model.hpp"
@@ -13,15 +14,20 @@ enum class LedgerObserver { inertial, laboratory, platform, body };
 
 std::string_view to_string(LedgerObserver observer);
 
+/// What may act beside gravity and the pivot, each a share of the physical torques.
+inline constexpr std::array<std::string_view, 4> kAppliedShares{"tide", "gradient", "friction", "gimbal"};
+
 /// One instant's torques about the pivot (N m), in the axes of the observing frame A.
 template <class T>
 struct LedgerEntry {
-  Vec3<T> tau_phys_A = Vec3<T>::Zero();   ///< apparent gravity, and what a driven pivot does
+  Vec3<T> tau_phys_A = Vec3<T>::Zero();   ///< apparent gravity, what a driven pivot does, and the applied torques
   Vec3<T> tau_cor_A = Vec3<T>::Zero();    ///< Coriolis
   Vec3<T> tau_trans_A = Vec3<T>::Zero();  ///< transverse
   Vec3<T> tau_cent_A = Vec3<T>::Zero();   ///< centrifugal
   Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of L' = Theta w_AB
   Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques less dL_dt_A: round-off
+  std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
+                                                        Vec3<T>::Zero()};  ///< of tau_phys_A, in the order of kAppliedShares
 };
 
 /// The ledger of one state. The two sides of it have nothing but the state in common:
