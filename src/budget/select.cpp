@@ -53,17 +53,25 @@ Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop) {
   const auto start = std::chrono::steady_clock::now();
   Selection selection;
   selection.accuracy_rad = scenario.accuracy_rad.value_or(0);
-  const auto problem = make_problem<double>(scenario);
-  const std::vector<Candidate> candidates = selectable_effects(scenario, problem);
-  const std::vector<double> changes = changes_of(scenario, problem, candidates, stop);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (changes[i] <= kShare * selection.accuracy_rad) {
-      selection.left_out.push_back(candidates[i].name);
-      selection.left_out_drift_rad += changes[i];
-    } else {
-      switch_on(scenario, candidates[i].name);
-      selection.switched_on.push_back(candidates[i].name);
+  // What is switched on moves the top to where others may matter: they are asked again.
+  for (bool changed = true; changed;) {
+    changed = false;
+    const auto problem = make_problem<double>(scenario);
+    const std::vector<Candidate> candidates = selectable_effects(scenario, problem);
+    const std::vector<double> changes = changes_of(scenario, problem, candidates, stop);
+    selection.left_out.clear();
+    selection.left_out_drift_rad = 0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (changes[i] <= kShare * selection.accuracy_rad) {
+        selection.left_out.push_back(candidates[i].name);
+        selection.left_out_drift_rad += changes[i];
+      } else {
+        switch_on(scenario, candidates[i].name);
+        selection.switched_on.push_back(candidates[i].name);
+        changed = true;
+      }
     }
+    changed = changed && !selection.left_out.empty();
   }
   selection.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return selection;

@@ -225,7 +225,10 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad) {
       result.accuracy = accuracy;
       return result;
     }
-    tolerance = std::max(least, tolerance * std::max(kFiner, 0.1 * accuracy.asked_rad / accuracy.reached_rad));
+    // Where disturbances grow, only the finest tolerance may do.
+    const bool grows = result.verdict.verdict != Verdict::reliable && result.verdict.verdict != Verdict::noise_floor;
+    const double finer = grows ? 0 : std::max(kFiner, 0.1 * accuracy.asked_rad / accuracy.reached_rad);
+    tolerance = std::max(least, tolerance * finer);
   }
 }
 
