@@ -60,7 +60,9 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
   return sized;
 }
 
-EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const NaturalUnits& units, double later) {
+/// @param later, drift_later  by what displacements and drifts grow from where the motion was followed to, to the end
+EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const NaturalUnits& units, double later,
+                     double drift_later) {
   EffectEntry entry;
   entry.name = candidate.name;
   entry.modelled = candidate.modelled;
@@ -71,9 +73,22 @@ EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const Natur
   entry.torque_release_N_m = in_newton_metres(size * sized.torque_release, units);
   entry.torque_largest_N_m = in_newton_metres(size * sized.torque_largest, units);
   if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses.displacement_largest;
-  entry.drift_rad = later * size * sized.responses.drift_largest;
-  entry.drift_final_rad = later * size * sized.responses.drift_final;
+  const double grown = candidate.in_difference ? drift_later : later * drift_later;  // a displacement of the drift
+  entry.drift_rad = grown * size * sized.responses.drift_largest;
+  entry.drift_final_rad = grown * size * sized.responses.drift_final;
   return entry;
+}
+
+/// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
+/// within a minute; in proportion to the time elsewhere.
+double drift_growth(const Scenario& scenario, DriftProblem<double> problem, double followed_s, double in_proportion) {
+  constexpr double kAffordable_s = 60;
+  if (!(followed_s > 0) || !(followed_s < scenario.duration_s)) return 1;
+  if (estimated_seconds(scenario) > kAffordable_s || method_refusal(scenario.numerics.method, scenario)) return in_proportion;
+  problem.times_s = {0, followed_s, scenario.duration_s};
+  const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options);
+  if (drift.samples.size() < 3 || !(drift.samples[1].measures.axis > 0)) return in_proportion;
+  return drift.samples[2].measures.axis / drift.samples[1].measures.axis;
 }
 
 /// What a scene that models one effect and omits a larger one should be told.
@@ -97,7 +112,7 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
   return warnings;
 }
 
-void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, double time_s, double later,
+void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, double time_s, double later, double drift_later,
                 const std::atomic<bool>* stop, Budget& budget) {
   if (scenario.rotation_rate_rad_s == 0) {
     budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
@@ -112,7 +127,7 @@ void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, d
   for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const Responses& r = drift.responses[i];
     InputNeed need{std::string(kInputNames[i]), inputs.values[i], later * r.displacement_largest / inputs.scales[i],
-                   later * r.drift_final / inputs.scales[i], std::nullopt};
+                   drift_later * r.drift_final / inputs.scales[i], std::nullopt};
     const bool of_earth = need.name == "latitude_deg" || need.name == "rotation_rate_rad_s";
     const double moved = of_earth ? need.drift_per_unit_rad : need.displacement_per_unit_rad;
     if (moved > 0) need.hides_earth = budget.earth_drift_rad / moved;
@@ -128,14 +143,14 @@ Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
   const double time_s = followed_time(scenario, problem);
   Budget budget;
   const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, stop);
-  // Secular drifts grow with the time.
   const double later = budget.followed_s > 0 ? scenario.duration_s / budget.followed_s : 1;
-  budget.earth_drift_rad *= later;
+  const double drift_later = drift_growth(scenario, problem, budget.followed_s, later);
+  budget.earth_drift_rad *= drift_later;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later));
+    budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later, drift_later));
   for (EffectEntry& entry : effects_of_unknown_size(scenario)) budget.effects.push_back(std::move(entry));
   budget.warnings = warnings_of(budget.effects);
-  add_inputs(scenario, problem, budget.followed_s, later, stop, budget);
+  add_inputs(scenario, problem, budget.followed_s, later, drift_later, stop, budget);
   return budget;
 }
 

@@ -70,7 +70,7 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
                                  scenario.duration_s, budget.earth_drift_rad, matching_rule(scenario));
   text += effects_text(budget) + '\n' + inputs_text(budget);
   if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
-    text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to the time.\n",
+    text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
   text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, about {:.1g} s\n", to_string(choice.options.method),
                       choice.reason, estimated_steps(scenario), estimated_seconds(scenario));

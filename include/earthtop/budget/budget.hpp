@@ -39,7 +39,7 @@ struct InputNeed {
 };
 
 struct Budget {
-  double followed_s = 0;       ///< how far the motion was followed; what is later is scaled with the time
+  double followed_s = 0;       ///< how far the motion was followed; what is later is scaled with time and drift
   double earth_drift_rad = 0;  ///< of the axis at the end, from the deviation equations
   std::vector<EffectEntry> effects;
   std::vector<InputNeed> inputs;
