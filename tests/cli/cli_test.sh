@@ -11,7 +11,7 @@ cat >top.json <<'END'
             "inertia": { "about": "pivot", "principal_kg_m2": [1.2e-4, 1.2e-4, 4e-5] } },
   "release": { "tilt_deg": 20, "spin_rad_s": 200 }, "motion": { "duration_s": 1 } }
 END
-sed 's/"duration_s": 1 /"duration_s": 50000, "output_step_s": 1000 /' top.json >long.json
+sed 's/"duration_s": 1 /"duration_s": 500000, "output_step_s": 10000 /' top.json >long.json
 sed 's/"tilt_deg"/"tilt_degrees"/; s/"mass_kg": 0.1/"mass_kg": -1/' top.json >faulty.json
 
 # Usage.
