@@ -31,7 +31,7 @@ double followed_time(const Scenario& scenario, const DriftProblem<double>& probl
 
 /// The responses of one candidate, put together from those of the inputs that it stands for.
 struct Sized {
-  Responses responses;
+  std::optional<Responses> responses;  ///< none where the motion could not be followed
   double torque_release = 0, torque_largest = 0;
 };
 
@@ -43,6 +43,7 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
                            double& drift_rad, double& reached_s, const std::atomic<bool>* stop) {
   std::vector<Sized> sized(candidates.size());
   std::vector<ProblemDerivative> inputs;
+  inputs.reserve(candidates.size());
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
   double end = 0;
   const auto on_step = [&](const FollowedStep& step) {
@@ -72,18 +73,23 @@ EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const Natur
   const double size = std::abs(candidate.size);
   entry.torque_release_N_m = in_newton_metres(size * sized.torque_release, units);
   entry.torque_largest_N_m = in_newton_metres(size * sized.torque_largest, units);
-  if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses.displacement_largest;
+  if (!sized.responses) return entry;
+  if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses->displacement_largest;
   const double grown = candidate.in_difference ? drift_later : later * drift_later;  // a displacement of the drift
-  entry.drift_rad = grown * size * sized.responses.drift_largest;
-  entry.drift_final_rad = grown * size * sized.responses.drift_final;
+  entry.drift_rad = grown * size * sized.responses->drift_largest;
+  entry.drift_final_rad = grown * size * sized.responses->drift_final;
   return entry;
 }
 
 /// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
 /// within a minute; in proportion to the time elsewhere.
-double drift_growth(const Scenario& scenario, DriftProblem<double> problem, double followed_s, double in_proportion) {
+double drift_growth(Scenario scenario, DriftProblem<double> problem, double followed_s, double in_proportion) {
   constexpr double kAffordable_s = 60;
   if (!(followed_s > 0) || !(followed_s < scenario.duration_s)) return 1;
+  if (scenario.precision != Precision::bits53) {
+    scenario.precision = Precision::bits53;
+    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
+  }
   if (estimated_seconds(scenario) > kAffordable_s || method_refusal(scenario.numerics.method, scenario)) return in_proportion;
   problem.times_s = {0, followed_s, scenario.duration_s};
   const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options);

@@ -36,6 +36,7 @@ std::vector<double> changes_of(const Scenario& scenario, const Problem& problem,
   if (!regular && phase > kLongestPhase) return changes;
   const double share = regular ? std::min(1.0, kRegularPhase / phase) : 1;
   std::vector<ProblemDerivative> inputs;
+  inputs.reserve(candidates.size());
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
   const DriftSensitivity drift = drift_sensitivity(problem, inputs, share * scenario.duration_s, kChoiceTolerance, stop);
   if (drift.status != RunStatus::completed) return changes;

@@ -27,7 +27,7 @@ std::array<double, kDegree + 1> zonal_coefficients() {
   double minus_e2_to_k = 1;
   for (int k = 1; k <= kHarmonics; ++k) {
     minus_e2_to_k *= -e2;
-    C[static_cast<std::size_t>(2 * k)] =
+    C[2 * static_cast<std::size_t>(k)] =
         minus_e2_to_k * 3 / ((2 * k + 1.0) * (2 * k + 3.0)) * (1 - k + 5 * k * J2 / e2);  // [2-92]
   }
   return C;

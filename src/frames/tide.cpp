@@ -37,17 +37,17 @@ ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double dur
   // 2 J_13(x) = 2 (x/2)^13 / 13!, is 4e-13 of that part, itself a sixtieth of the tide and less.
   constexpr double kPiece_s = 3 * 3600;
   constexpr int kTerms = ChebyshevPieces::kTerms;
-  const int count = static_cast<int>(real::abs(duration_s) / kPiece_s) + 1;
+  const std::size_t count = static_cast<std::size_t>(real::abs(duration_s) / kPiece_s) + 1;
   ChebyshevPieces pieces;
   pieces.begin_s = std::min(duration_s, 0.0);
   pieces.half_piece_s = kPiece_s / 2;
-  pieces.coefficients.assign(static_cast<std::size_t>(count * kTerms), Vec3<double>::Zero());
+  pieces.coefficients.assign(count * kTerms, Vec3<double>::Zero());
   // Interpolation at the zeros x_j of T_13: c_n = (2/13) sum_j f(x_j) T_n(x_j), half of it for n = 0.
   const auto cosine = [](int halves) { return sin_cos_degrees(90.0 * halves / kTerms).cos; };  // of pi/26 * halves
-  for (int piece = 0; piece < count; ++piece) {
-    Vec3<double>* c = pieces.coefficients.data() + piece * kTerms;
+  for (std::size_t piece = 0; piece < count; ++piece) {
+    Vec3<double>* c = &pieces.coefficients[piece * kTerms];
     for (int j = 0; j < kTerms; ++j) {
-      const double t_s = pieces.begin_s + (2 * piece + 1 + cosine(2 * j + 1)) * pieces.half_piece_s;
+      const double t_s = pieces.begin_s + (static_cast<double>(2 * piece + 1) + cosine(2 * j + 1)) * pieces.half_piece_s;
       const Vec3<double> a = tidal_acceleration_L(site, utc, t_s, options);
       for (int n = 0; n < kTerms; ++n) c[n] += (n == 0 ? 1.0 : 2.0) / kTerms * cosine(n * (2 * j + 1)) * a;
     }

@@ -33,7 +33,7 @@ bool is_turbulent(const AirDragSpec& disc, double spin_rad_s) {
 
 std::array<GradientTerm<double>, 2> gradient_terms(const Mat3<double>& gradient_L) {
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(gradient_L);  // ascending
-  const Vec3<double> k = solver.eigenvalues();
+  const Vec3<double>& k = solver.eigenvalues();
   // The middle one is taken away from all three: what is left of it turns nothing.
   return {GradientTerm<double>{k[2] - k[1], solver.eigenvectors().col(2)},
           GradientTerm<double>{k[0] - k[1], solver.eigenvectors().col(0)}};

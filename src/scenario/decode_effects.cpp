@@ -149,6 +149,10 @@ void decode_effects(const Section& root, Scenario& scenario) {
 void check_effects(const Section& effects, const Scenario& scenario) {
   const AppliedTorquesSpec& applied = scenario.effects.applied;
   if (applied.gimbal) check_gimbal(effects, scenario);
+  constexpr double kLongestTide_s = 3.2e7;  // a second or two for its series
+  if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
+    effects.refuse("tide",
+                   "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");
   if (applied.coulomb_N_m != 0 && scenario.platform)
     effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
 }

@@ -103,8 +103,7 @@ TEST_F(TableFile, IsLookedForBesideTheScenario) {
   EXPECT_EQ(platform.file_sha256, sha256_hex(kRows));
   ASSERT_TRUE(platform.table);
   EXPECT_EQ(platform.table->t_s, (std::vector<double>{0, 10, 30, 60}));
-  const AngleSpline<double>& turn = *make_platform<double>(platform).turn.table;
-  EXPECT_EQ(turn.angle(30), -0.25);
+  EXPECT_EQ(make_platform<double>(platform).turn.table->angle(30), -0.25);
   EXPECT_TRUE(examine((temporary_.path() / "turn.csv").string()).scenario);  // an absolute path stands for itself
 }
 

@@ -20,9 +20,10 @@ struct EffectEntry {
   bool in_difference = true;  ///< whether it enters the difference of the two predictions to first order, or cancels
   /// Size of its torque at release and at its largest (N m); none where no parameter says how large the effect is.
   std::optional<double> torque_release_N_m, torque_largest_N_m;
-  std::optional<double>
-      displacement_rad;             ///< by how much it moves the axis in each prediction, at most; none where it is in one
-  std::optional<double> drift_rad;  ///< by how much it changes the axis drift, at most
+  /// By how much it moves the axis in each prediction, at most; none where it acts in one only, or the motion could not be
+  /// followed.
+  std::optional<double> displacement_rad;
+  std::optional<double> drift_rad;        ///< by how much it changes the axis drift, at most; none as above
   std::optional<double> drift_final_rad;  ///< the same at the end
   std::string reason;                     ///< why it is modelled or left out, or what is not known of it
 };
@@ -31,8 +32,8 @@ struct EffectEntry {
 struct InputNeed {
   std::string name;  ///< one of kInputNames
   double value = 0;
-  double displacement_per_unit_rad = 0;  ///< of the predicted axis at the end, for one unit of the input
-  double drift_per_unit_rad = 0;         ///< of the drift
+  double displacement_per_unit_rad = 0;  ///< of the predicted axis, at most, for one unit of the input
+  double drift_per_unit_rad = 0;         ///< of the drift at the end
   /// The error of the input that moves the predicted axis by as much as the Earth does (of the latitude and the Earth's rate:
   /// changes the drift by all of itself); none where no error does.
   std::optional<double> hides_earth;
@@ -59,8 +60,8 @@ struct Selection {
   double seconds = 0;             ///< what the choice cost
 };
 /// The scene with the effects that its accuracy needs switched on, of those that have no parameter of their own: gravity
-/// gradient, and where a date is given tide and polar motion. Sized by first variations of the non-rotating motion. @param
-/// scenario  with effects.automatic and an accuracy
+/// gradient, and where a date is given tide and polar motion. Sized by first variations of both motions.
+/// @param scenario  with effects.automatic and an accuracy
 Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace earthtop

@@ -97,7 +97,7 @@ class TideSeries {
     // Compared before it is made an int: no time, and no NaN, is out of range.
     const int piece = !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
     const T x = halves - T(2 * piece + 1);
-    const Vec3<double>* c = pieces.coefficients.data() + piece * ChebyshevPieces::kTerms;
+    const Vec3<double>* c = &pieces.coefficients[static_cast<std::size_t>(piece) * ChebyshevPieces::kTerms];
     const T twice_x = T(2) * x;
     T b0[3] = {T(0), T(0), T(0)}, b1[3] = {T(0), T(0), T(0)};
     for (int n = ChebyshevPieces::kTerms - 1; n > 0; --n) {
