@@ -100,6 +100,11 @@ double drift_growth(Scenario scenario, DriftProblem<double> problem, double foll
 /// What a scene that models one effect and omits a larger one should be told.
 std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
   std::vector<std::string> warnings;
+  const auto lost = [](const EffectEntry& entry) {
+    return std::max(entry.drift_rad.value_or(0), entry.displacement_rad.value_or(0)) > 1;
+  };
+  if (std::any_of(effects.begin(), effects.end(), lost))
+    warnings.emplace_back("sizes above 1 rad say only that the effect carries the motion away: they are of the first order");
   for (const EffectEntry& omitted : effects) {
     if (omitted.modelled || omitted.assumed || !omitted.torque_largest_N_m || omitted.name == kAxisPrecession) continue;
     const EffectEntry* smallest = nullptr;
