@@ -219,6 +219,20 @@ grep -q '^Written' closed/* && fault "the summary went into a result file"
 ) || fault "file size limit: not exit status 4"
 [ -z "$(ls -A limited 2>/dev/null)" ] || fault "file size limit: files were left"
 
+# The effect budget, and an accuracy that cannot be reached.
+expect 0 explain top.json
+on_stdout 'coriolis  *modelled'
+on_stdout 'gravity_gradient  *left out'
+on_stdout 'run would take'
+expect 0 explain top.json --json
+on_stdout '"name": "gravity_gradient"'
+expect 2 explain faulty.json --json
+on_stdout '"pointer": "/body/mass_kg"'
+expect 0 run top.json --out chosen --set '/effects={"select":"auto"}' --set /accuracy/drift_rad=1e-6 --json
+on_stdout '"left_out_drift_rad"'
+expect 3 run top.json --out chosen --force --set /accuracy/drift_rad=1e-18
+on_stderr 'was not reached'
+
 # Numerical failure: a fixed step of three turns of the top. The rows up to it are kept.
 failing="run top.json --set /motion/duration_s=60 --set /numerics/method=abm8 --set /numerics/step_s=0.1 --out failed"
 # shellcheck disable=SC2086
@@ -233,8 +247,8 @@ on_stdout '"status": "not_finite"'
 
 # Interrupted.
 for pair in INT:130 TERM:143; do
-  # A background job of a shell ignores SIGINT, so the signal comes from timeout.
-  timeout --preserve-status -s "${pair%:*}" 1 "$tool" run long.json --out stopped >out.txt 2>err.txt
+  # A background job of a shell ignores SIGINT, so the signal comes from timeout; --foreground: once, not to its group as well.
+  timeout --foreground --preserve-status -s "${pair%:*}" 1 "$tool" run long.json --out stopped >out.txt 2>err.txt
   status=$?
   [ "$status" -eq "${pair#*:}" ] || fault "SIG${pair%:*}: exit status $status"
   on_stderr 'interrupted at'
