@@ -13,7 +13,7 @@ integrate
 drift
 scenario
 budget
-run
+run run_batch
 results plot
 bench study compare report verify
 tools'
