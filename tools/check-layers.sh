@@ -13,7 +13,7 @@ integrate
 drift
 scenario
 budget
-run run_batch
+run
 results plot
 bench study compare report verify
 tools'
@@ -25,6 +25,7 @@ find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ip
       sub(/^include\/earthtop\//, "", path); sub(/^src\//, "", path)
       if (path ~ /^tools\//) return "tools"
       if (path ~ /\//) sub(/\/.*/, "", path); else sub(/\..*/, "", path)
+      if (path == "run_batch") path = "run"
       return path
     }
     BEGIN {

@@ -9,6 +9,7 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "results/digits.hpp"
+#include "results/summary_section.hpp"
 
 namespace earthtop {
 namespace {
@@ -261,34 +262,63 @@ std::optional<DriftDigits> drift_digits(const RunResult& result) {
                      in_full(last.drift_spin_rad)};
 }
 
+namespace {
+
+/// One of the document's members; null where the result has none.
+struct Section {
+  const char* name;
+  bool optional;
+  Json (*json)(const RunResult&);
+};
+
+constexpr Section kSections[] = {
+    {"$schema", false, [](const RunResult&) -> Json { return "earthtop-summary-1.json"; }},
+    {"name", false, [](const RunResult& r) -> Json { return r.scenario.name; }},
+    {"title", false, [](const RunResult& r) -> Json { return r.scenario.title; }},
+    {"outcome", false,
+     [](const RunResult& r) -> Json {
+       return {{"status", to_string(r.status)}, {"reached_s", r.reached_s}, {"rows", r.rows.size()}};
+     }},
+    {"matching_rule", false,
+     [](const RunResult& r) -> Json {
+       return {{"rates_relative_to", to_word(r.scenario.release.rates_relative_to)}, {"statement", matching_rule(r.scenario)}};
+     }},
+    {"drift", false, [](const RunResult& r) { return drift_json(r); }},
+    {"growth_of_disturbances", false, [](const RunResult& r) { return growth_json(r.verdict); }},
+    {"stops", false, [](const RunResult& r) { return stops_json(r.stops); }},
+    {"headline", false, [](const RunResult& r) { return headline_json(check_headline(r)); }},
+    {"solution", false, [](const RunResult& r) { return integration_json(r.solution); }},
+    {"certificate", false, [](const RunResult& r) { return integration_json(r.certificate); }},
+    {"attitude_bound_rad", false, [](const RunResult& r) -> Json { return r.attitude_bound_rad; }},
+    {"invariants", false, [](const RunResult& r) { return invariants_json(r.invariants); }},
+    {"theory", false, [](const RunResult& r) { return theory_json(r.theory); }},
+    {"sensitivities", true, [](const RunResult& r) { return r.sensitivities ? sensitivities_json(*r.sensitivities) : Json(); }},
+    {"uncertainty", true,
+     [](const RunResult& r) { return r.sensitivities && r.scenario.uncertainty ? uncertainty_json(r) : Json(); }},
+    {"ledger", true, [](const RunResult& r) { return r.ledger ? ledger_json(*r.ledger) : Json(); }},
+    {"effects", false, [](const RunResult& r) { return effects_json(r.modelled); }},
+    {"selection", true, [](const RunResult& r) { return r.selection ? selection_json(*r.selection) : Json(); }},
+    {"accuracy", true, [](const RunResult& r) { return r.accuracy ? accuracy_json(*r.accuracy) : Json(); }},
+    {"notes", false, [](const RunResult& r) -> Json { return r.notes; }},
+    {"scenario", false, [](const RunResult& r) { return Json::parse(canonical_json(r.scenario)); }},
+    {"provenance", false, [](const RunResult& r) { return provenance_json(r.scenario); }},
+};
+
+}  // namespace
+
 std::string summary_json(const RunResult& result) {
-  const Scenario& scenario = result.scenario;
-  Json summary = {
-      {"$schema", "earthtop-summary-1.json"},
-      {"name", scenario.name},
-      {"title", scenario.title},
-      {"outcome", {{"status", to_string(result.status)}, {"reached_s", result.reached_s}, {"rows", result.rows.size()}}},
-      {"matching_rule",
-       {{"rates_relative_to", to_word(scenario.release.rates_relative_to)}, {"statement", matching_rule(scenario)}}},
-      {"drift", drift_json(result)},
-      {"growth_of_disturbances", growth_json(result.verdict)},
-      {"stops", stops_json(result.stops)},
-      {"headline", headline_json(check_headline(result))},
-      {"solution", integration_json(result.solution)},
-      {"certificate", integration_json(result.certificate)},
-      {"attitude_bound_rad", result.attitude_bound_rad},
-      {"invariants", invariants_json(result.invariants)},
-      {"theory", theory_json(result.theory)}};
-  if (result.sensitivities) summary["sensitivities"] = sensitivities_json(*result.sensitivities);
-  if (result.sensitivities && result.scenario.uncertainty) summary["uncertainty"] = uncertainty_json(result);
-  if (result.ledger) summary["ledger"] = ledger_json(*result.ledger);
-  summary["effects"] = effects_json(result.modelled);
-  if (result.selection) summary["selection"] = selection_json(*result.selection);
-  if (result.accuracy) summary["accuracy"] = accuracy_json(*result.accuracy);
-  summary["notes"] = result.notes;
-  summary["scenario"] = Json::parse(canonical_json(scenario));
-  summary["provenance"] = provenance_json(scenario);
+  Json summary = Json::object();
+  for (const Section& section : kSections) {
+    Json json = section.json(result);
+    if (!section.optional || !json.is_null()) summary[section.name] = std::move(json);
+  }
   return dump(summary);
+}
+
+std::optional<Json> summary_section(const RunResult& result, std::string_view name) {
+  for (const Section& section : kSections)
+    if (section.name == name) return section.json(result);
+  return std::nullopt;
 }
 
 std::string timing_json(const RunResult& result) {

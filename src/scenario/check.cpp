@@ -96,6 +96,7 @@ class Checker {
       case FieldKind::numbers: return number_list(node, field, pointer, 1, 4);
       case FieldKind::changes: return change_list(node, field, pointer);
       case matrix3: return rows(node, field, pointer);
+      case anything: return;
     }
   }
 
@@ -172,10 +173,12 @@ bool is_scenario_name(std::string_view text) {
   return !text.empty() && text.size() <= 64 && text.front() != '-' && std::all_of(text.begin(), text.end(), allowed);
 }
 
-void check_structure(Node& root, Findings& findings) {
-  if (root.kind == JsonKind::object) return Checker(findings).members(root, "", "");
+void check_structure(Node& root, Findings& findings, std::string_view pattern) {
+  if (root.kind == JsonKind::object) return Checker(findings).members(root, pattern, "");
   if (root.kind != JsonKind::refused)
-    findings.add(root.place, "", fmt::format("the text is {}; a scenario is an object {{...}}", name_of(root.kind)));
+    findings.add(
+        root.place, "",
+        fmt::format("the text is {}; a {} is an object {{...}}", name_of(root.kind), pattern == kStudy ? "study" : "scenario"));
   root.refused = true;
 }
 

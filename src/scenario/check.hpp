@@ -9,7 +9,8 @@
 namespace earthtop::scenario {
 
 /// Marks every node with a finding as refused, so that later rules pass it over.
-void check_structure(Node& root, Findings& findings);
+/// @param pattern  of the root: empty for a scenario, `kStudy` for a study
+void check_structure(Node& root, Findings& findings, std::string_view pattern = "");
 
 /// Whether a text may be a scenario's name: [a-z0-9][a-z0-9-]{0,63}.
 bool is_scenario_name(std::string_view text);

@@ -216,17 +216,26 @@ constexpr Field kFields[] = {
 
 }  // namespace
 
+namespace {
+
+/// The table that a pattern belongs to.
+std::span<const Field> table_of(std::string_view pattern) {
+  return pattern.starts_with(kStudy) ? study_fields() : all_fields();
+}
+
+}  // namespace
+
 std::span<const Field> all_fields() { return kFields; }
 
 const Field* find_field(std::string_view pattern) {
-  for (const Field& field : kFields)
+  for (const Field& field : table_of(pattern))
     if (field.pointer == pattern) return &field;
   return nullptr;
 }
 
 std::vector<std::string_view> keys_below(std::string_view pattern) {
   std::vector<std::string_view> keys;
-  for (const Field& field : kFields)
+  for (const Field& field : table_of(pattern))
     if (field.parent() == pattern && field.key() != "*") keys.push_back(field.key());
   return keys;
 }
@@ -286,6 +295,7 @@ std::string allowed_values(const Field& field) {
     case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);
     case numbers: return numbers_text("an array of 1 to 4 numbers", field);
     case changes: return "an array of \"/json/pointer=value\"";
+    case FieldKind::anything: return "given";
   }
   return "";
 }

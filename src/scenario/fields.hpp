@@ -19,10 +19,11 @@ enum class FieldKind {
   word,            ///< one of `words`
   flag,            ///< true or false
   number,
-  vector3,  ///< three numbers
-  matrix3,  ///< three rows of three numbers
-  numbers,  ///< one to four numbers
-  changes,  ///< "/json/pointer=value", any number of them
+  vector3,   ///< three numbers
+  matrix3,   ///< three rows of three numbers
+  numbers,   ///< one to four numbers
+  changes,   ///< "/json/pointer=value", any number of them
+  anything,  ///< whatever JSON there is: its decoder checks it
 };
 
 struct Range {
@@ -47,7 +48,12 @@ struct Field {
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
 };
 
+/// Of a scenario.
 std::span<const Field> all_fields();
+
+/// Of a study: the same, with patterns that begin with this.
+inline constexpr std::string_view kStudy = "study:";
+std::span<const Field> study_fields();
 
 /// The field of a pointer pattern, null if there is none.
 const Field* find_field(std::string_view pattern);

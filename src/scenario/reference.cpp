@@ -106,16 +106,23 @@ bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != 
 }  // namespace
 }  // namespace scenario
 
-std::string scenario_reference_markdown() {
+namespace {
+
+std::string markdown_of(std::span<const scenario::Field> fields, std::string_view root) {
   using namespace scenario;
   std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
-  for (const Field& field : all_fields()) {
-    if (field.key() == "*" || field.pointer == "/$schema") continue;
-    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(1), value_text(field), default_text(field),
-                        cell(field.doc));
+  for (const Field& field : fields) {
+    if (field.key() == "*" || field.key() == "$schema") continue;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(root.size() + 1), value_text(field),
+                        default_text(field), cell(field.doc));
   }
   return text;
 }
+
+}  // namespace
+
+std::string scenario_reference_markdown() { return markdown_of(scenario::all_fields(), ""); }
+std::string study_reference_markdown() { return markdown_of(scenario::study_fields(), scenario::kStudy); }
 
 std::string annotated_scenario(const ScenarioSource& source) {
   parse_scenario(source);

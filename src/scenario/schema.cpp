@@ -191,6 +191,7 @@ Json of_field(const Field& field) {
     case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
     case FieldKind::changes:
       return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};
+    case FieldKind::anything: return Json::object();
   }
   return false;
 }
@@ -226,6 +227,18 @@ std::string scenario_schema() {
                   "A top or gyroscope in a laboratory that turns with the Earth. Keys that begin with _ or // are "
                   "comments. Laboratory axes: East, North, Up; body axis 3 is the spin axis."}};
   schema.update(scenario::of_object(""));
+  return schema.dump(2) + '\n';
+}
+
+std::string study_schema() {
+  using scenario::Json;
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"$id", "earthtop-study-1.json"},
+                 {"title", "earthtop study"},
+                 {"description",
+                  "A base scenario, axes along which its keys are changed, a design that chooses the points, and the "
+                  "quantities to collect. Keys that begin with _ or // are comments."}};
+  schema.update(scenario::of_object(scenario::kStudy));
   return schema.dump(2) + '\n';
 }
 

@@ -14,8 +14,8 @@ std::array<double, 3> three_numbers(const Node& array) {
 
 }  // namespace
 
-Section::Section(const Node& root, Findings& findings)
-    : Section(root.refused ? nullptr : &root, root.place, root.refused, "", "", findings) {}
+Section::Section(const Node& root, Findings& findings, std::string_view pattern)
+    : Section(root.refused ? nullptr : &root, root.place, root.refused, "", std::string(pattern), findings) {}
 
 Section Section::section(std::string_view key) const {
   const std::string step = fmt::format("/{}", key);
@@ -81,6 +81,11 @@ std::optional<std::vector<std::string>> Section::changes(std::string_view key) c
   std::vector<std::string> list;
   for (const Node& child : node->children) list.push_back(child.text);
   return list;
+}
+
+const Node* Section::any(std::string_view key) const {
+  const Node* child = node_ && !refused_ ? node_->find(key) : nullptr;
+  return child && !child->refused ? child : nullptr;
 }
 
 std::optional<std::array<double, 3>> Section::vector(std::string_view key) const {

@@ -15,8 +15,8 @@ namespace earthtop::scenario {
 /// Values are nothing where the key is missing without a default or has been refused already. Keys are those of the table.
 class Section {
  public:
-  /// The whole scenario.
-  Section(const Node& root, Findings& findings);
+  /// The whole text. @param pattern  of the root: empty for a scenario, `kStudy` for a study
+  Section(const Node& root, Findings& findings, std::string_view pattern = "");
 
   Section section(std::string_view key) const;
   Section element(std::string_view key, std::size_t index) const;
@@ -32,6 +32,7 @@ class Section {
   std::optional<std::string> word(std::string_view key) const;
   std::optional<std::vector<double>> numbers(std::string_view key) const;
   std::optional<std::vector<std::string>> changes(std::string_view key) const;
+  const Node* any(std::string_view key) const;  ///< null where it is missing or refused
   std::optional<std::array<double, 3>> vector(std::string_view key) const;
   std::optional<std::array<std::array<double, 3>, 3>> matrix(std::string_view key) const;
 

@@ -32,7 +32,8 @@ std::vector<Verb> verbs_of(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     Verb verb{sub->get_name(), sub->get_description(), {}, false};
     for (const CLI::Option* option : sub->get_options()) {
-      if (option->get_positional()) verb.takes_files = verb.takes_files || option->get_name() == "SCENARIO";
+      if (option->get_positional())
+        verb.takes_files = verb.takes_files || (option->get_name() == "SCENARIO" || option->get_name() == "STUDY");
       for (const std::string& name : option->get_lnames())
         verb.flags.push_back({"--" + name, option->get_description(), option->get_items_expected_max() > 0});
     }

@@ -1,0 +1,88 @@
+// Every key of a study file, in the same table form as a scenario's.
+#include "scenario/fields.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+using enum FieldKind;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargestWhole = 9007199254740992;  // beyond it a double skips whole numbers
+constexpr bool kRequired = true;
+
+constexpr Range kAny = {};
+constexpr Range kCounts = {1, kLargestWhole, false};
+
+constexpr Field kStudyFields[] = {
+    {"study:/$schema", word, "", kAny, "earthtop-study-1.json", "\"earthtop-study-1.json\"", "version of this format"},
+    {"study:/name", name, "", kAny, "", "", "names the results; default: the file's stem, \"unnamed\" from standard input"},
+    {"study:/title", text, "", kAny, "", "\"\"", "any text"},
+    {"study:/purpose", text, "", kAny, "", "\"\"", "what the study is for"},
+    {"study:/finding", text, "", kAny, "", "\"\"", "what it showed, in a sentence"},
+    {"study:/base", anything, "", kAny, "", "",
+     "the scenario that is varied: a file, looked for beside this one, or the scenario itself", kRequired},
+    {"study:/set", anything, "", kAny, "", "{}",
+     "changes of the base for all points: an object of JSON pointers and values, e.g. {\"/motion/duration_s\": 600}"},
+
+    {"study:/axes", list, "", kAny, "", "", "what is varied, at most 20 of them", kRequired},
+    {"study:/axes/*", object, "", kAny, "", "", "one axis"},
+    {"study:/axes/*/name", text, "", kAny, "", "",
+     "column of the results, of a-z, 0-9 and _; default: the last key of the pointer"},
+    {"study:/axes/*/pointer", text, "", kAny, "", "", "the scenario's key that is varied, as a JSON pointer"},
+    {"study:/axes/*/pointers", anything, "", kAny, "", "", "instead: several, varied together"},
+    {"study:/axes/*/values", anything, "", kAny, "", "",
+     "an array of values (numbers, words, true or false, ...); of several pointers each may be an array of one value a "
+     "pointer"},
+    {"study:/axes/*/range", object, "", kAny, "", "", "instead: equal steps"},
+    {"study:/axes/*/range/from", anything, "", kAny, "", "", "first value; of several pointers an array may give each its own",
+     kRequired},
+    {"study:/axes/*/range/to", anything, "", kAny, "", "", "last value", kRequired},
+    {"study:/axes/*/range/points", number, "", kCounts, "", "",
+     "how many values, the ends included; not needed where the design draws them"},
+    {"study:/axes/*/log_range", object, "", kAny, "", "", "instead: equal ratios; ends of one sign"},
+    {"study:/axes/*/log_range/from", anything, "", kAny, "", "", "first value", kRequired},
+    {"study:/axes/*/log_range/to", anything, "", kAny, "", "", "last value", kRequired},
+    {"study:/axes/*/log_range/points", number, "", kCounts, "", "", "how many values, the ends included"},
+
+    {"study:/design", object, "", kAny, "", "{}", "which points of the axes' space are computed"},
+    {"study:/design/kind", word, "", kAny, "grid|random|latin_hypercube|sobol|one_at_a_time", "\"grid\"",
+     "every combination (the first axis slowest); drawn points; or the base, then each axis by itself"},
+    {"study:/design/points", number, "", kCounts, "", "", "of a drawn design: how many; of Sobol indices: base points"},
+    {"study:/design/seed", number, "", {0, kLargestWhole, false}, "", "1", "of a drawn design; recorded with the results"},
+    {"study:/design/indices", flag, "", kAny, "", "false",
+     "of a Sobol design: take (axes + 2) x points runs and give first- and total-order Sobol indices"},
+
+    {"study:/collect", anything, "", kAny, "",
+     "[\"drift.axis_final_rad\",\"drift.axis_bound_rad\",\"drift.azimuth_final_rad\",\"drift.tilt_final_rad\",\"drift."
+     "verdict\"]",
+     "an array of paths in summary.json, or {\"name\": ..., \"path\": ...}"},
+    {"study:/rows", word, "", kAny, "needed|all", "\"needed\"",
+     "needed: where no quantity depends on them, rows between release and end are not computed"},
+
+    {"study:/fits", list, "", kAny, "", "", "curves through the points, by least squares"},
+    {"study:/fits/*", object, "", kAny, "", "", "one fit"},
+    {"study:/fits/*/kind", word, "", kAny, "linear|sin_latitude|power_law", "",
+     "y = a + b x; y = a + b sin(x), x in degrees; |y| = a |x|^b", kRequired},
+    {"study:/fits/*/axis", text, "", kAny, "", "", "the axis that is x", kRequired},
+    {"study:/fits/*/quantity", text, "", kAny, "", "", "the quantity that is y", kRequired},
+
+    {"study:/figures", list, "", kAny, "", "", "figures known from elsewhere, held against the results"},
+    {"study:/figures/*", object, "", kAny, "", "", "one figure"},
+    {"study:/figures/*/figure", text, "", kAny, "", "",
+     "a JSON pointer into study.json, e.g. /fits/0/b, /statistics/drift.axis_final_rad/max or /points/3/drift.axis_final_rad",
+     kRequired},
+    {"study:/figures/*/value", number, "", kAny, "", "", "the figure", kRequired},
+    {"study:/figures/*/tolerance", number, "", {0, kInfinity, true}, "", "", "largest difference from it", kRequired},
+    {"study:/figures/*/origin", text, "", kAny, "", "", "where the figure comes from", kRequired},
+
+    {"study:/limits", object, "", kAny, "", "{}", "beyond which the study is refused, with its estimate"},
+    {"study:/limits/points", number, "", kCounts, "", "10000000", "points"},
+    {"study:/limits/core_hours", number, "h", {0, kInfinity, true}, "", "1000", "time on one core"},
+    {"study:/limits/disk_gb", number, "GB", {0, kInfinity, true}, "", "20", "size of the store and of the exported table"},
+};
+
+}  // namespace
+
+std::span<const Field> study_fields() { return kStudyFields; }
+
+}  // namespace earthtop::scenario

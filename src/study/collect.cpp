@@ -1,0 +1,137 @@
+#include "study/collect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/results/provenance.hpp"
+#include "results/summary_section.hpp"
+
+namespace earthtop::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What follows a dotted path; null where a step leads below a null, nothing where there is no such member.
+std::optional<Json> follow(const Json& root, const std::vector<std::string>& steps) {
+  const Json* at = &root;
+  for (const std::string& step : steps) {
+    if (at->is_null()) return Json();
+    if (at->is_array()) {
+      std::size_t index = 0;
+      const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+      if (error != std::errc() || end != step.data() + step.size()) return std::nullopt;
+      if (index >= at->size()) return Json();
+      at = &(*at)[index];
+    } else {
+      const auto member = at->is_object() ? at->find(step) : at->end();
+      if (!at->is_object() || member == at->end()) return std::nullopt;
+      at = &*member;
+    }
+  }
+  return *at;
+}
+
+Value value_of(const Json& json) {
+  if (json.is_number()) {
+    const auto number = json.get<double>();
+    return std::isfinite(number) ? Value(number) : Value();
+  }
+  if (json.is_null()) return {};
+  if (json.is_string()) return json.get<std::string>();
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string first_message(const ScenarioReport& report) {
+  if (report.errors.empty()) return "refused";
+  const Diagnostic& first = report.errors.front();
+  std::string text = printable(fmt::format("{}: {}", first.pointer, first.message));
+  if (report.error_count > 1) text += fmt::format(" (and {} more)", report.error_count - 1);
+  return text;
+}
+
+}  // namespace
+
+bool is_known_at_the_end(std::string_view path) {
+  constexpr std::array<std::string_view, 15> kPaths = {"name",
+                                                       "title",
+                                                       "outcome.status",
+                                                       "outcome.reached_s",
+                                                       "drift.axis_final_rad",
+                                                       "drift.axis_bound_rad",
+                                                       "drift.attitude_final_rad",
+                                                       "drift.attitude_bound_rad",
+                                                       "drift.spin_final_rad",
+                                                       "drift.azimuth_final_rad",
+                                                       "drift.tilt_final_rad",
+                                                       "drift.axis_final_over_earth_angle",
+                                                       "drift.verdict",
+                                                       "drift.threshold_time_s",
+                                                       "attitude_bound_rad"};
+  if (std::find(kPaths.begin(), kPaths.end(), path) != kPaths.end()) return true;
+  for (const std::string_view front : {"matching_rule.", "growth_of_disturbances.", "effects.", "selection.", "accuracy.",
+                                       "scenario.", "provenance.", "sensitivities.", "uncertainty."})
+    if (path.starts_with(front)) return true;
+  return false;
+}
+
+Collector::Collector(const Study& study) : study_(study) {
+  paths_.reserve(study.quantities.size());
+  for (const StudyQuantity& quantity : study.quantities) {
+    std::vector<std::string> steps(1);
+    for (const char c : quantity.path) {
+      if (c == '.')
+        steps.emplace_back();
+      else
+        steps.back() += c;
+    }
+    Path path{steps.front(), {}};
+    path.steps.assign(steps.begin() + 1, steps.end());
+    paths_.push_back(std::move(path));
+  }
+  ends_only_ = study.needed_rows_only && std::all_of(study.quantities.begin(), study.quantities.end(),
+                                                     [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
+}
+
+std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
+                                            std::string& refusal) const {
+  ScenarioReport report = examine_scenario(study_.base, overrides);
+  if (!report.scenario) {
+    refusal = first_message(report);
+    return std::nullopt;
+  }
+  if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
+  return std::move(report.scenario);
+}
+
+void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
+  point.values.assign(paths_.size(), {});
+  if (!outcome.result) {
+    point.status = "refused";
+    point.reason = outcome.refusal;
+    return;
+  }
+  const RunResult& result = *outcome.result;
+  point.status = to_string(result.status);
+  if (result.status != RunStatus::completed)
+    point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scenario.duration_s);
+  point.scenario_sha256 = scenario_sha256(result.scenario);
+  std::string made;
+  std::optional<Json> section;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    if (i == 0 || made != paths_[i].section) section = summary_section(result, made = paths_[i].section);
+    const auto json = section ? follow(*section, paths_[i].steps) : std::nullopt;
+    if (json) {
+      point.values[i] = value_of(*json);
+    } else if (point.status == "completed") {
+      point.status = "no_such_quantity";
+      point.reason = fmt::format("summary.json has no {}", study_.quantities[i].path);
+    }
+  }
+}
+
+}  // namespace earthtop::study

@@ -1,0 +1,51 @@
+/// What a study takes from a run.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "earthtop/run_batch.hpp"
+#include "earthtop/study/study.hpp"
+#include "study/value.hpp"
+
+namespace earthtop::study {
+
+/// One point's row in the store.
+struct PointResult {
+  std::uint64_t number = 0;
+  std::vector<Value> axis_values;  ///< of each axis's first pointer; nothing at the base
+  std::string status;              ///< a RunStatus, "refused", or "no_such_quantity"
+  std::string reason;              ///< of a failure; empty where there is none
+  std::string scenario_sha256;     ///< empty where there is no scenario
+  std::vector<Value> values;       ///< one for each quantity
+  bool failed() const { return status != "completed"; }
+};
+
+/// Whether a path of summary.json needs no rows between release and end.
+bool is_known_at_the_end(std::string_view path);
+
+/// The scenarios of points, each with the overrides that make it.
+class Collector {
+ public:
+  explicit Collector(const Study& study);
+
+  /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
+  std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
+                                   std::string& refusal) const;
+
+  /// Fills in status, reason and values.
+  void collect(const BatchOutcome& outcome, PointResult& point) const;
+
+ private:
+  const Study& study_;
+  bool ends_only_;
+  struct Path {
+    std::string section;             // top-level key of summary.json
+    std::vector<std::string> steps;  // below it
+  };
+  std::vector<Path> paths_;
+};
+
+}  // namespace earthtop::study

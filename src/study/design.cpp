@@ -1,0 +1,177 @@
+#include "study/design.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "study/json_text.hpp"
+#include "study/permutation.hpp"
+
+namespace earthtop {
+namespace study {
+namespace {
+
+constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 53U;
+
+/// A product or sum that stays at kMostPoints + 1 once it is past it.
+std::uint64_t times_up_to(std::uint64_t a, std::uint64_t b) { return a != 0 && b > kMostPoints / a ? kMostPoints + 1 : a * b; }
+
+double value_of(const StudyAxis::Range& range, std::size_t pointer, double fraction) {
+  const double from = range.from[pointer], to = range.to[pointer];
+  if (fraction == 0) return from;
+  if (fraction == 1) return to;
+  if (range.logarithmic) return from * std::exp(fraction * std::log(to / from));
+  return from + fraction * (to - from);
+}
+
+/// Saltelli's order: of each base point its A, its B, and then A with one axis of B after the other.
+struct SobolPlace {
+  std::uint64_t draw, member;
+};
+SobolPlace sobol_place(const Study& study, std::uint64_t number) {
+  if (!study.design.indices) return {number, 0};
+  const std::uint64_t block = study.axes.size() + 2;
+  return {number / block, number % block};
+}
+
+}  // namespace
+
+Design::Design(const Study& study) : study_(study) {
+  if (study.design.kind != DesignKind::sobol) return;
+  const std::size_t dimensions = study.axes.size() * (study.design.indices ? 2 : 1);
+  sobol_.reset(gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(dimensions)));
+  if (!sobol_) throw std::bad_alloc();
+  sobol_vector_.resize(dimensions);
+}
+
+PlannedPoint Design::point(std::uint64_t number) {
+  PlannedPoint point{number, std::vector<Setting>(study_.axes.size())};
+  switch (study_.design.kind) {
+    case DesignKind::grid: fill_grid(point); break;
+    case DesignKind::one_at_a_time: fill_one_at_a_time(point); break;
+    case DesignKind::random:
+    case DesignKind::latin_hypercube:
+    case DesignKind::sobol: fill_drawn(point); break;
+  }
+  return point;
+}
+
+namespace {
+
+/// The i-th of an axis's values.
+Setting level_setting(const StudyAxis& axis, std::uint64_t i) {
+  if (!axis.range) return {false, i, 0};
+  const std::uint64_t last = axis.range->points - 1;
+  return {false, 0, last == 0 ? 0 : static_cast<double>(i) / static_cast<double>(last)};
+}
+
+/// Where a number from 0 up to 1 falls: within a range, or on one of equally many levels.
+Setting drawn_setting(const StudyAxis& axis, double u) {
+  if (axis.range) return {false, 0, u};
+  const auto count = static_cast<double>(axis.levels.size());
+  return {false, std::min<std::uint64_t>(static_cast<std::uint64_t>(u * count), axis.levels.size() - 1), 0};
+}
+
+}  // namespace
+
+void Design::fill_grid(PlannedPoint& point) const {
+  std::uint64_t rest = point.number;
+  for (std::size_t a = study_.axes.size(); a-- > 0;) {
+    const std::uint64_t size = study_.axes[a].size();
+    point.settings[a] = level_setting(study_.axes[a], rest % size);
+    rest /= size;
+  }
+}
+
+void Design::fill_one_at_a_time(PlannedPoint& point) const {
+  std::uint64_t rest = point.number;
+  for (Setting& setting : point.settings) setting.at_base = true;
+  if (rest == 0) return;  // the base itself
+  --rest;
+  for (std::size_t a = 0; a < study_.axes.size(); ++a) {
+    const std::uint64_t size = study_.axes[a].size();
+    if (rest < size) {
+      point.settings[a] = level_setting(study_.axes[a], rest);
+      return;
+    }
+    rest -= size;
+  }
+}
+
+void Design::advance_sobol(std::uint64_t draw) {
+  if (sobol_drawn_ > draw + 1) throw std::logic_error("a Sobol sequence goes forward only");
+  for (; sobol_drawn_ <= draw; ++sobol_drawn_) gsl_qrng_get(sobol_.get(), sobol_vector_.data());
+}
+
+/// @param axis  from the number of axes on: those of Saltelli's second matrix
+double Design::coordinate(std::uint64_t draw, std::size_t axis) const {
+  const StudyDesign& design = study_.design;
+  if (design.kind == DesignKind::sobol) {
+    // Turned round by a random number an axis (Cranley and Patterson, 1976): another seed, another sequence as good.
+    const double turned = sobol_vector_[axis] + unit_number(mixed(design.seed, axis, 0));
+    return turned < 1 ? turned : turned - 1;
+  }
+  const double within = unit_number(mixed(design.seed, 2 * axis, draw));
+  if (design.kind == DesignKind::random) return within;
+  const std::uint64_t cell = permuted(draw, design.points, design.seed, 2 * axis + 1);
+  const double u = (static_cast<double>(cell) + within) / static_cast<double>(design.points);
+  return std::min(u, 1 - 0x1p-53);
+}
+
+void Design::fill_drawn(PlannedPoint& point) {
+  const auto [draw, member] = sobol_place(study_, point.number);
+  if (sobol_) advance_sobol(draw);
+  const std::size_t axes = study_.axes.size();
+  for (std::size_t a = 0; a < axes; ++a) {
+    const bool of_second = member == 1 || member == a + 2;
+    point.settings[a] = drawn_setting(study_.axes[a], coordinate(draw, of_second ? axes + a : a));
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> changes(const StudyAxis& axis, const Setting& setting) {
+  std::vector<std::pair<std::string, std::string>> list;
+  if (setting.at_base) return list;
+  list.reserve(axis.pointers.size());
+  for (std::size_t i = 0; i < axis.pointers.size(); ++i)
+    list.emplace_back(axis.pointers[i],
+                      axis.range ? json_text(value_of(*axis.range, i, setting.fraction)) : axis.levels[setting.level][i]);
+  return list;
+}
+
+std::string axis_value(const StudyAxis& axis, const Setting& setting) {
+  if (setting.at_base) return "";
+  return axis.range ? json_text(value_of(*axis.range, 0, setting.fraction)) : axis.levels[setting.level].front();
+}
+
+std::vector<std::pair<std::string, std::string>> overrides(const Study& study, const PlannedPoint& point) {
+  std::vector<std::pair<std::string, std::string>> list = study.set;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    for (auto& change : changes(study.axes[a], point.settings[a])) list.push_back(std::move(change));
+  return list;
+}
+
+}  // namespace study
+
+std::optional<std::uint64_t> point_count(const Study& study) {
+  using namespace study;
+  std::uint64_t count = 0;
+  switch (study.design.kind) {
+    case DesignKind::grid:
+      count = 1;
+      for (const StudyAxis& axis : study.axes) count = times_up_to(count, axis.size());
+      break;
+    case DesignKind::one_at_a_time:
+      count = 1;
+      for (const StudyAxis& axis : study.axes) count = std::min(count + std::min(axis.size(), kMostPoints), kMostPoints + 1);
+      break;
+    case DesignKind::random:
+    case DesignKind::latin_hypercube: count = study.design.points; break;
+    case DesignKind::sobol:
+      count = study.design.indices ? times_up_to(study.design.points, study.axes.size() + 2) : study.design.points;
+      break;
+  }
+  if (count > kMostPoints) return std::nullopt;
+  return count;
+}
+
+}  // namespace earthtop

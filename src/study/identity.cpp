@@ -1,0 +1,120 @@
+// What a study will be, before any of it is computed: which one it is, how large, how long.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/study/study.hpp"
+#include "study/collect.hpp"
+#include "study/design.hpp"
+#include "study/json_text.hpp"
+#include "text/sha256.hpp"
+
+namespace earthtop {
+namespace study {
+namespace {
+
+/// Numbers of points spread over a study, the first and the last among them.
+std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t wanted) {
+  std::vector<std::uint64_t> numbers;
+  const std::uint64_t n = std::min(count, wanted);
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const auto share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0;
+    numbers.push_back(std::min(count - 1, static_cast<std::uint64_t>(share * static_cast<double>(count - 1))));
+  }
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// A Sobol sequence goes through all points before the one asked for: of a very long one, only its beginning is looked at.
+std::uint64_t reach(const Study& study, std::uint64_t count) {
+  constexpr std::uint64_t kQuick = 1'000'000;
+  return study.design.kind == DesignKind::sobol ? std::min(count, kQuick) : count;
+}
+
+std::string range_text(const StudyAxis::Range& range) {
+  std::string text = range.logarithmic ? "log" : "linear";
+  for (std::size_t i = 0; i < range.from.size(); ++i)
+    text += fmt::format(" {} {}", json_text(range.from[i]), json_text(range.to[i]));
+  return text + fmt::format(" {}", range.points);
+}
+
+}  // namespace
+}  // namespace study
+
+StudyEstimate estimate(const Study& study) {
+  using namespace earthtop::study;
+  const auto count = point_count(study);
+  StudyEstimate estimate{count.value_or(~std::uint64_t{0}), 0, 0};
+  if (!count || *count > study.limits.points) return estimate;
+  const Collector collector(study);
+  Design design(study);
+  double seconds = 0, points = 0;
+  for (const std::uint64_t number : spread(reach(study, *count), 25)) {
+    std::string refusal;
+    points += 1;
+    if (const auto scenario = collector.scenario(overrides(study, design.point(number)), refusal))
+      seconds += estimated_seconds(*scenario);
+  }
+  constexpr double kSecondsAPoint = 2e-4;  // reading, verdict, storing
+  estimate.core_seconds = static_cast<double>(*count) * (kSecondsAPoint + (points > 0 ? seconds / points : 0));
+  // A row of the store: number, status, hash, and some 12 bytes a value; the exported line is about as long.
+  const double columns = static_cast<double>(study.axes.size() + study.quantities.size());
+  estimate.disk_bytes = static_cast<double>(*count) * 2 * (90 + 12 * columns);
+  return estimate;
+}
+
+void require_affordable(const Study& study) {
+  const auto count = point_count(study);
+  const auto refuse = [](const char* pointer, std::string message) { throw ScenarioError(pointer, std::move(message)); };
+  const auto limit = study.limits;
+  const std::string points = count ? fmt::format("{}", *count) : "more than 9e15";
+  if (!count || *count > limit.points) {
+    // At 10 ms and 200 bytes a point, to give an idea.
+    const double n = count ? static_cast<double>(*count) : 9e15;
+    refuse("/axes",
+           fmt::format("the study has {} points, at 10 ms each {:.1g} hours on one core and at 300 bytes each {:.1g} GB; "
+                       "at most {} are allowed; take fewer, or raise /limits/points",
+                       points, n * 0.01 / 3600, n * 300 / 1e9, limit.points));
+  }
+  if (*count == 0) refuse("/axes", "the study has no point");
+  const StudyEstimate e = estimate(study);
+  if (e.core_seconds > 3600 * limit.core_hours)
+    refuse("/axes",
+           fmt::format("the study's {} points take about {:.2g} hours on one core and {:.2g} GB; at most {:g} hours are "
+                       "allowed; take fewer points or a shorter motion, or raise /limits/core_hours",
+                       points, e.core_seconds / 3600, e.disk_bytes / 1e9, limit.core_hours));
+  if (e.disk_bytes > 1e9 * limit.disk_gb)
+    refuse("/axes", fmt::format("the study's {} points take about {:.2g} GB and {:.2g} hours on one core; at most {:g} GB are "
+                                "allowed; take fewer points or quantities, or raise /limits/disk_gb",
+                                points, e.disk_bytes / 1e9, e.core_seconds / 3600, limit.disk_gb));
+}
+
+std::string study_sha256(const Study& study) {
+  using namespace earthtop::study;
+  std::string text = fmt::format("{} {} {} {} {}\n", to_string(study.design.kind), study.design.points, study.design.seed,
+                                 study.design.indices, study.needed_rows_only);
+  for (const StudyAxis& axis : study.axes) {
+    text += fmt::format("axis {} ", axis.name);
+    for (const std::string& pointer : axis.pointers) text += pointer + " ";
+    if (axis.range) text += range_text(*axis.range);
+    for (const auto& level : axis.levels)
+      for (const std::string& value : level) text += value + " ";
+    text += "\n";
+  }
+  for (const StudyQuantity& quantity : study.quantities) text += fmt::format("quantity {} {}\n", quantity.name, quantity.path);
+  // The base as points see it: a comment more or a default written out is no other study.
+  const Collector collector(study);
+  Design design(study);
+  bool seen = false;
+  for (const std::uint64_t number : spread(reach(study, point_count(study).value_or(0)), 7)) {
+    std::string refusal;
+    const auto scenario = collector.scenario(overrides(study, design.point(number)), refusal);
+    text += fmt::format("point {} {}\n", number, scenario ? scenario_sha256(*scenario) : refusal);
+    seen = seen || scenario;
+  }
+  if (!seen) text += study.base.text;
+  return sha256_hex(text);
+}
+
+}  // namespace earthtop

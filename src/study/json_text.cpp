@@ -1,0 +1,37 @@
+#include "study/json_text.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace earthtop::study {
+namespace {
+
+nlohmann::ordered_json json_of(const scenario::Node& node) {
+  using scenario::JsonKind;
+  nlohmann::ordered_json json;
+  switch (node.kind) {
+    case JsonKind::null:
+    case JsonKind::refused: break;
+    case JsonKind::boolean: json = node.boolean; break;
+    case JsonKind::number: json = node.number; break;
+    case JsonKind::string: json = node.text; break;
+    case JsonKind::array:
+      json = nlohmann::ordered_json::array();
+      for (const scenario::Node& child : node.children) json.push_back(json_of(child));
+      break;
+    case JsonKind::object:
+      json = nlohmann::ordered_json::object();
+      for (const scenario::Node& child : node.children) json[child.key] = json_of(child);
+      break;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string json_text(const scenario::Node& node) { return json_of(node).dump(); }
+
+std::string json_text(double number) { return nlohmann::json(number).dump(); }
+
+}  // namespace earthtop::study

@@ -1,0 +1,14 @@
+/// A node of a study file as JSON text again: what `--set` would be given.
+#pragma once
+
+#include <string>
+
+#include "scenario/node.hpp"
+
+namespace earthtop::study {
+
+std::string json_text(const scenario::Node& node);
+/// The shortest digits that read back to the same bits.
+std::string json_text(double number);
+
+}  // namespace earthtop::study

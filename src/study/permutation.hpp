@@ -1,0 +1,44 @@
+/// Random numbers and permutations that are functions of a seed and a number: nothing is stored, and any of them can be had
+/// first.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace earthtop::study {
+
+/// A mixture of 64 bits (SplitMix64's finaliser; Steele, Lea, Flood, OOPSLA 2014).
+constexpr std::uint64_t mixed(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+/// Of three numbers: which seed, which stream of it, which member of the stream.
+constexpr std::uint64_t mixed(std::uint64_t seed, std::uint64_t stream, std::uint64_t member) {
+  return mixed(mixed(mixed(seed) ^ stream) ^ member);
+}
+
+/// From 0 up to, not including, 1, in steps of 2^-53.
+constexpr double unit_number(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
+
+/// Where a permutation of 0 ... size - 1 sends `i`: a Feistel network of four rounds on the next even number of bits, walked on
+/// until it comes back below `size` (Black and Rogaway, CT-RSA 2002).
+constexpr std::uint64_t permuted(std::uint64_t i, std::uint64_t size, std::uint64_t seed, std::uint64_t stream) {
+  if (size < 2) return i;
+  const int half = (static_cast<int>(std::bit_width(size - 1)) + 1) / 2;
+  const std::uint64_t mask = (std::uint64_t{1} << static_cast<unsigned>(half)) - 1;
+  do {
+    std::uint64_t left = i >> static_cast<unsigned>(half), right = i & mask;
+    for (std::uint64_t round = 0; round < 4; ++round) {
+      const std::uint64_t next = left ^ (mixed(seed, stream * 4 + round, right) & mask);
+      left = right;
+      right = next;
+    }
+    i = (left << static_cast<unsigned>(half)) | right;
+  } while (i >= size);
+  return i;
+}
+
+}  // namespace earthtop::study

@@ -1,0 +1,221 @@
+#include "earthtop/study/run_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "earthtop/run.hpp"
+#include "study/store.hpp"
+#include "study/store_lock.hpp"
+#include "study/workforce.hpp"
+
+namespace earthtop {
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+[[noreturn]] void refuse(const fs::path& file, std::string message) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, file.string());
+}
+
+void make_directory(const fs::path& dir) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error) throw WriteError(dir.string(), error.message());
+}
+
+void remove_store(const fs::path& file) {
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + suffix, ignored);
+}
+
+/// Whether a file is a database without tables: what a kill at the very beginning leaves.
+bool is_blank(const fs::path& file) {
+  try {
+    sqlite::Connection connection(file.string(), sqlite::Connection::Mode::read);
+    sqlite::Statement tables(connection, "SELECT count(*) FROM sqlite_master");
+    return tables.step() && tables.integer(0) == 0;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options) {
+  std::error_code error;
+  if (fs::exists(file, error) && is_blank(file)) remove_store(file);
+  if (!fs::exists(file, error)) return Store::create(file, study, options.shard);
+  const std::string sha256 = study_sha256(study);
+  try {
+    Store store = Store::open(file, sqlite::Connection::Mode::write);
+    if (store.sha256() == sha256) return store;
+  } catch (const ScenarioError&) {
+    if (!options.force) throw;
+  }
+  if (!options.force)
+    refuse(file,
+           "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
+           "throw them away and start anew");
+  remove_store(file);
+  return Store::create(file, study, options.shard);
+}
+
+/// Hands out the points that are missing, in ascending order.
+class MissingPoints {
+ public:
+  MissingPoints(const Study& study, std::uint64_t count, const StudyShard& shard, Store& store)
+      : design_(study), count_(count), shard_(shard), store_(store), at_(shard.k - 1) {}
+
+  bool all_given() const { return at_ >= count_; }
+  Chunk next(std::size_t most) {
+    Chunk chunk;
+    while (chunk.size() < most && !all_given()) {
+      if (at_ >= known_until_) look_ahead();
+      if (!std::binary_search(known_.begin(), known_.end(), at_)) chunk.push_back(design_.point(at_));
+      at_ += shard_.n;
+    }
+    return chunk;
+  }
+
+ private:
+  void look_ahead() {
+    constexpr std::uint64_t kAhead = 4096;
+    known_until_ = std::min(count_, at_ + kAhead * shard_.n);
+    known_ = store_.numbers(at_, known_until_);
+  }
+  Design design_;
+  std::uint64_t count_;
+  StudyShard shard_;
+  Store& store_;
+  std::uint64_t at_, known_until_ = 0;
+  std::vector<std::uint64_t> known_;  // points in the store, from `at_` to `known_until_`
+};
+
+/// How many points a chunk has: a quarter of a second of work, as far as it is known by now.
+class ChunkSize {
+ public:
+  explicit ChunkSize(double seconds_a_point, unsigned workers) : seconds_a_point_(seconds_a_point), workers_(workers) {}
+  void learn(std::uint64_t points, double seconds) {
+    if (points > 0) seconds_a_point_ = seconds * workers_ / static_cast<double>(points);
+  }
+  std::size_t points() const {
+    constexpr double kSeconds = 0.25, kLanes = 8, kMost = 512;
+    const double points = kSeconds / std::max(seconds_a_point_, 1e-9);
+    if (points < kLanes) return static_cast<std::size_t>(std::max(points, 1.0));
+    return static_cast<std::size_t>(std::min(std::floor(points / kLanes) * kLanes, kMost));
+  }
+
+ private:
+  double seconds_a_point_;
+  unsigned workers_;
+};
+
+}  // namespace
+
+/// The loop of one who holds the store: chunks out, results in.
+StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store& store, Workforce& workforce, unsigned workers,
+                      double seconds_a_point) {
+  const std::uint64_t count = point_count(study).value_or(0);
+  const StudyShard& shard = options.shard;
+  StudyProgress progress;
+  progress.wanted = count < shard.k ? 0 : (count - shard.k) / shard.n + 1;
+  progress.before = store.count();
+  MissingPoints missing(study, count, shard, store);
+  ChunkSize size(seconds_a_point, workers);
+  const auto start = Clock::now();
+  auto last_told = start, last_commit = start;
+  bool open_transaction = false;
+  constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
+  while (true) {
+    while (!interrupt_requested() && !missing.all_given() && workforce.wants_work()) {
+      Chunk chunk = missing.next(size.points());
+      if (!chunk.empty()) workforce.give(std::move(chunk));
+    }
+    const bool ends = workforce.under_way() == 0;
+    const std::vector<PointResult> results = workforce.collect(std::chrono::milliseconds(ends ? 0 : 50));
+    if (!results.empty() && !open_transaction) {
+      store.begin();
+      open_transaction = true;
+    }
+    for (const PointResult& point : results) {
+      store.insert(point);
+      ++progress.done;
+      if (point.failed()) ++progress.failed;
+    }
+    progress.seconds = seconds_since(start);
+    if (!results.empty()) size.learn(progress.done, progress.seconds);
+    if (open_transaction && (ends || seconds_since(last_commit) > kCommitEvery_s)) {
+      store.commit();
+      open_transaction = false;
+      last_commit = Clock::now();
+    }
+    if (options.on_progress && (ends || seconds_since(last_told) > kTellEvery_s)) {
+      options.on_progress(progress);
+      last_told = Clock::now();
+    }
+    if (ends && (interrupt_requested() || missing.all_given())) return progress;
+  }
+}
+
+}  // namespace study
+
+std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard) {
+  return dir / (shard.is_whole() ? std::string("study.sqlite") : fmt::format("shard-{}-of-{}.sqlite", shard.k, shard.n));
+}
+
+StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
+  using namespace earthtop::study;
+  require_affordable(study);
+  const StudyEstimate expected = estimate(study);
+  make_directory(options.dir);
+  StudyRunReport report;
+  report.store = study_store(options.dir, options.shard);
+  const StoreLock lock(report.store);
+  Store store = open_or_create(report.store, study, options);
+  if (options.retry_failed) store.remove_failed();
+  const unsigned jobs = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const auto workforce = make_threads(study, jobs);
+  report.progress =
+      conduct(study, options, store, *workforce, jobs, expected.core_seconds / static_cast<double>(expected.points));
+  report.failed = store.failed_count();
+  report.interrupted = interrupt_requested();
+  store.finish();
+  return report;
+}
+
+std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
+                                 bool force) {
+  using namespace earthtop::study;
+  if (stores.empty()) throw ScenarioError("", "no store to merge");
+  const fs::path target = study_store(dir);
+  for (const fs::path& part : stores) {
+    std::error_code error;
+    if (fs::equivalent(part, target, error)) refuse(part, "is the merged store itself; choose another --out");
+  }
+  std::optional<Store> first = Store::open(stores.front(), sqlite::Connection::Mode::read);
+  for (const fs::path& part : stores)
+    if (Store::open(part, sqlite::Connection::Mode::read).sha256() != first->sha256())
+      refuse(part, fmt::format("holds points of another study than {}", stores.front().string()));
+  make_directory(dir);
+  const StoreLock lock(target);
+  StudyRunOptions options;
+  options.force = force;
+  Store merged = open_or_create(target, first->study(), options);
+  for (const fs::path& part : stores) {
+    Store store = Store::open(part, sqlite::Connection::Mode::read);
+    merged.begin();
+    store.for_each([&](const PointResult& point) { merged.insert(point); });
+    merged.commit();
+  }
+  const std::uint64_t count = merged.count();
+  merged.finish();
+  return count;
+}
+
+}  // namespace earthtop

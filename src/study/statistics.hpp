@@ -1,0 +1,97 @@
+/// What a table of points says at a glance, gathered while they go by: moments, straight lines, Sobol indices.
+#pragma once
+
+#include <gsl/gsl_multilarge.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace earthtop::study {
+
+/// Count, mean and spread (Welford's update).
+struct Moments {
+  std::uint64_t count = 0;
+  double mean = 0, squares = 0;  ///< squares: sum of (x - mean)^2
+  double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+
+  void include(double x) {
+    ++count;
+    const double step = x - mean;
+    mean += step / static_cast<double>(count);
+    squares += step * (x - mean);
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  std::optional<double> standard_deviation() const {
+    if (count < 2) return std::nullopt;
+    return std::sqrt(squares / static_cast<double>(count - 1));
+  }
+};
+
+/// y = a + b x, with the standard errors that the scatter about the line gives.
+struct Line {
+  std::uint64_t points = 0;
+  double a = 0, b = 0;
+  std::optional<double> a_standard_error, b_standard_error, residual_rms;  ///< nothing of two points
+};
+
+/// Least squares of points that go by (GSL's sequential QR decomposition).
+class LineFit {
+ public:
+  LineFit();
+  void include(double x, double y);
+  /// Nothing where there are fewer than two points, or all have one x.
+  std::optional<Line> line();
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+  void flush();
+  struct Free {
+    void operator()(gsl_multilarge_linear_workspace* w) const { gsl_multilarge_linear_free(w); }
+  };
+  std::unique_ptr<gsl_multilarge_linear_workspace, Free> workspace_;
+  std::vector<std::array<double, 2>> block_;
+  std::uint64_t points_ = 0;
+  double x_least_ = std::numeric_limits<double>::infinity(), x_most_ = -std::numeric_limits<double>::infinity();
+};
+
+/// First- and total-order index of one input.
+struct SobolIndex {
+  double first = 0, first_standard_error = 0;
+  double total = 0, total_standard_error = 0;
+};
+
+/// Of blocks f(A), f(B), f(A with one column of B) for each input. First order: A. Saltelli et al., Comput. Phys. Commun. 181
+/// (2010) 259, table 2 (b); total order: M. Jansen, Comput. Phys. Commun. 117 (1999) 35. Standard errors by leaving out one of
+/// sixteen groups of blocks after the other.
+class SobolSums {
+ public:
+  /// @param mean  of f, nearly: it is taken off, as products of large numbers would hide small differences
+  SobolSums(std::size_t inputs, double mean) : inputs_(inputs), mean_(mean) {
+    for (auto& group : groups_) group.first.resize(inputs), group.total.resize(inputs);
+  }
+  /// @param f_ABi  one for each input
+  void include(double f_A, double f_B, const std::vector<double>& f_ABi);
+  std::uint64_t blocks() const;
+  /// One for each input; none where f does not vary, or there are fewer than two blocks a group.
+  std::vector<SobolIndex> indices() const;
+
+ private:
+  static constexpr std::size_t kGroups = 16;
+  struct Sums {
+    std::uint64_t blocks = 0;
+    double sum = 0, squares = 0;       // of f(A) and f(B)
+    std::vector<double> first, total;  // sum of f_B (f_ABi - f_A), of (f_A - f_ABi)^2 / 2
+  };
+  std::size_t inputs_;
+  double mean_;
+  std::array<Sums, kGroups> groups_;
+  std::size_t next_group_ = 0;
+};
+
+}  // namespace earthtop::study

@@ -1,0 +1,67 @@
+#include "study/store_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::study {
+namespace {
+
+std::string this_process() {
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  std::array<char, 32> date{};
+  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return fmt::format("process {} on {}, since {}", ::getpid(), host.data(), date.data());
+}
+
+std::string holder(int descriptor) {
+  std::array<char, 512> text{};
+  const ssize_t got = ::pread(descriptor, text.data(), text.size() - 1, 0);
+  return got > 0 ? printable(std::string_view(text.data(), static_cast<std::size_t>(got))) : "another process";
+}
+
+}  // namespace
+
+StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() + ".lock"), descriptor_(-1) {
+  for (;;) {
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
+    if (descriptor_ < 0) throw WriteError(file_.string(), fmt::format("cannot be opened ({})", std::strerror(errno)));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      const std::string who = holder(descriptor_);
+      ::close(descriptor_);
+      throw ScenarioError(
+          std::vector<Diagnostic>{{0, 0, "", fmt::format("is being written by {}; wait for it, or choose another --out", who)}},
+          store.string());
+    }
+    // A holder that ended in between may have taken the file away: then this one is nobody's any more.
+    struct stat ours = {}, named = {};
+    if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &named) == 0 && ours.st_ino == named.st_ino) break;
+    ::close(descriptor_);
+  }
+  const std::string who = this_process();
+  if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0) {
+    const int error = errno;
+    ::close(descriptor_);
+    throw WriteError(file_.string(), std::strerror(error));
+  }
+}
+
+StoreLock::~StoreLock() {
+  ::unlink(file_.c_str());
+  ::close(descriptor_);
+}
+
+}  // namespace earthtop::study

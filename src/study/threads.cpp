@@ -1,0 +1,88 @@
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "study/workforce.hpp"
+
+namespace earthtop::study {
+namespace {
+
+class Threads : public Workforce {
+ public:
+  Threads(const Study& study, unsigned jobs) : study_(study), collector_(study), jobs_(jobs) {
+    threads_.reserve(jobs);
+    for (unsigned i = 0; i < jobs; ++i) threads_.emplace_back([this] { work(); });
+  }
+  ~Threads() override {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+      waiting_.clear();
+    }
+    work_came_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  bool wants_work() override {
+    const std::lock_guard lock(mutex_);
+    return waiting_.size() < jobs_;  // one in hand and one to come for each
+  }
+  void give(Chunk chunk) override {
+    {
+      const std::lock_guard lock(mutex_);
+      waiting_.push_back(std::move(chunk));
+      ++under_way_;
+    }
+    work_came_.notify_one();
+  }
+  std::size_t under_way() const override {
+    const std::lock_guard lock(mutex_);
+    return under_way_;
+  }
+  std::vector<PointResult> collect(std::chrono::milliseconds patience) override {
+    std::unique_lock lock(mutex_);
+    result_came_.wait_for(lock, patience, [&] { return came_; });
+    came_ = false;
+    return std::exchange(results_, {});
+  }
+
+ private:
+  void work() {
+    for (;;) {
+      Chunk chunk;
+      {
+        std::unique_lock lock(mutex_);
+        work_came_.wait(lock, [&] { return ends_ || !waiting_.empty(); });
+        if (ends_) return;
+        chunk = std::move(waiting_.front());
+        waiting_.pop_front();
+      }
+      std::vector<PointResult> results = compute(study_, collector_, chunk);
+      {
+        const std::lock_guard lock(mutex_);
+        results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));
+        --under_way_;
+        came_ = true;
+      }
+      result_came_.notify_one();
+    }
+  }
+
+  const Study& study_;
+  Collector collector_;
+  unsigned jobs_;
+  mutable std::mutex mutex_;
+  std::condition_variable work_came_, result_came_;
+  std::deque<Chunk> waiting_;
+  std::vector<PointResult> results_;
+  std::size_t under_way_ = 0;
+  bool came_ = false, ends_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
+
+std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs) { return std::make_unique<Threads>(study, jobs); }
+
+}  // namespace earthtop::study

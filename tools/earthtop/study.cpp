@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "earthtop/results/results.hpp"
+#include "earthtop/study/run_study.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "study_text.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct StudyArguments {
+  std::string study;  // a file, or "-"
+  std::optional<std::string> out;
+  unsigned jobs = 0;
+  std::string shard;
+  bool force = false, retry_failed = false, dry_run = false;
+  bool json = false, quiet = false;
+  std::vector<std::string> stores;  // of merge, show, export
+};
+
+StudyShard parse_shard(const std::string& text) {
+  if (text.empty()) return {};
+  StudyShard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.k);
+  const bool k = error == std::errc() && slash != end && *slash == '/';
+  const auto [stop, n_error] =
+      k ? std::from_chars(slash + 1, end, shard.n) : std::from_chars_result{end, std::errc::invalid_argument};
+  if (!k || n_error != std::errc() || stop != end || shard.k < 1 || shard.n < shard.k)
+    throw ScenarioError("", fmt::format("--shard {}: must be K/N with 1 <= K <= N, e.g. 1/4", printable(text)));
+  return shard;
+}
+
+/// A store given as itself or as its directory.
+fs::path store_of(const std::string& given) {
+  std::error_code error;
+  return fs::is_directory(given, error) ? study_store(given) : fs::path(given);
+}
+
+/// A line that is written over itself, on a terminal only.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  void show(const StudyProgress& progress) {
+    if (!shown_) return;
+    const std::string line = progress_text(progress);
+    const std::size_t width = line.size();
+    write("\r" + line + std::string(width_ > width ? width_ - width : 0, ' '));
+    width_ = width;
+  }
+  void clear() {
+    if (shown_ && width_ > 0) write("\r" + std::string(width_, ' ') + "\r");
+    width_ = 0;
+  }
+
+ private:
+  static void write(const std::string& text) {
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody looks
+  }
+  bool shown_;
+  std::size_t width_ = 0;
+};
+
+int dry_run(const Study& study, const StudyArguments& arguments) {
+  require_affordable(study);
+  const StudyEstimate expected = estimate(study);
+  if (arguments.json)
+    print_json({{"name", study.name},
+                {"points", expected.points},
+                {"core_seconds", expected.core_seconds},
+                {"disk_bytes", expected.disk_bytes},
+                {"study_sha256", study_sha256(study)}});
+  else
+    print(fmt::format("{}: {} points, about {} on one core, {:.2g} MB\n", study.name, expected.points,
+                      duration_text(expected.core_seconds), expected.disk_bytes / 1e6));
+  return kDone;
+}
+
+/// What there is to tell after a shard, whose points are no study yet.
+void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments) {
+  if (arguments.json)
+    print_json({{"store", report.store.string()},
+                {"points_wanted", report.progress.wanted},
+                {"points_computed", report.progress.before + report.progress.done},
+                {"points_failed", report.failed}});
+  else if (!arguments.quiet)
+    print(fmt::format("{}: {} of {} points of this shard, {} failed; earthtop study merge puts the shards together\n",
+                      printable(report.store.string()), report.progress.before + report.progress.done, report.progress.wanted,
+                      report.failed));
+}
+
+void tell_results(const fs::path& store, bool json, bool quiet) {
+  if (quiet && !json) return;
+  const std::string text = study_json(store);
+  if (json)
+    print(text);
+  else
+    print(study_text(Json::parse(text)) +
+          fmt::format("\nResults in {}: study.csv, study.json, study.sqlite\n", printable(store.parent_path().string())));
+}
+
+int study_verb(const StudyArguments& arguments) {
+  if (arguments.study.empty()) throw ScenarioError("", "a study file is needed, or one of merge, show, export");
+  const Study study = parse_study(read_scenario_source(arguments.study));
+  if (arguments.dry_run) return dry_run(study, arguments);
+  install_stop_handlers();
+  StudyRunOptions options;
+  options.dir = arguments.out ? *arguments.out : "out/studies/" + study.name;
+  options.jobs = arguments.jobs;
+  options.shard = parse_shard(arguments.shard);
+  options.force = arguments.force;
+  options.retry_failed = arguments.retry_failed;
+  StudyRunReport report;
+  {
+    ProgressLine line(!arguments.quiet && !arguments.json);
+    bool told = arguments.quiet || arguments.json;
+    options.on_progress = [&](const StudyProgress& progress) {
+      if (!told && progress.before > 0) {
+        line.clear();
+        message(fmt::format("resuming: {} of {} points are there already", progress.before, progress.wanted));
+      }
+      told = true;
+      line.show(progress);
+    };
+    report = run_study(study, options);
+  }
+  if (report.interrupted)
+    return report_errors("",
+                         {{0, 0, "",
+                           fmt::format("interrupted at {} of {} points; the same command goes on from there",
+                                       report.progress.before + report.progress.done, report.progress.wanted)}},
+                         arguments.json, interrupted_status());
+  if (options.shard.is_whole()) {
+    write_study_results(report.store);
+    tell_results(report.store, arguments.json, arguments.quiet);
+  } else {
+    tell_of_shard(report, arguments);
+  }
+  if (report.failed == 0) return kDone;
+  message(fmt::format("earthtop: {} of {} points failed; the reasons are in the table", report.failed, report.progress.wanted));
+  return kNegative;
+}
+
+int merge_verb(const StudyArguments& arguments) {
+  install_stop_handlers();
+  std::vector<fs::path> stores;
+  for (const std::string& given : arguments.stores) stores.push_back(store_of(given));
+  const fs::path dir = arguments.out.value_or(".");
+  merge_study_stores(stores, dir, arguments.force);
+  const fs::path merged = study_store(dir);
+  write_study_results(merged);
+  const Json document = Json::parse(study_json(merged));
+  tell_results(merged, arguments.json, arguments.quiet);
+  const auto computed = document.at("points_computed").get<std::uint64_t>(),
+             planned = document.at("points_planned").get<std::uint64_t>();
+  if (computed < planned)
+    message(fmt::format("earthtop: {} of {} points are missing; earthtop study STUDY.json --out {} computes them",
+                        planned - computed, planned, printable(dir.string())));
+  return computed < planned || document.at("points_failed").get<std::uint64_t>() > 0 ? kNegative : kDone;
+}
+
+int show_verb(const StudyArguments& arguments) {
+  const std::string text = study_json(store_of(arguments.stores.front()));
+  print(arguments.json ? text : study_text(Json::parse(text)));
+  return kDone;
+}
+
+int export_verb(const StudyArguments& arguments) {
+  const fs::path store = store_of(arguments.stores.front());
+  study_csv(store, [](std::string_view piece) { print(piece); });
+  return kDone;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<StudyArguments>();
+  const auto add_output_flags = [&](CLI::App& verb) {
+    verb.add_flag("--json", arguments->json, "print the results as one JSON document, errors too");
+    verb.add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  };
+  CLI::App* study = app.add_subcommand("study", "a parameter study: many runs, resumable; merge, show and export its results");
+  study->add_option("STUDY", arguments->study, "study file (JSON); - is standard input");
+  study->add_option("--out", arguments->out, "directory of store and results; default: out/studies/<name>")->type_name("DIR");
+  study->add_option("--jobs", arguments->jobs, "threads; default: one a core")->type_name("N")->check(CLI::Range(1, 4096));
+  study->add_option("--shard", arguments->shard, "compute every N-th point only, from the K-th on")->type_name("K/N");
+  study->add_flag("--force", arguments->force, "throw away a store of another study");
+  study->add_flag("--retry-failed", arguments->retry_failed, "compute failed points again");
+  study->add_flag("--dry-run", arguments->dry_run, "count the points and estimate time and disk, compute nothing");
+  add_output_flags(*study);
+  study->require_subcommand(0, 1);
+
+  CLI::App* merge = study->add_subcommand("merge", "put the stores of shards together");
+  merge->add_option("STORE", arguments->stores, "stores, or directories that hold one")->required();
+  merge->add_option("--out", arguments->out, "directory of the merged store and its results")->type_name("DIR")->required();
+  merge->add_flag("--force", arguments->force, "throw away a store of another study there");
+  add_output_flags(*merge);
+
+  CLI::App* show = study->add_subcommand("show", "what a store holds: statistics, fits, indices");
+  show->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
+  show->add_flag("--json", arguments->json, "as one JSON document");
+
+  CLI::App* table = study->add_subcommand("export", "the points as CSV on standard output");
+  table->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
+
+  study->callback([&action, arguments, merge, show, table] {
+    action = [arguments, merging = merge->parsed(), showing = show->parsed(), exporting = table->parsed()] {
+      if (merging) return merge_verb(*arguments);
+      if (showing) return show_verb(*arguments);
+      if (exporting) return export_verb(*arguments);
+      return study_verb(*arguments);
+    };
+  });
+}
+
+}  // namespace earthtop::tool

@@ -1,0 +1,201 @@
+#include "study_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Row = std::vector<std::string>;
+
+std::string cell(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_number_integer() || value.is_number_unsigned()) return fmt::format("{}", value.get<std::int64_t>());
+  if (value.is_number()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_string()) return printable(value.get<std::string>());
+  return printable(value.dump());
+}
+
+/// Columns as wide as their widest cell, numbers to the right.
+std::string table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format(" {:>{}}", row[i], widths[i]);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string with_error(const Json& value, const Json& error) {
+  if (value.is_null()) return "-";
+  return error.is_null() ? fmt::format("{:.8g}", value.get<double>())
+                         : fmt::format("{:.8g} +- {:.2g}", value.get<double>(), error.get<double>());
+}
+
+std::string statistics_text(const Json& document) {
+  std::vector<Row> rows = {{"quantity", "count", "mean", "std. dev.", "min", "5 %", "median", "95 %", "max"}};
+  for (const auto& [name, s] : document.at("statistics").items())
+    rows.push_back({name, cell(s.at("count")), cell(s.at("mean")), cell(s.at("standard_deviation")), cell(s.at("min")),
+                    cell(s.at("quantile_05")), cell(s.at("median")), cell(s.at("quantile_95")), cell(s.at("max"))});
+  return rows.size() > 1 ? "\nStatistics\n" + table(rows) : "";
+}
+
+/// The points one by one, or of two axes the first quantity as a matrix.
+std::string points_text(const Json& document) {
+  const Json& axes = document.at("axes");
+  const Json& points = document.at("points");
+  constexpr std::size_t kMostRows = 60, kMostColumns = 10;
+  if (points.is_null() || axes.size() > 2) return "";
+  const std::string quantity = document.at("quantities").at(0).at("name").get<std::string>();
+  if (axes.size() == 2 && document.at("design").at("kind") == "grid") {
+    const std::string down = axes[0].at("name").get<std::string>(), across = axes[1].at("name").get<std::string>();
+    std::vector<Row> rows = {{fmt::format("{} \\ {}", down, across)}};
+    for (const Json& point : points) {
+      const std::string x = cell(point.at(across)), y = cell(point.at(down));
+      const auto column = std::find(rows[0].begin() + 1, rows[0].end(), x) - rows[0].begin();
+      if (column == static_cast<std::ptrdiff_t>(rows[0].size())) rows[0].push_back(x);
+      if (rows.size() == 1 || rows.back()[0] != y) rows.push_back({y});
+      rows.back().resize(std::max(rows.back().size(), static_cast<std::size_t>(column) + 1));
+      rows.back()[static_cast<std::size_t>(column)] = cell(point.at(quantity));
+    }
+    if (rows.size() <= kMostRows && rows[0].size() <= kMostColumns + 1) return fmt::format("\n{}\n", quantity) + table(rows);
+  }
+  if (points.size() > kMostRows) return "";
+  Row head = {"point"};
+  for (const Json& axis : axes) head.push_back(axis.at("name").get<std::string>());
+  for (const Json& q : document.at("quantities")) head.push_back(q.at("name").get<std::string>());
+  std::vector<Row> rows = {head};
+  for (const Json& point : points) {
+    Row row;
+    for (const std::string& name : head) row.push_back(cell(point.at(name)));
+    rows.push_back(std::move(row));
+  }
+  return "\nPoints\n" + table(rows);
+}
+
+/// Means along each axis: what is left where the points are too many, or the axes.
+std::string marginals_text(const Json& document) {
+  std::string text;
+  constexpr std::size_t kMostRows = 40, kMostQuantities = 4;
+  for (const auto& [axis, levels] : document.at("marginals").items()) {
+    if (levels.size() < 2 || levels.size() > kMostRows) continue;
+    Row head = {axis, "count"};
+    for (const Json& q : document.at("quantities"))
+      if (document.at("statistics").contains(q.at("name")) && head.size() < kMostQuantities + 2)
+        head.push_back(q.at("name").get<std::string>());
+    std::vector<Row> rows = {head};
+    for (const Json& level : levels) {
+      Row row = {cell(level.at("value")), ""};
+      for (std::size_t i = 2; i < head.size(); ++i) {
+        if (!level.contains(head[i])) {
+          row.emplace_back();
+          continue;
+        }
+        row[1] = cell(level.at(head[i]).at("count"));
+        row.push_back(cell(level.at(head[i]).at("mean")));
+      }
+      rows.push_back(std::move(row));
+    }
+    text += fmt::format("\nMeans along {}\n", axis) + table(rows);
+  }
+  return text;
+}
+
+std::string fits_text(const Json& document) {
+  std::string text;
+  for (const Json& fit : document.at("fits")) {
+    const std::string kind = fit.at("kind").get<std::string>(), x = fit.at("axis").get<std::string>();
+    const std::string form = kind == "linear" ? "a + b " + x : kind == "power_law" ? "a |" + x + "|^b" : "a + b sin(" + x + ")";
+    const bool power = kind == "power_law";
+    text += fmt::format("  {} = {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n",
+                        power ? "|" + fit.at("quantity").get<std::string>() + "|" : fit.at("quantity").get<std::string>(), form,
+                        cell(fit.at("points")), with_error(fit.at("a"), fit.at("a_standard_error")),
+                        with_error(fit.at("b"), fit.at("b_standard_error")),
+                        cell(fit.at(power ? "residual_rms_of_logarithm" : "residual_rms")), power ? ", of the logarithm" : "");
+  }
+  return text.empty() ? "" : "\nFits (standard errors from the scatter)\n" + text;
+}
+
+std::string indices_text(const Json& document) {
+  if (!document.contains("indices")) return "";
+  std::string text;
+  for (const auto& [quantity, axes] : document.at("indices").items()) {
+    std::vector<Row> rows = {{"input", "first order", "total order"}};
+    for (const auto& [axis, index] : axes.items())
+      rows.push_back({axis,
+                      fmt::format("{:.4f} +- {:.4f}", index.at("first_order").get<double>(),
+                                  index.at("first_order_standard_error").get<double>()),
+                      fmt::format("{:.4f} +- {:.4f}", index.at("total_order").get<double>(),
+                                  index.at("total_order_standard_error").get<double>())});
+    text += fmt::format("\nSobol indices of {}\n", quantity) + table(rows);
+  }
+  return text;
+}
+
+std::string figures_text(const Json& document) {
+  std::string text;
+  for (const Json& figure : document.at("figures"))
+    text +=
+        fmt::format("  {}: {} {} = {:.10g}; stated {:.10g} +- {:.2g}, {}\n", figure.at("met").get<bool>() ? "met" : "NOT MET",
+                    cell(figure.at("figure")), figure.at("computed").is_null() ? "(missing)" : "",
+                    figure.at("computed").is_null() ? NAN : figure.at("computed").get<double>(),
+                    figure.at("value").get<double>(), figure.at("tolerance").get<double>(), cell(figure.at("origin")));
+  return text.empty() ? "" : "\nFigures known from elsewhere\n" + text;
+}
+
+std::string failures_text(const Json& document) {
+  std::string text;
+  for (const Json& failure : document.at("failures"))
+    text +=
+        fmt::format("  point {}: {}: {}\n", cell(failure.at("point")), cell(failure.at("status")), cell(failure.at("reason")));
+  const auto failed = document.at("points_failed").get<std::uint64_t>(), shown = std::uint64_t{document.at("failures").size()};
+  if (failed > shown) text += fmt::format("  and {} more\n", failed - shown);
+  return text.empty() ? "" : "\nFailed points\n" + text;
+}
+
+}  // namespace
+
+std::string study_text(const Json& document) {
+  const std::string title = printable(document.at("title").get<std::string>());
+  std::string text = fmt::format("{}\n", title.empty() ? document.at("name").get<std::string>() : title);
+  if (const std::string finding = printable(document.at("finding").get<std::string>()); !finding.empty())
+    text += fmt::format("Finding     {}\n", finding);
+  text += fmt::format("Points      {} of {}, {} failed\n", cell(document.at("points_computed")),
+                      cell(document.at("points_planned")), cell(document.at("points_failed")));
+  const std::string points = points_text(document);
+  return text + points + statistics_text(document) + (points.empty() ? marginals_text(document) : "") + fits_text(document) +
+         indices_text(document) + figures_text(document) + failures_text(document);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
+
+std::string progress_text(const StudyProgress& progress) {
+  const std::uint64_t there = progress.before + progress.done;
+  const double rate = progress.seconds > 0 ? static_cast<double>(progress.done) / progress.seconds : 0;
+  std::string text =
+      fmt::format("{:3.0f}%  {} of {} points",
+                  100.0 * static_cast<double>(there) / static_cast<double>(std::max<std::uint64_t>(progress.wanted, 1)), there,
+                  progress.wanted);
+  if (rate > 0)
+    text += fmt::format(", {:.3g} a second, {} left", rate, duration_text(static_cast<double>(progress.wanted - there) / rate));
+  if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
+  return text;
+}
+
+}  // namespace earthtop::tool
