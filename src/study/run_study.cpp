@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "earthtop/run.hpp"
+#include "study/process_workforce.hpp"
 #include "study/store.hpp"
 #include "study/store_lock.hpp"
 #include "study/workforce.hpp"
@@ -73,6 +74,7 @@ class MissingPoints {
       : design_(study), count_(count), shard_(shard), store_(store), at_(shard.k - 1) {}
 
   bool all_given() const { return at_ >= count_; }
+  std::uint64_t left() const { return all_given() ? 0 : (count_ - at_) / shard_.n + 1; }  ///< at most
   Chunk next(std::size_t most) {
     Chunk chunk;
     while (chunk.size() < most && !all_given()) {
@@ -97,16 +99,18 @@ class MissingPoints {
   std::vector<std::uint64_t> known_;  // points in the store, from `at_` to `known_until_`
 };
 
-/// How many points a chunk has: a quarter of a second of work, as far as it is known by now.
+/// How many points a chunk has: a quarter of a second of work, as far as it is known by now; less where all would wait for the
+/// last one.
 class ChunkSize {
  public:
   explicit ChunkSize(double seconds_a_point, unsigned workers) : seconds_a_point_(seconds_a_point), workers_(workers) {}
   void learn(std::uint64_t points, double seconds) {
     if (points > 0) seconds_a_point_ = seconds * workers_ / static_cast<double>(points);
   }
-  std::size_t points() const {
-    constexpr double kSeconds = 0.25, kLanes = 8, kMost = 512;
-    const double points = kSeconds / std::max(seconds_a_point_, 1e-9);
+  std::size_t points(std::uint64_t left) const {
+    constexpr double kSeconds = 0.25, kLanes = 8, kMost = 512, kShares = 4;
+    const double points =
+        std::min(kSeconds / std::max(seconds_a_point_, 1e-9), static_cast<double>(left) / (kShares * workers_));
     if (points < kLanes) return static_cast<std::size_t>(std::max(points, 1.0));
     return static_cast<std::size_t>(std::min(std::floor(points / kLanes) * kLanes, kMost));
   }
@@ -134,7 +138,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {
     while (!interrupt_requested() && !missing.all_given() && workforce.wants_work()) {
-      Chunk chunk = missing.next(size.points());
+      Chunk chunk = missing.next(size.points(missing.left()));
       if (!chunk.empty()) workforce.give(std::move(chunk));
     }
     const bool ends = workforce.under_way() == 0;
@@ -179,10 +183,12 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   const StoreLock lock(report.store);
   Store store = open_or_create(report.store, study, options);
   if (options.retry_failed) store.remove_failed();
-  const unsigned jobs = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const auto workforce = make_threads(study, jobs);
-  report.progress =
-      conduct(study, options, store, *workforce, jobs, expected.core_seconds / static_cast<double>(expected.points));
+  const bool spread_out = options.processes && options.processes->workers() > 0;
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned workers = spread_out ? options.processes->workers() : options.jobs > 0 ? options.jobs : cores;
+  const auto workforce = spread_out ? make_processes(study, *options.processes) : make_threads(study, workers);
+  const double seconds_a_point = expected.core_seconds / static_cast<double>(expected.points);
+  report.progress = conduct(study, options, store, *workforce, workers, seconds_a_point);
   report.failed = store.failed_count();
   report.interrupted = interrupt_requested();
   store.finish();

@@ -115,16 +115,22 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
 }
 
 int study_verb(const StudyArguments& arguments) {
+  install_stop_handlers();
+  StudyProcesses processes;
+  if (!processes.is_first()) {
+    processes.serve();
+    return kDone;
+  }
   if (arguments.study.empty()) throw ScenarioError("", "a study file is needed, or one of merge, show, export");
   const Study study = parse_study(read_scenario_source(arguments.study));
   if (arguments.dry_run) return dry_run(study, arguments);
-  install_stop_handlers();
   StudyRunOptions options;
   options.dir = arguments.out ? *arguments.out : "out/studies/" + study.name;
   options.jobs = arguments.jobs;
   options.shard = parse_shard(arguments.shard);
   options.force = arguments.force;
   options.retry_failed = arguments.retry_failed;
+  options.processes = &processes;
   StudyRunReport report;
   {
     ProgressLine line(!arguments.quiet && !arguments.json);

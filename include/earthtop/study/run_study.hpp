@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "earthtop/study/study.hpp"
+#include "earthtop/study/processes.hpp"
 
 namespace earthtop {
 
@@ -33,6 +33,7 @@ struct StudyRunOptions {
   bool force = false;                                     ///< throw a store of another study away
   bool retry_failed = false;                              ///< compute failed points again
   std::function<void(const StudyProgress&)> on_progress;  ///< some times a second; may be null
+  StudyProcesses* processes = nullptr;                    ///< whose workers compute, if there are any, instead of threads
 };
 
 struct StudyRunReport {

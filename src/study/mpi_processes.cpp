@@ -1,0 +1,156 @@
+// Processes that talk through MPI. The first one asks and answers; the others wait for work, compute it, and send it back.
+#include <mpi.h>
+
+#include <deque>
+#include <optional>
+#include <thread>
+
+#include "earthtop/run.hpp"
+#include "study/message.hpp"
+#include "study/process_workforce.hpp"
+
+namespace earthtop {
+
+namespace {
+
+enum Tag : int { kStudyText, kChunk, kResults, kGoHome };
+
+/// A message of a tag, or of any; nothing if there is none now.
+struct Message {
+  int from, tag;
+  std::string bytes;
+};
+std::optional<Message> next_message() {
+  int there = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+  if (there == 0) return std::nullopt;
+  int size = 0;
+  MPI_Get_count(&status, MPI_BYTE, &size);
+  Message message{status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(size), '\0')};
+  MPI_Recv(message.bytes.data(), size, MPI_BYTE, message.from, message.tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return message;
+}
+
+void send(int to, Tag tag, const std::string& bytes) {
+  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
+}
+
+/// Waiting does not keep a core busy that another process may compute on.
+void nap() { std::this_thread::sleep_for(std::chrono::microseconds(500)); }
+
+std::string study_message(const Study& study) {
+  study::MessageWriter writer;
+  for (const std::string* text : {&study.name, &study.text, &study.base.file, &study.base.text})
+    writer.put(std::string_view(*text));
+  return writer.bytes();
+}
+Study study_from(std::string_view bytes) {
+  study::MessageReader reader(bytes);
+  const std::string name = reader.text(), text = reader.text(), file = reader.text(), base = reader.text();
+  Study study = parse_study({name + ".json", text}, ScenarioSource{file, base});
+  study.name = name;
+  return study;
+}
+
+}  // namespace
+
+bool has_mpi() { return true; }
+
+struct StudyProcesses::Session {
+  int rank = 0, size = 1;
+  bool initialized = false;
+};
+
+StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
+  if (launched_processes() < 2) return;
+  MPI_Init(nullptr, nullptr);
+  session_->initialized = true;
+  MPI_Comm_rank(MPI_COMM_WORLD, &session_->rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &session_->size);
+}
+
+StudyProcesses::~StudyProcesses() {
+  if (!session_->initialized) return;
+  if (is_first())
+    for (int worker = 1; worker < session_->size; ++worker) send(worker, kGoHome, "");
+  MPI_Finalize();
+}
+
+bool StudyProcesses::is_first() const { return session_->rank == 0; }
+
+unsigned StudyProcesses::workers() const { return static_cast<unsigned>(session_->size - 1); }
+
+void StudyProcesses::serve() {
+  std::optional<Study> study;
+  std::optional<study::Collector> collector;
+  for (;;) {
+    const auto message = next_message();
+    if (!message) {
+      nap();
+    } else if (message->tag == kGoHome) {
+      return;
+    } else if (message->tag == kStudyText) {
+      study = study_from(message->bytes);
+      collector.emplace(*study);
+    } else if (message->tag == kChunk && collector) {
+      send(0, kResults, to_message(study::compute(*study, *collector, study::chunk_from(message->bytes))));
+    }
+  }
+}
+
+namespace study {
+namespace {
+
+class Processes : public Workforce {
+ public:
+  Processes(const Study& study, unsigned workers) : in_hand_(workers + 1) {
+    for (unsigned worker = 1; worker <= workers; ++worker) send(static_cast<int>(worker), kStudyText, study_message(study));
+  }
+
+  bool wants_work() override { return least_busy() != 0; }
+  void give(Chunk chunk) override {
+    const unsigned worker = least_busy();
+    send(static_cast<int>(worker), kChunk, to_message(chunk));
+    ++in_hand_[worker];
+    ++under_way_;
+  }
+  std::size_t under_way() const override { return under_way_; }
+  std::vector<PointResult> collect(std::chrono::milliseconds patience) override {
+    std::vector<PointResult> results;
+    const auto until = std::chrono::steady_clock::now() + patience;
+    do {
+      while (const auto message = next_message()) {
+        if (message->tag != kResults) continue;
+        --in_hand_[static_cast<std::size_t>(message->from)];
+        --under_way_;
+        auto points = results_from(message->bytes);
+        results.insert(results.end(), std::make_move_iterator(points.begin()), std::make_move_iterator(points.end()));
+        if (points.empty()) return results;  // interrupted: nothing will come
+      }
+      if (results.empty() && under_way_ > 0) nap();
+    } while (results.empty() && under_way_ > 0 && std::chrono::steady_clock::now() < until);
+    return results;
+  }
+
+ private:
+  /// A worker that has at most one chunk in hand; 0 if all have enough.
+  unsigned least_busy() const {
+    unsigned best = 0;
+    for (unsigned worker = 1; worker < in_hand_.size(); ++worker)
+      if (in_hand_[worker] < 2 && (best == 0 || in_hand_[worker] < in_hand_[best])) best = worker;
+    return best;
+  }
+
+  std::vector<int> in_hand_;  // chunks that each process has; the first computes none
+  std::size_t under_way_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes) {
+  return std::make_unique<Processes>(study, processes.workers());
+}
+
+}  // namespace study
+}  // namespace earthtop

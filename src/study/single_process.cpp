@@ -1,0 +1,31 @@
+// What there is of processes in a program built without MPI: this one.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "study/process_workforce.hpp"
+
+namespace earthtop {
+
+bool has_mpi() { return false; }
+
+struct StudyProcesses::Session {};
+
+StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
+  if (launched_processes() > 1)
+    throw ScenarioError("",
+                        fmt::format("a launcher started {} processes, but this program was built without MPI; build it with "
+                                    "libopenmpi-dev installed, or take --shard K/N and earthtop study merge",
+                                    launched_processes()));
+}
+StudyProcesses::~StudyProcesses() = default;
+bool StudyProcesses::is_first() const { return true; }
+unsigned StudyProcesses::workers() const { return 0; }
+void StudyProcesses::serve() {}
+
+namespace study {
+
+std::unique_ptr<Workforce> make_processes(const Study&, StudyProcesses&) { throw std::logic_error("built without MPI"); }
+
+}  // namespace study
+}  // namespace earthtop
