@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "earthtop/scenario/reference.hpp"
+#include "earthtop/study/study.hpp"
+
+namespace earthtop {
+namespace {
+
+const std::string kBase = std::string(EARTHTOP_SCENARIOS) + "/toy-top.json";
+
+std::string file(const std::string& members) { return "{\"base\": \"" + kBase + "\", " + members + "}"; }
+const std::string kAxis = R"("axes": [{"pointer": "/site/latitude_deg", "values": [0, 45]}])";
+
+std::vector<Diagnostic> errors(const std::string& text) {
+  try {
+    parse_study({"study.json", text});
+  } catch (const ScenarioError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+TEST(StudyFile, DefaultsAreThoseOfTheTable) {
+  const Study study = parse_study({"dir/some-study.json", file(kAxis)});
+  EXPECT_EQ(study.name, "some-study");
+  EXPECT_EQ(study.design.kind, DesignKind::grid);
+  ASSERT_EQ(study.axes.size(), 1U);
+  EXPECT_EQ(study.axes[0].name, "latitude_deg");
+  EXPECT_EQ(study.axes[0].levels, (std::vector<std::vector<std::string>>{{"0.0"}, {"45.0"}}));
+  EXPECT_EQ(study.quantities.size(), 5U);
+  EXPECT_EQ(study.quantities[0].path, "drift.axis_final_rad");
+  EXPECT_EQ(study.limits.points, 10'000'000U);
+  EXPECT_TRUE(study.needed_rows_only);
+}
+
+TEST(StudyFile, TakesAScenarioInPlaceOfAFile) {
+  const Study study = parse_study({"study.json", R"({"base": {"name": "inside", "body": {}}, )" + kAxis + "}"});
+  EXPECT_EQ(study.base.text, R"({"name":"inside","body":{}})");
+}
+
+struct Fault {
+  const char* members;
+  const char* pointer;
+  const char* says;
+};
+class StudyFaults : public testing::TestWithParam<Fault> {};
+
+TEST_P(StudyFaults, AreRefusedWithPlaceAndRemedy) {
+  const auto [members, pointer, says] = GetParam();
+  const auto found = errors(file(members));
+  const auto hit = std::find_if(found.begin(), found.end(), [&](const Diagnostic& d) {
+    return d.pointer == pointer && d.message.find(says) != std::string::npos;
+  });
+  EXPECT_NE(hit, found.end()) << members
+                              << (found.empty() ? " accepted" : ": " + found.front().pointer + " " + found.front().message);
+  if (hit == found.end()) return;
+  EXPECT_GT(hit->line, 0);
+}
+
+#define AXES "\"axes\": [{\"pointer\": \"/site/latitude_deg\", \"values\": [0, 45]}]"
+INSTANTIATE_TEST_SUITE_P(
+    All, StudyFaults,
+    testing::Values(
+        Fault{R"("axis": [])", "/axis", "did you mean \"axes\""}, Fault{R"("name": "x")", "/axes", "is missing"},
+        Fault{R"("axes": [])", "/axes", "at least one"}, Fault{R"("axes": [{"values": [1]}])", "/axes/0/pointer", "pointer"},
+        Fault{R"("axes": [{"pointer": "latitude", "values": [1]}])", "/axes/0/pointer", "no JSON pointer"},
+        Fault{R"("axes": [{"pointer": "/a"}])", "/axes/0/values", "one of values"},
+        Fault{R"("axes": [{"pointer": "/a", "values": [1], "range": {"from": 1, "to": 2, "points": 3}}])", "/axes/0/values",
+              "one of"},
+        Fault{R"("axes": [{"pointer": "/a", "values": []}])", "/axes/0/values", "array of values"},
+        Fault{R"("axes": [{"pointer": "/a", "values": 3}])", "/axes/0/values", "array of values"},
+        Fault{R"("axes": [{"pointers": ["/a", "/b"], "values": [[1]]}])", "/axes/0/values/0", "one for each pointer"},
+        Fault{R"("axes": [{"pointer": "/a", "range": {"from": 1, "to": 2}}])", "/axes/0/range/points", "is missing"},
+        Fault{R"("axes": [{"pointer": "/a", "range": {"from": 1, "to": 2, "points": 2.5}}])", "/axes/0/range/points", "whole"},
+        Fault{R"("axes": [{"pointer": "/a", "range": {"from": 1, "to": 2, "points": -1}}])", "/axes/0/range/points",
+              "out of range"},
+        Fault{R"("axes": [{"pointer": "/a", "range": {"from": "x", "to": 2, "points": 2}}])", "/axes/0/range/from",
+              "must be a number"},
+        Fault{R"("axes": [{"pointer": "/a", "log_range": {"from": -1, "to": 2, "points": 2}}])", "/axes/0/log_range/from",
+              "one sign"},
+        Fault{R"("axes": [{"pointer": "/a", "log_range": {"from": 0, "to": 2, "points": 2}}])", "/axes/0/log_range/from",
+              "one sign"},
+        Fault{R"("axes": [{"pointer": "/a", "values": [1]}, {"pointer": "/a", "name": "b", "values": [2]}])", "/axes/1/pointer",
+              "twice"},
+        Fault{R"("axes": [{"pointer": "/a/x", "values": [1]}, {"pointer": "/b/x", "values": [2]}])", "/axes/1/pointer",
+              "column"},
+        Fault{R"("axes": [{"pointer": "/a", "name": "status", "values": [1]}])", "/axes/0/name", "column"},
+        Fault{R"("axes": [{"pointer": "/a", "name": "A B", "values": [1]}])", "/axes/0/name", "column"},
+        Fault{AXES R"(, "design": {"kind": "random"})", "/design/points", "is missing"},
+        Fault{AXES R"(, "design": {"kind": "grids"})", "/design/kind", "did you mean \"grid\""},
+        Fault{AXES R"(, "design": {"points": 3})", "/design/points", "drawn design"},
+        Fault{AXES R"(, "design": {"kind": "random", "points": 3, "indices": true})", "/design/indices", "sobol"},
+        Fault{AXES R"(, "collect": [])", "/collect", "array of paths"},
+        Fault{AXES R"(, "collect": "drift")", "/collect", "array"},
+        Fault{AXES R"(, "collect": [3])", "/collect/0", "must be a path"},
+        Fault{AXES R"(, "collect": ["drift.verdict", "drift.verdict"])", "/collect/1", "there already"},
+        Fault{AXES R"(, "collect": [{"name": "latitude_deg", "path": "drift.verdict"}])", "/collect/0", "there already"},
+        Fault{AXES R"(, "fits": [{"kind": "linear", "axis": "x", "quantity": "drift.axis_final_rad"}])", "/fits/0/axis",
+              "no axis"},
+        Fault{AXES R"(, "fits": [{"kind": "linear", "axis": "latitude_deg", "quantity": "x"}])", "/fits/0/quantity",
+              "not collected"},
+        Fault{AXES R"(, "set": [])", "/set", "must be an object"},
+        Fault{AXES R"(, "set": {"x": 1})", "/set/x", "no JSON pointer"},
+        Fault{AXES R"(, "figures": [{"figure": "/fits/0/b", "value": 1, "tolerance": 0, "origin": ""}])",
+              "/figures/0/tolerance", "out of range"},
+        Fault{AXES R"(, "limits": {"points": 0})", "/limits/points", "out of range"}));
+
+TEST(StudyFile, AllFaultsAreToldAtOnce) {
+  EXPECT_EQ(errors(R"({"axes": [{"pointer": "a", "values": [1]}], "design": {"kind": "x"}, "name": "A"})").size(), 4U);
+}
+
+TEST(StudyFile, ABaseThatCannotBeReadIsRefused) {
+  const auto found = errors(R"({"base": "no-such-file.json", )" + kAxis + "}");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].pointer, "/base");
+  EXPECT_NE(found[0].message.find("no such file"), std::string::npos);
+}
+
+TEST(StudyFile, DuplicateKeysAndNaNAreRefused) {
+  EXPECT_EQ(errors(file(kAxis + "," + kAxis)).size(), 1U);
+  EXPECT_FALSE(errors(file(R"("axes": [{"pointer": "/a", "values": [NaN]}])")).empty());
+}
+
+TEST(StudyLimits, CountBeforeAnythingIsBuilt) {
+  const auto refusal = [](const std::string& members) -> std::string {
+    try {
+      require_affordable(parse_study({"study.json", file(members)}));
+    } catch (const ScenarioError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string huge = R"("range": {"from": 0, "to": 1, "points": 1000000000})";
+  EXPECT_NE(
+      refusal(R"("axes": [{"pointer": "/a", )" + huge + R"(}, {"pointer": "/b", )" + huge + "}]").find("more than 9e15 points"),
+      std::string::npos);
+  EXPECT_NE(refusal(kAxis + R"(, "limits": {"points": 1})").find("2 points"), std::string::npos);
+  EXPECT_NE(
+      refusal(kAxis + R"(, "set": {"/motion/duration_s": 60000}, "limits": {"core_hours": 1e-4})").find("hours on one core"),
+      std::string::npos);
+  EXPECT_NE(refusal(kAxis + R"(, "limits": {"disk_gb": 1e-9})").find("GB"), std::string::npos);
+  EXPECT_EQ(refusal(kAxis), "");
+}
+
+TEST(StudyIdentity, IsOfWhatIsComputed) {
+  const auto identity = [](const std::string& members) { return study_sha256(parse_study({"study.json", file(members)})); };
+  const std::string plain = identity(kAxis);
+  EXPECT_EQ(plain, identity(kAxis + R"(, "title": "another", "_note": 1, "limits": {"points": 7})"));
+  EXPECT_EQ(plain, identity(kAxis + R"(, "set": {"/site/longitude_deg": 0})"));  // which it is anyway
+  EXPECT_NE(plain, identity(kAxis + R"(, "set": {"/release/spin_rad_s": 201})"));
+  EXPECT_NE(plain, identity(kAxis + R"(, "collect": ["drift.verdict"])"));
+  EXPECT_NE(plain, identity(kAxis + R"(, "rows": "all")"));
+  EXPECT_NE(plain, identity(R"("axes": [{"pointer": "/site/latitude_deg", "values": [0, 46]}])"));
+}
+
+TEST(StudyReference, NamesEveryKey) {
+  const std::string table = study_reference_markdown();
+  for (const char* key : {"`base`", "`axes/*/log_range/from`", "`design/indices`", "`limits/core_hours`"})
+    EXPECT_NE(table.find(key), std::string::npos) << key;
+  EXPECT_NE(study_schema().find("latin_hypercube"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earthtop
