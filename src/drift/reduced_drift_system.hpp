@@ -76,6 +76,8 @@ class ReducedDriftSystem
   }
 
   ReducedDriftSeries<T> series() const { return {model_, top_, constants_}; }
+  const ReducedTop<T>& top() const { return top_; }
+  const ReducedDriftConstants<T>& constants() const { return constants_; }
 
   /// The state at release, where both predictions have the same attitude and the same rates of the kind it names.
   State initial_state() const {

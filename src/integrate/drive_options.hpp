@@ -1,12 +1,14 @@
 /// What the driver is told, how it keeps the time, and the form in which it takes a multistep method.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
 
 namespace earthtop {
@@ -98,6 +100,29 @@ constexpr bool is_bound_only() {
     return System::kBoundOnly;
   else
     return false;
+}
+
+/// Whether another step may be taken. Ends at the step limit, and as soon as a million steps have come so little forward that
+/// the limit is out of reach of the end.
+template <class T>
+RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters, T now, T begin, T end) {
+  constexpr std::int64_t kReview = 1'000'000;
+  const std::int64_t steps = counters.accepted + counters.rejected;
+  if (steps >= options.step_limit) return RunStatus::step_limit;
+  if (steps % kReview == 0 && steps > 0) {
+    const auto part = static_cast<double>((now - begin) / (end - begin));
+    if (static_cast<double>(steps) > part * static_cast<double>(options.step_limit)) return RunStatus::step_limit;
+  }
+  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
+  return RunStatus::completed;
+}
+
+/// In how many pieces the watcher has to see a step. @param turned  about how far it has turned the motion (rad)
+template <class T>
+T pieces_of_step(const DriveOptions<T>& options, T step, T turned) {
+  constexpr int kMostByTurn = 15;  // where a guess is enough
+  const T by_turn = T(1) + std::min(turned, T(kMostByTurn));
+  return options.largest_step > T(0) ? std::max(by_turn, T(1) + step / options.largest_step) : by_turn;
 }
 
 /// An odeint multistep method as the driver's fixed steps take it.

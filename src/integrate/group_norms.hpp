@@ -47,6 +47,8 @@ class GroupScales {
   void include(const State& x) {
     for (std::size_t g = 0; g < kGroups.size(); ++g) squares_[g] = std::max(squares_[g], squared_size(x, kGroups[g]));
   }
+  /// Of each group the largest size, squared.
+  const std::array<T, kGroups.size()>& squares() const { return squares_; }
   /// The largest group error over its tolerance; an error that is not finite counts as a huge one, so that a NaN is rejected
   /// (odeint itself would accept it).
   T largest_error(T relative_tolerance, const State& dxdt_old, const State& x_err, T dt) const {

@@ -21,10 +21,7 @@ MotionTrajectory<T> integrate_motion_of(const MotionProblem<T>& problem, const I
   using State = typename System::State;
   const auto on_step = [&](T, const State& x) { system.follow(x); };
   const auto on_row = [&](std::size_t row, const State& x) {
-    MotionSample<T> sample = system.sample(x, times[row]);
-    sample.t_s = T(problem.times_s[row]);
-    for (int i = 0; i < 3; ++i) sample.w_LB_B[i] = problem.units.rate_to_rad_s(sample.w_LB_B[i]);
-    trajectory.samples.push_back(sample);
+    trajectory.samples.push_back(sample_at(system, problem, x, times[row], problem.times_s[row]));
   };
   Driver<T, System, decltype(on_step), decltype(on_row)> driver(system, drive, on_step, on_row);
   State x = system.initial_state();

@@ -15,6 +15,16 @@
 
 namespace earthtop {
 
+/// A system's sample at an output time as the trajectory has it: SI units.
+template <class T, class System>
+MotionSample<T> sample_at(const System& system, const MotionProblem<T>& problem, const typename System::State& x, T t,
+                          double t_s) {
+  MotionSample<T> sample = system.sample(x, t);
+  sample.t_s = T(t_s);
+  for (int i = 0; i < 3; ++i) sample.w_LB_B[i] = problem.units.rate_to_rad_s(sample.w_LB_B[i]);
+  return sample;
+}
+
 /// Gives a system its Taylor series where it has one.
 template <class Made>
 struct WithSeries {
@@ -160,6 +170,8 @@ class ReducedMotionSystem
   }
 
   ReducedMotionSeries<T, S> series() const { return {top_, b_, W_L_, gravity_L_}; }
+  const ReducedTop<T>& top() const { return top_; }
+  const NutationRate<T>& nutation_rate() const { return b_; }
 
   State initial_state() const {
     State x;

@@ -230,9 +230,9 @@ class Driver {
   int pieces_of(const DenseStepper& stepper, T step) const {
     T pieces = T(1);
     if constexpr (is_watched<System>()) {
-      constexpr int kMostByTurn = 15;  // where a guess is enough
-      if constexpr (requires { stepper.turned(); }) pieces += std::min(stepper.turned(), T(kMostByTurn));
-      if (options_.largest_step > T(0)) pieces = std::max(pieces, T(1) + step / options_.largest_step);
+      T turned = T(0);
+      if constexpr (requires { stepper.turned(); }) turned = stepper.turned();
+      pieces = pieces_of_step(options_, step, turned);
     }
     return static_cast<int>(pieces);
   }
@@ -347,18 +347,8 @@ class Driver {
     return all_finite(dxdt) ? otherwise : RunStatus::not_finite;
   }
 
-  /// Ends at the step limit, and as soon as a million steps have come so little forward that the limit is out of reach of the
-  /// end.
   RunStatus may_go_on(T now, std::span<const T> times) const {
-    constexpr std::int64_t kReview = 1'000'000;
-    const std::int64_t steps = counters_.accepted + counters_.rejected;
-    if (steps >= options_.step_limit) return RunStatus::step_limit;
-    if (steps % kReview == 0 && steps > 0) {
-      const auto part = static_cast<double>((now - times.front()) / (times.back() - times.front()));
-      if (static_cast<double>(steps) > part * static_cast<double>(options_.step_limit)) return RunStatus::step_limit;
-    }
-    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
-    return RunStatus::completed;
+    return earthtop::may_go_on(options_, counters_, now, times.front(), times.back());
   }
 
   System& system_;

@@ -1,16 +1,117 @@
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <utility>
+
+#include "earthtop/arithmetic.hpp"
+#include "earthtop/drift/drift_lanes.hpp"
 #include "earthtop/run_batch.hpp"
+#include "run/assemble.hpp"
+#include "scenario/problem.hpp"
 
 namespace earthtop {
+namespace {
+
+/// A scenario that goes into a lane.
+struct LanePoint {
+  std::size_t index;  ///< of the scenario in the batch
+  MethodChoice choice;
+};
+
+/// Whether the run of this scenario is one pair of integrations, of which the first is a series of the reduced form.
+bool fits_lanes(const Scenario& scenario, const MethodChoice& choice) {
+  return scenario.precision == Precision::bits53 && !scenario.accuracy_rad && !scenario.effects.automatic &&
+         choice.options.method == Method::taylor && choice.options.observer == Observer::laboratory &&
+         takes_reduced_form(make_model<double>(scenario), choice.options);
+}
+
+/// The second integration of a lane: the equations of inertial axes, in which gravity turns, by a series of another order. The
+/// tolerance is a hundredth, or where the digits do not allow that ten times as large. It is the method of the rows: the bound
+/// is ten times the distance.
+IntegrationOptions second_lane_options(const IntegrationOptions& first) {
+  IntegrationOptions second = first;
+  second.observer = Observer::inertial;
+  second.form = ModelForm::reduced;
+  const double asked = first.relative_tolerance, finer = std::max(asked / 100, least_tolerance(Precision::bits53));
+  second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
+  return second;
+}
+
+/// Integrates points side by side; each one's time is its share of the work.
+std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftProblem<double>> problems,
+                                                        const IntegrationOptions& options, std::vector<double>& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<DriftTrajectory<double>> trajectories = integrate_drift_in_lanes(problems, options, &interrupt_flag());
+  const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  double evaluations = 0;
+  for (const auto& trajectory : trajectories) evaluations += static_cast<double>(trajectory.counters.evaluations);
+  for (const auto& trajectory : trajectories)
+    seconds.push_back(evaluations > 0 ? all * static_cast<double>(trajectory.counters.evaluations) / evaluations : 0);
+  return trajectories;
+}
+
+/// Runs points of one tolerance.
+void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint> points, std::vector<BatchOutcome>& outcomes) {
+  const IntegrationOptions options = points.front().choice.options, other_options = second_lane_options(options);
+  std::vector<DriftProblem<double>> problems;
+  problems.reserve(points.size());
+  for (const LanePoint& point : points) problems.push_back(make_problem<double>(scenarios[point.index]));
+  std::vector<TwoIntegrations<double>> made(points.size());
+
+  std::vector<double> seconds;
+  seconds.reserve(2 * points.size());
+  auto trajectories = integrate_together(problems, options, seconds);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    made[i].first = std::move(trajectories[i]);
+    make_second(problems[i], made[i].first);
+  }
+  trajectories = integrate_together(problems, other_options, seconds);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    TwoIntegrations<double>& both = made[i];
+    const Scenario& scenario = scenarios[points[i].index];
+    both.second = std::move(trajectories[i]);
+    both.options = points[i].choice.options;
+    both.other_options = second_lane_options(both.options);
+    describe(problems[i], both.options, both.first, scenario.precision, both.solution);
+    describe(problems[i], both.other_options, both.second, scenario.precision, both.certificate);
+    both.solution.reason = points[i].choice.reason + "; in SIMD lanes";
+    both.solution.seconds = seconds[i];
+    both.certificate.seconds = seconds[points.size() + i];
+    RunResult result = assemble_result(scenario, both);
+    result.modelled = scenario;
+    outcomes[points[i].index].result = std::move(result);
+    both = {};
+  }
+}
+
+}  // namespace
 
 std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
+  require_ieee_arithmetic();
   std::vector<BatchOutcome> outcomes(scenarios.size());
+  std::map<std::pair<double, std::int64_t>, std::vector<LanePoint>> lanes;  // by tolerance and step limit
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    const Scenario& scenario = scenarios[i];
     try {
-      outcomes[i].result = run(scenarios[i]);
+      if (!scenario.effects.automatic) {
+        if (const auto reason = method_refusal(scenario.numerics.method, scenario))
+          throw ScenarioError("/numerics/method", *reason);
+        MethodChoice choice = method_choice(scenario);
+        if (fits_lanes(scenario, choice)) {
+          require_affordable(scenario);
+          lanes[{choice.options.relative_tolerance, choice.options.step_limit}].push_back({i, std::move(choice)});
+          continue;
+        }
+      }
+      outcomes[i].result = run(scenario);
     } catch (const ScenarioError& refusal) {
       outcomes[i].refusal = refusal.what();
     }
   }
+  constexpr std::size_t kTogether = 64;  // so that the samples of few are in memory
+  for (const auto& [key, points] : lanes)
+    for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
+      run_in_lanes(scenarios, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)), outcomes);
   return outcomes;
 }
 

@@ -1,0 +1,4 @@
+#define EARTHTOP_LANE_WIDTH 8
+#include "drift/lanes/drift_kernels.ipp"
+
+EARTHTOP_DRIFT_KERNELS(avx512)

@@ -1,0 +1,30 @@
+/// The kernel for an instruction set.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "earthtop/integrate/instruction_set.hpp"
+#include "integrate/lanes/block.hpp"
+
+namespace earthtop::lanes {
+
+/// @param asked  none: the widest that there is. @throws std::logic_error for one that this processor or program has not
+inline InstructionSet set_taken(std::optional<InstructionSet> asked) {
+  static const std::vector<InstructionSet> sets = instruction_sets();
+  if (!asked) return sets.back();
+  if (std::find(sets.begin(), sets.end(), *asked) == sets.end())
+    throw std::logic_error("no instructions of this kind: " + std::string(to_string(*asked)));
+  return *asked;
+}
+
+}  // namespace earthtop::lanes
+
+#ifdef EARTHTOP_WIDE_LANES
+/// Of the kernels `name`_baseline, `name`_avx2, `name`_avx512.
+#define EARTHTOP_CHOOSE_KERNEL(set, name) \
+  ((set) == InstructionSet::avx512 ? name##_avx512 : (set) == InstructionSet::avx2 ? name##_avx2 : name##_baseline)
+#else
+#define EARTHTOP_CHOOSE_KERNEL(set, name) ((void)(set), name##_baseline)
+#endif

@@ -1,0 +1,4 @@
+#define EARTHTOP_LANE_WIDTH 8
+#include "integrate/lanes/motion_kernels.ipp"
+
+EARTHTOP_MOTION_KERNELS(avx512)

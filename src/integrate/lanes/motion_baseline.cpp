@@ -1,0 +1,4 @@
+#define EARTHTOP_LANE_WIDTH 2
+#include "integrate/lanes/motion_kernels.ipp"
+
+EARTHTOP_MOTION_KERNELS(baseline)

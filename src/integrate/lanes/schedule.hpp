@@ -1,0 +1,251 @@
+/// Takes many points through a kernel, eight at a time: each lane has its own clock, step and rows, and takes the next point as
+/// soon as its own is done. What a lane does is what the driver's `run_dense` does with a stepper of its own; lanes share the
+/// order of the series and the tolerance, and nothing else.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "integrate/drive_options.hpp"
+#include "integrate/group_norms.hpp"
+#include "integrate/lanes/block.hpp"
+
+namespace earthtop::lanes {
+
+/// What all points of a batch share.
+struct Plan {
+  const Kernel* kernel;
+  int order;
+  double last_term;  ///< of the series against its group
+};
+
+/// The last term is that of `TaylorStepper`, the order the one of least work for tops under many nutations: above the one that
+/// a series with a near singularity takes.
+inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
+  const double last_term = 1e-4 * relative_tolerance;
+  return {&kernel, std::clamp(static_cast<int>(1 - 0.7 * std::log(last_term)), 6, kMostOrder), last_term};
+}
+
+/// One point in its lane.
+/// @tparam Point  with
+///   System                     a reduced system: kSize, groups(), typical_state()
+///   kVariables                 of the kernel's state; those beyond the system's begin at 0
+///   system(), times(), drive() the output times and the driver's options in natural units
+///   constants(rows, lane)      puts what the equations read into the lane's place
+///   on_step(t, x), on_row(row, x)
+///   finish(status, counters)
+template <class Point>
+class Lane {
+ public:
+  using System = typename Point::System;
+  using State = std::array<double, System::kSize>;
+
+  template <class... Arguments>
+  Lane(Block& block, std::size_t lane, Arguments&&... arguments)
+      : block_(block),
+        lane_(lane),
+        point_(std::forward<Arguments>(arguments)...),
+        clock_(point_.times().front(), point_.times().back()) {}
+
+  /// Puts the point at its release into the lane. @returns whether there is a step to take
+  bool begin() {
+    const State x = point_.system().initial_state();
+    GroupScales<double, System> scales;
+    scales.include(x);
+    scales.include(point_.system().typical_state());
+    if (!all_finite(x)) return end(RunStatus::not_finite);
+    point_.on_step(point_.times().front(), x);
+    point_.on_row(0, x);
+    if (point_.times().size() == 1) return end(RunStatus::completed);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Point::kVariables); ++i) {
+      at(block_.x[i]) = i < x.size() ? x[i] : 0.0;
+      at(block_.rest[i]) = 0.0;
+    }
+    for (std::size_t g = 0; g < scales.squares().size(); ++g) at(block_.squares[g]) = scales.squares()[g];
+    point_.constants(block_.constants, lane_);
+    return true;
+  }
+
+  /// Before a step. @returns whether it may be taken
+  bool prepare() {
+    const auto& times = point_.times();
+    if (const RunStatus status = may_go_on(point_.drive(), counters_, clock_.now(), times.front(), times.back());
+        status != RunStatus::completed)
+      return end(status);
+    at(block_.longest) = clock_.remaining();
+    return true;
+  }
+
+  /// After it. @returns whether there is anything to see of it
+  bool accept() {
+    ++counters_.accepted;
+    counters_.evaluations += block_.order;
+    if (!(at(block_.unfinite) == 0.0)) return end(RunStatus::not_finite);
+    step_ = at(block_.step);
+    lands_ = step_ >= clock_.remaining();
+    if (!lands_ && step_ < least_step<double>()) return end(RunStatus::step_underflow);
+    piece_ = 1;
+    pieces_ = 1;
+    if constexpr (is_watched<System>()) {
+      const double turned = std::sqrt(at(block_.first_turn)) * step_ + std::sqrt(at(block_.second_turn)) * (step_ * step_);
+      pieces_ = static_cast<int>(pieces_of_step(point_.drive(), step_, turned));
+    }
+    return true;
+  }
+
+  /// Goes on to the next state within the step that someone wants to see, and shows those at its end.
+  /// @param after  set to its time after the beginning of the step
+  /// @returns whether there is one before the end: `see` is to be called with it
+  bool next_look(double& after) {
+    const auto& times = point_.times();
+    while (piece_ <= pieces_) {
+      const bool in_piece = row_ < times.size() && (clock_.until(times[row_]) <= piece_end() || (piece_ == pieces_ && lands_));
+      if (!in_piece && row_ == times.size()) return false;
+      if (!in_piece && !is_watched<System>()) {
+        ++piece_;
+        continue;
+      }
+      looks_at_row_ = in_piece;
+      after = in_piece ? clock_.until(times[row_]) : piece_end();
+      if (after < step_) return true;
+      see(block_.x);
+    }
+    return false;
+  }
+  /// The state asked for, from rows of states.
+  void see(const Row* x) {
+    State seen;
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = x[i].lane[lane_];
+    if (looks_at_row_) {
+      point_.on_step(point_.times()[row_], seen);
+      point_.on_row(row_, seen);
+      ++row_;
+    } else {
+      point_.on_step(clock_.now() + piece_end(), seen);
+      ++piece_;
+    }
+  }
+
+  /// @returns whether the point goes on
+  bool advance() {
+    clock_.advance(step_);
+    return row_ < point_.times().size() || end(RunStatus::completed);
+  }
+
+ private:
+  bool end(RunStatus status) {
+    point_.finish(status, counters_);
+    return false;
+  }
+  double& at(Row& row) const { return row.lane[lane_]; }
+  double piece_end() const { return piece_ == pieces_ ? step_ : step_ * piece_ / pieces_; }
+
+  Block& block_;
+  std::size_t lane_;
+  Point point_;
+  IntervalClock<double> clock_;
+  StepCounters counters_;
+  std::size_t row_ = 1;
+  double step_ = 0;
+  bool lands_ = false;
+  int piece_ = 1, pieces_ = 1;  ///< of the step, as the watcher sees it
+  bool looks_at_row_ = false;
+};
+
+/// @param arguments  of a point's number, those of its Point, as a tuple
+template <class Point, class Arguments>
+class Schedule {
+ public:
+  Schedule(const Plan& plan, std::size_t count, const Arguments& arguments)
+      : kernel_(*plan.kernel), count_(count), arguments_(arguments), block_(std::make_unique<Block>()) {
+    block_->order = plan.order;
+    block_->tolerance_squared = plan.last_term * plan.last_term;
+  }
+
+  void run() {
+    for (std::size_t l = 0; l < kLaneCount; ++l) refill(l);
+    while (prepare()) {
+      kernel_.step(*block_);
+      for (std::size_t l = 0; l < kLaneCount; ++l)
+        if (lanes_[l] && !lanes_[l]->accept()) refill(l), fresh_[l] = true;
+      show();
+      for (std::size_t l = 0; l < kLaneCount; ++l)
+        if (lanes_[l] && !fresh_[l] && !lanes_[l]->advance()) refill(l);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kLaneCount = kLanes;
+
+  /// The next point whose release leaves something to do; or an idle lane, whose numbers are zeros.
+  void refill(std::size_t l) {
+    lanes_[l].reset();
+    while (next_ < count_) {
+      std::apply([&](auto&&... a) { lanes_[l].emplace(*block_, l, a...); }, arguments_(next_++));
+      if (lanes_[l]->begin()) return;
+      lanes_[l].reset();
+    }
+    const auto clear = [&](auto& rows) {
+      for (Row& row : rows) row.lane[l] = 0.0;
+    };
+    clear(block_->x), clear(block_->rest), clear(block_->constants);
+    for (Row& row : block_->squares) row.lane[l] = 1.0;
+    block_->longest.lane[l] = 1.0;
+  }
+
+  /// @returns whether any lane has a step to take
+  bool prepare() {
+    bool any = false;
+    for (std::size_t l = 0; l < kLaneCount; ++l) {
+      fresh_[l] = false;
+      while (lanes_[l] && !lanes_[l]->prepare()) refill(l);
+      any = any || lanes_[l];
+    }
+    return any;
+  }
+
+  /// All lanes' rows within the step, and what their watchers want to see.
+  void show() {
+    for (;;) {
+      Row after{};
+      unsigned wanted = 0;
+      for (std::size_t l = 0; l < kLaneCount; ++l)
+        if (lanes_[l] && !fresh_[l] && lanes_[l]->next_look(after.lane[l])) wanted |= 1U << l;
+      if (wanted == 0) return;
+      kernel_.evaluate(*block_, after, wanted, seen_.data());
+      for (std::size_t l = 0; l < kLaneCount; ++l)
+        if ((wanted >> l & 1U) != 0) lanes_[l]->see(seen_.data());
+    }
+  }
+
+  const Kernel& kernel_;
+  std::size_t count_, next_ = 0;
+  const Arguments& arguments_;
+  std::unique_ptr<Block> block_;
+  std::array<std::optional<Lane<Point>>, kLaneCount> lanes_;
+  std::array<bool, kLaneCount> fresh_{};  ///< refilled since the last step
+  std::array<Row, kMostVariables> seen_{};
+};
+
+template <class Point, class Arguments>
+void run_in_lanes(const Plan& plan, std::size_t count, const Arguments& arguments) {
+  Schedule<Point, Arguments>(plan, count, arguments).run();
+}
+
+/// Whether a kernel's groups are those that the system is measured by.
+template <class System, std::size_t kMost>
+constexpr bool are_groups_of(const Group (&groups)[kMost]) {
+  constexpr auto expected = System::groups();
+  bool same = kMost >= expected.size();
+  for (std::size_t g = 0; same && g < expected.size(); ++g)
+    same = groups[g].begin == static_cast<int>(expected[g].begin) && groups[g].count == static_cast<int>(expected[g].count) &&
+           groups[g].turns == (expected[g].least_scale == 1.0);
+  return same;
+}
+
+}  // namespace earthtop::lanes

@@ -1,0 +1,152 @@
+#include "run/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "run/assessment.hpp"
+#include "run/drift_bound.hpp"
+#include "run/rows.hpp"
+#include "run/sensitivities.hpp"
+#include "run/verdict.hpp"
+
+namespace earthtop {
+namespace {
+
+/// By how much the distance to the second integration is multiplied. Where that one is the rows' own method, or no finer than
+/// they are, both err by as much, and may do so to the same side: in 3 of 92 random scenes three times their distance was not
+/// enough.
+int bound_safety(const IntegrationOptions& first, const IntegrationOptions& second) {
+  const bool alike = second.method == first.method && first.method != Method::closed_form;
+  return alike || second.relative_tolerance >= first.relative_tolerance ? 10 : 3;
+}
+
+/// How many rows the bound of row i rests on: in the first ones two runs may agree by chance, so that each is held against what
+/// they make of the next two as well.
+std::size_t rows_compared(std::size_t i) { return i + 3; }
+
+/// The angle between two attitudes (rad).
+template <class T>
+double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
+  const Quaternion<T> d = p.conjugate() * q;
+  return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w)));
+}
+
+/// A row in double, and in full where there is more to it.
+template <class T>
+void add_row(const BasicDriftRow<T>& row, RunResult& result) {
+  if constexpr (std::is_same_v<T, double>) {
+    result.rows.push_back(row);
+  } else {
+    result.rows.push_back(row_cast<double>(row));
+    result.extended_rows.push_back(row_cast<float128>(row));
+  }
+}
+
+/// What is known of a run that was asked to stop: how far it came.
+RunResult stopped(RunResult result, double reached_s) {
+  result.status = RunStatus::interrupted;
+  result.reached_s = reached_s;
+  result.rows.clear();
+  result.extended_rows.clear();
+  return result;
+}
+
+/// A disc whose flow changes on the way: the formula taken at release is kept.
+std::optional<std::string> note_on_air(const RunResult& result) {
+  const auto& disc = result.scenario.effects.applied.air_drag;
+  if (!disc || disc->flow != DiscFlow::automatic || result.rows.empty()) return std::nullopt;
+  const bool turbulent = is_turbulent(*disc, result.rows.front().w_LB_B[2]);
+  const auto other = std::find_if(result.rows.begin(), result.rows.end(),
+                                  [&](const DriftRow& row) { return is_turbulent(*disc, row.w_LB_B[2]) != turbulent; });
+  if (other == result.rows.end()) return std::nullopt;
+  return fmt::format(
+      "from {} s on the air round the disc is {}, but the drag is that of the release, {}: give /effects/air_drag/flow",
+      other->t_s, turbulent ? "laminar" : "turbulent", turbulent ? "turbulent" : "laminar");
+}
+
+}  // namespace
+
+template <class T>
+void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first) {
+  problem.rotating = RotatingMotion::composed;
+  problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));
+  nudge(problem);
+}
+
+template <class T>
+void describe(const DriftProblem<T>& problem, const IntegrationOptions& options, const DriftTrajectory<T>& trajectory,
+              Precision precision, IntegrationReport& report) {
+  report.observer = options.observer;
+  const bool closed_form = options.method == Method::closed_form;
+  report.form = !closed_form && takes_reduced_form(problem.model, options) ? ModelForm::reduced : ModelForm::general;
+  report.method = options.method;
+  report.precision = to_string(precision);
+  if (!closed_form) report.relative_tolerance = options.relative_tolerance;
+  report.step_s = trajectory.step_s;
+  report.counters = trajectory.counters;
+}
+
+template <class T>
+RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made) {
+  const std::atomic<bool>& stop = interrupt_flag();
+  RunResult result;
+  result.scenario = scenario;
+  result.solution = made.solution;
+  result.certificate = made.certificate;
+  result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
+  const double reached_s = made.first.samples.empty() ? 0 : static_cast<double>(made.first.samples.back().state.t_s);
+
+  // What follows takes seconds where the rows are millions.
+  const int safety = bound_safety(made.options, made.other_options);
+  DriftBound<T> bound(safety);
+  const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < count && !stop; ++i) {
+    for (const std::size_t ahead = std::min(count, rows_compared(i)); compared < ahead; ++compared) {
+      const DriftSample<T>& sample = made.first.samples[compared];
+      bound.include(sample.measures, made.second.samples[compared].measures, sample.state.epsilon);
+      bound.include_stated(sample.drift_error);
+    }
+    const DriftSample<T>& sample = made.first.samples[i];
+    const DriftSample<T>& other = made.second.samples[i];
+    add_row(make_row(sample, bound), result);
+    const double distance = std::max(attitude_distance(sample.state.q_LB, other.state.q_LB),
+                                     attitude_distance(sample.state.ref_q_LB, other.state.ref_q_LB));
+    result.attitude_bound_rad =
+        std::max(result.attitude_bound_rad, safety * distance + static_cast<double>(sample.attitude_error));
+  }
+  if (stop) return stopped(std::move(result), reached_s);
+  result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
+  result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
+  result.drift.threshold_time_s = made.first.threshold_time_s;
+  result.stops = made.first.stops;
+  if (stop) return stopped(std::move(result), reached_s);
+  result.verdict = assess_verdict(result, stop);
+  mark_rows(result);
+  if (stop) return stopped(std::move(result), reached_s);
+  result.sensitivities = assess_sensitivities(result, stop);
+  if (stop) return stopped(std::move(result), reached_s);
+  result.invariants = assess_invariants(result);
+  if (stop) return stopped(std::move(result), reached_s);
+  result.theory = assess_theory(scenario, result.rows, result.drift);
+  if (stop) return stopped(std::move(result), reached_s);
+  result.ledger = assess_ledger(result);
+  if (const auto note = note_on_air(result)) result.notes.push_back(*note);
+  if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
+  return result;
+}
+
+#define EARTHTOP_ASSEMBLE(T)                                                                                      \
+  template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&);                                         \
+  template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
+                         IntegrationReport&);                                                                     \
+  template RunResult assemble_result(const Scenario&, const TwoIntegrations<T>&);
+EARTHTOP_ASSEMBLE(double)
+EARTHTOP_ASSEMBLE(long double)
+EARTHTOP_ASSEMBLE(float128)
+
+}  // namespace earthtop

@@ -1,0 +1,30 @@
+/// What follows the two integrations of a run, however they were made: bounds, rows, verdict and all that is told beside them.
+#pragma once
+
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+
+/// Both integrations behind a run.
+template <class T>
+struct TwoIntegrations {
+  IntegrationOptions options, other_options;
+  IntegrationReport solution, certificate;
+  DriftTrajectory<T> first, second;
+};
+
+/// From the problem of the rows to that of the second integration: nudged, and no further than the rows got.
+template <class T>
+void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first);
+
+/// Fills a report but for its reason and its time.
+template <class T>
+void describe(const DriftProblem<T>& problem, const IntegrationOptions& options, const DriftTrajectory<T>& trajectory,
+              Precision precision, IntegrationReport& report);
+
+/// The result of a scenario without a choice of effects or an accuracy to reach; `modelled` is left to the caller. Can be
+/// interrupted.
+template <class T>
+RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made);
+
+}  // namespace earthtop
