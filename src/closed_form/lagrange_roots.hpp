@@ -34,6 +34,23 @@ struct NutationData {
   bool near_top;      ///< whether V and the slack say more than Omega and mu
 };
 
+/// x - y^2, rounded once however close the two are.
+template <class T>
+T less_square(T x, T y) {
+  return -real::fma(y, y, -x);
+}
+/// The same without the software that stands for a fused product in this scalar: the square as an exact sum (T. J. Dekker,
+/// Numer. Math. 18 (1971) 224) and a sum with its rest (Knuth). Of doubles nothing overflows or underflows here.
+template <>
+inline long double less_square(long double x, long double y) {
+  constexpr long double kSplitter = 4294967297.0L;  // 2^32 + 1: halves of 32 bits
+  const long double c = kSplitter * y, high = c - (c - y), low = y - high;
+  const long double square = y * y, square_rest = ((high * high - square) + 2 * high * low) + low * low;
+  const long double difference = x - square, shared = difference - x;
+  const long double rest = (x - (difference - shared)) - (square + shared);
+  return difference + (rest - square_rest);
+}
+
 /// @param A, B  halves of the unit quaternion, w + i z and x + i y   @param Omega  w1 + i w2
 template <class T>
 NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T>& B, const Complex<T>& Omega) {
@@ -51,7 +68,7 @@ NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T
   d.bottom = T(2) * norm2(flipped ? B : A);
   d.u0 = d.top < d.bottom ? T(1) - d.top : d.bottom - T(1);
 
-  d.slack = -real::fma(d.beta, d.beta, T(-4) * d.mu);
+  d.slack = less_square(T(4) * d.mu, d.beta);
   const Complex<T> V = Omega + Complex<T>{d.beta * Z.im, -d.beta * Z.re};
   const Complex<T> from_steady = conj(V) * Z;
   d.V2 = norm2(V);

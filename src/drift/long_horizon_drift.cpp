@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "drift/release_rates.hpp"
@@ -93,18 +94,26 @@ class LongHorizonDrift {
     const Top top = top_at(epsilon);
     const LongHorizonPlan<T> plan = plan_of(top, T(options_.relative_tolerance));
     set_step(plan);
-    if (plan.averages) stated_error_ = averaging_error(top, times_.back()) / times_.back();
+    T largest_node = std::numeric_limits<T>::infinity();
+    if (plan.averages) {
+      const T averaging = averaging_error(top, times_.back());
+      stated_error_ = averaging / times_.back();
+      // It goes with the square of the rate, and shall not exceed a plain difference's round-off.
+      if (averaging > T(0)) largest_node = epsilon * real::sqrt(kDifferenceError / averaging);
+    }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
     if (largest >= kSmall || trajectory_status_ != RunStatus::completed) return plain;
-    const T drift = interpolate(epsilon, largest);
+    if (largest_node < T(2) * epsilon) return plain;
+    const T drift = interpolate(epsilon, largest, largest_node);
     if (!(drift > T(0))) return plain;  // nothing at any rate
     return watched(epsilon, false);
   }
 
  private:
-  static constexpr T kSmall = 1e-3;   ///< a drift (rad) of which a difference gives nine digits
-  static constexpr T kChosen = 4e-3;  ///< the drift at the rates that stand for smaller ones
+  static constexpr T kSmall = 1e-3;             ///< a drift (rad) of which a difference gives nine digits
+  static constexpr T kChosen = 4e-3;            ///< the drift at the rates that stand for smaller ones
+  static constexpr T kDifferenceError = 1e-12;  ///< of a difference (rad)
   static constexpr T kGoldenPart = 0.6180339887498949;
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
@@ -122,11 +131,18 @@ class LongHorizonDrift {
       const T step = problem_.units.time_from_s(T(*options_.step_s));
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
     }
-    LongHorizonPlan<T> plan = find_plan(top, duration, shortest_interval(), tolerance, counters_);
+    LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps)
+                                                  : find_plan(top, duration, shortest_interval(), tolerance, counters_);
+    found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks, plan.averages};
     // Another observer asks for a witness: steps without a common measure with these, and an average over twice the time, whose
     // own error is four times as large.
     if (options_.observer != Observer::laboratory) plan.step *= kGoldenPart, plan.spacing = 2;
     return plan;
+  }
+  LongHorizonPlan<T> plan_from(const Top& top, const KickSteps& steps) const {
+    const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
+    const bool averages = steps.averages && real::isfinite(top.nutation_period());
+    return make_plan(top, schedule, problem_.units.time_from_s(steps.step_s), averages);
   }
   void set_step(const LongHorizonPlan<T>& plan) {
     const T interval = times_[1] - times_[0];
@@ -218,6 +234,7 @@ class LongHorizonDrift {
     trajectory.status = trajectory_status_;
     trajectory.counters = counters_;
     trajectory.step_s = step_s_;
+    trajectory.kick_steps = found_;
     trajectory.threshold_time_s = watcher.threshold_time_s();
     return trajectory;
   }
@@ -228,14 +245,15 @@ class LongHorizonDrift {
     return largest;
   }
 
-  /// Fills `pairs_` for this epsilon from four larger rates. @param drift  a first estimate of the drift at it (rad)
+  /// Fills `pairs_` for this epsilon from four larger rates.
+  /// @param drift  a first estimate of the drift at it (rad)   @param largest_node  none shall be larger
   /// @returns the drift that the largest of these rates makes
-  T interpolate(T epsilon, T drift) {
+  T interpolate(T epsilon, T drift, T largest_node) {
     const auto quiet = [](T, const Pair&) {};
     constexpr T kResolved = 1e-5;  // a plain difference of this size is no round-off, and says how far to go
     constexpr T kRoundOff = 1e-13;
     // At most a radian of the Earth's turn: what does not drift by then, as an axis along the Earth's, hardly does at any rate.
-    T most = T(1) / times_.back();
+    T most = std::min(largest_node, T(1) / times_.back());
     T node = std::min(most, drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
@@ -313,6 +331,7 @@ class LongHorizonDrift {
   StepCounters counters_;
   RunStatus trajectory_status_ = RunStatus::completed;
   std::optional<double> step_s_;
+  std::optional<KickSteps> found_;
   T stated_error_ = T(0);  ///< of averaging, in a unit of time
   std::vector<Pair> pairs_;
 };

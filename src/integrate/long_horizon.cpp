@@ -14,6 +14,10 @@ double gauss_phase(int s, double error) {
 
 /// Less (rad) cannot be seen in a double's run.
 constexpr double kLeastError = 1e-12;
+/// Nor can less with long steps: what the parts of a kick leave that do not commute, and the turn's round-off.
+constexpr double kLeastAveraged = 1e-11;
+/// What halving a step divides the error by: of the lowest order that there is, and of one worth halving for.
+constexpr double kLeastGain = 4, kGain = 16;
 /// A difference (rad) that may be round-off in a trial.
 constexpr double kLeastSquare = 1e-10;
 
@@ -22,23 +26,38 @@ T angle_between(const Vec3<T>& a, const Vec3<T>& b) {
   return real::atan2(norm(Vec3<T>(a.cross(b))), a.dot(b));
 }
 
+/// How often a trial looks, and the steps between two looks: whole ones, so that a step halved is a step halved.
+struct Looks {
+  static constexpr int kMost = 8;
+  int count = 1;
+  double steps = 1;
+};
+/// The fewest steps, none longer than `step`, that some number of looks divides.
+Looks looks_in(double part, double step) {
+  const double steps = std::max(2.0, std::ceil(part / step * (1 - 1e-12)));
+  if (steps <= Looks::kMost) return {static_cast<int>(steps), 1};
+  Looks best{Looks::kMost, std::ceil(steps / Looks::kMost)};
+  for (int count = Looks::kMost - 1; 2 * count >= Looks::kMost; --count)
+    if (const double each = std::ceil(steps / count); each * count < best.steps * best.count) best = {count, each};
+  return best;
+}
+
 /// How far two plans come apart on the first part of a run: the axis, or the attitude where that matters more.
 template <class T>
 class Trial {
  public:
-  static constexpr int kLooks = 8;
-  Trial(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T part, StepCounters& counters) {
+  Trial(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T part, int looks, StepCounters& counters) : looks_(looks) {
     LongHorizonWalk<T> walk(top, plan, counters);
-    for (int i = 0; i < kLooks; ++i) {
-      walk.advance(part / T(kLooks), T(0), [](T, const TiltedTopState<T>&) {});
-      seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(kLooks));
+    for (int i = 0; i < looks; ++i) {
+      walk.advance(part / T(looks), T(0), [](T, const TiltedTopState<T>&) {});
+      seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(looks));
     }
   }
   T distance(const Trial& other) const {
     // The turn about the axis is looked at a tenth as closely.
     constexpr double kTurnShare = 0.1;
     T largest = T(0);
-    for (std::size_t i = 0; i < kLooks; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(looks_); ++i) {
       const Mat3<T> R = rotation_matrix(seen_[i].q_LF), S = rotation_matrix(other.seen_[i].q_LF);
       const Quaternion<T> e = seen_[i].q_LF.conjugate() * other.seen_[i].q_LF;
       const T turn = T(2) * real::atan2(norm(e.v), real::abs(e.w));
@@ -48,7 +67,8 @@ class Trial {
   }
 
  private:
-  std::array<typename TiltedTop<T>::Seen, kLooks> seen_;
+  int looks_;
+  std::array<typename TiltedTop<T>::Seen, static_cast<std::size_t>(Looks::kMost)> seen_;
 };
 
 }  // namespace
@@ -85,19 +105,20 @@ bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
   if (!(ratio < T(0.02))) return false;
   const T ripple = top.kick_rate() / nutation;
   if (!(ripple * ratio * (T(1) + ratio * precession * duration) < tolerance)) return false;
-  // Where the nutation would take minutes, the averaging error is stated instead.
-  constexpr double kAffordablePhase = 1e6;
-  return averaging_error(top, duration) < tolerance || nutation * duration > T(kAffordablePhase);
+  // Where following the nutation would leave as much round-off, or would take minutes, the averaging error is stated instead.
+  constexpr double kAffordablePhase = 1e6, kRoundOff = 2.5e-17;  // measured, in rad per rad
+  const T phase = nutation * duration;
+  return averaging_error(top, duration) < tolerance + T(kRoundOff) * phase || phase > T(kAffordablePhase);
 }
 
 template <class T>
 LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters) {
-  const T tolerance = std::max(asked, T(kLeastError));
-  const bool averages = may_average(top, duration, interval, tolerance);
+  const bool averages = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
+  const T tolerance = std::max(asked, T(averages ? kLeastAveraged : kLeastError));
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
   const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
   // The perturbation goes with twice the rate, and a tenth of it at that: the trial sees to the rest.
-  const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 3 / size, 0.01) : 0.01;
+  const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
   double least_work = std::numeric_limits<double>::infinity();
   KickSchedule schedule;
   T step = interval;
@@ -119,17 +140,20 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
                      ? duration
                      : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
   const T growth = duration / part;
-  Trial<T> coarse(top, plan, part, counters);
+  const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
+  plan.step = step = part / T(looks.steps * looks.count);
+  Trial<T> coarse(top, plan, part, looks.count, counters);
   T before = std::numeric_limits<T>::infinity();
   int stalls = 0;
   for (int halvings = 0; halvings < 16; ++halvings) {
     LongHorizonPlan<T> finer = plan;
     finer.step /= T(2);
-    const Trial<T> fine(top, finer, part, counters);
+    const Trial<T> fine(top, finer, part, looks.count, counters);
     const T distance = coarse.distance(fine);
-    if (distance * growth < tolerance) return part < duration ? plan : finer;
-    const bool composed = plan.schedule.kicks == kick_schedules::aba864().kicks;
-    if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(16)))) {
+    if (distance * growth < tolerance) return plan;
+    if (distance * growth < std::max(T(kLeastGain) * tolerance, T(averages ? kLeastSquare : 0))) return finer;
+    const bool composed = is_composed(plan);
+    if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(kGain)))) {
       // Hardly better by halving: round-off, or the square of a large perturbation, for which there is a schedule. That one may
       // stand still for once where its error changes from one order, and one sign, to another.
       if (distance < T(kLeastSquare) || stalls > 1) return plan;
@@ -138,7 +162,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
       } else {
         plan.schedule = kick_schedules::aba864();
         plan.step = step;
-        coarse = Trial<T>(top, plan, part, counters);
+        coarse = Trial<T>(top, plan, part, looks.count, counters);
         before = std::numeric_limits<T>::infinity();
         continue;
       }

@@ -31,6 +31,12 @@ struct LongHorizonPlan {
   T ripple_weight[3] = {};  ///< of the six ripple kicks, at 1/8, 2/8, 3/8 of the period before and after
 };
 
+/// Whether the schedule is that of ABA(8, 6, 4).
+template <class T>
+bool is_composed(const LongHorizonPlan<T>& plan) {
+  return plan.schedule.kicks == kick_schedules::aba864().kicks;
+}
+
 /// A plan with this schedule and step. @param averages  only for a finite nutation period
 template <class T>
 LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages);

@@ -29,8 +29,8 @@ std::atomic<bool> stop_asked = false;
 /// With dry friction both are in body axes, where a motion at rest is held.
 ///
 /// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
-/// against itself at a finer tolerance and in steps that have no common measure with the first ones (the observer names them),
-/// which excite other nutation. Where a run has few nutations, extrapolation.
+/// against itself in steps that are shorter and have no common measure with the first ones (the observer names them), which
+/// excite other nutation; a trial would but find the first steps again. Where a run has few nutations, extrapolation.
 IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
                                   bool dry_friction) {
   IntegrationOptions second = first;
@@ -48,10 +48,10 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   const double finer = std::max(asked / 100, least);
   second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
   if (first.step_s || first.method == Method::taylor) second.relative_tolerance = finer;
-  constexpr double kAffordable = 3e5;  // rad; a second
+  constexpr double kAffordable = 3e4;  // rad; a tenth of a second
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;
-    second.relative_tolerance = std::max(asked / 100, least_tolerance(precision));
+    second.relative_tolerance = asked;
   }
   return second;
 }
@@ -80,6 +80,7 @@ RunResult run_in(const Scenario& scenario) {
   const double phase = fastest_rate_rad_s(scenario) * problem.times_s.back();
   const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
   made.other_options = second_options(made.options, made.solution.form, precision, phase, dry_friction);
+  if (made.other_options.method == Method::long_horizon) made.other_options.kick_steps = made.first.kick_steps;
   made.second = integrate_timed(problem, made.other_options, precision, made.certificate);
   return assemble_result(scenario, made);
 }

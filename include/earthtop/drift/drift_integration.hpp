@@ -96,6 +96,7 @@ struct DriftTrajectory {
   std::optional<double> step_s;            ///< of a fixed-step method, as taken in the first interval
   std::vector<StopEvent> stops;            ///< ascending in time
   std::optional<double> threshold_time_s;  ///< axis drift first above the threshold, linear within a step
+  std::optional<KickSteps> kick_steps;     ///< those that long_horizon found last
 };
 
 /// @param stop  set from outside to end early with RunStatus::interrupted; may be null.

@@ -57,6 +57,13 @@ double least_tolerance(Precision precision);
 /// wants their digits.
 double default_tolerance(Precision precision);
 
+/// The steps of long_horizon, as one run found them and another may take them over.
+struct KickSteps {
+  double step_s = 0;      ///< the longest
+  int kicks = 0;          ///< in a step, at Gauss's nodes; 0: those of ABA(8, 6, 4)
+  bool averages = false;  ///< over the nutation
+};
+
 struct IntegrationOptions {
   Observer observer = Observer::laboratory;
   ModelForm form = ModelForm::automatic;
@@ -65,6 +72,7 @@ struct IntegrationOptions {
   std::optional<double> step_s;                      ///< fixed-step methods; the step taken divides the output step
   Composition composition = Composition::automatic;  ///< of `splitting`
   std::int64_t step_limit = 2'000'000'000;
+  std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
 };
 
 /// What an integration cost.
