@@ -1,7 +1,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
@@ -44,6 +46,15 @@ Json growth_json(const VerdictReport& verdict) {
           {"earth_grown_s", or_null(verdict.earth_grown_s)}};
 }
 
+/// The largest size of a value over the rows that have it.
+template <class Value>
+Json largest(const std::vector<DriftRow>& rows, const Value& value_of) {
+  std::optional<double> most;
+  for (const DriftRow& row : rows)
+    if (const std::optional<double> value = value_of(row)) most = std::max(most.value_or(0), std::abs(*value));
+  return or_null(most);
+}
+
 Json drift_json(const RunResult& result) {
   const DriftSummary& drift = result.drift;
   const std::optional<double>& threshold_rad = result.scenario.threshold_rad;
@@ -63,6 +74,8 @@ Json drift_json(const RunResult& result) {
                {"spin_final_rad", drift.spin_final_rad},
                {"azimuth_final_rad", or_null(drift.azimuth_final_rad)},
                {"tilt_final_rad", drift.tilt_final_rad},
+               {"azimuth_max_rad", largest(result.rows, [](const DriftRow& row) { return row.drift_azimuth_rad; })},
+               {"tilt_max_rad", largest(result.rows, [](const DriftRow& row) { return std::optional(row.drift_tilt_rad); })},
                {"axis_final_over_earth_angle", or_null(drift.axis_final_over_earth_angle)},
                {"verdict", to_string(result.verdict.verdict)},
                {"verdict_from_s", or_null(result.verdict.from_s)},
@@ -78,6 +91,23 @@ Json drift_json(const RunResult& result) {
                       {"attitude_final_rad", digits->attitude_final_rad},
                       {"spin_final_rad", digits->spin_final_rad}};
   return json;
+}
+
+/// Body axis 3 in the laboratory (East, North, Up): in the last row, and the mean of all rows, which is where a precessing or
+/// nutating axis goes round.
+Json motion_json(const RunResult& result) {
+  if (result.rows.empty()) return nullptr;
+  std::array<double, 3> mean{}, reference_mean{};
+  const auto count = static_cast<double>(result.rows.size());
+  for (const DriftRow& row : result.rows)
+    for (std::size_t i = 0; i < 3; ++i) {
+      mean[i] += row.axis_L[i] / count;
+      reference_mean[i] += row.ref_axis_L[i] / count;
+    }
+  return {{"axis_final_L", result.rows.back().axis_L},
+          {"reference_axis_final_L", result.rows.back().ref_axis_L},
+          {"axis_mean_L", mean},
+          {"reference_axis_mean_L", reference_mean}};
 }
 
 /// When dry friction brought a motion to rest.
@@ -284,6 +314,7 @@ constexpr Section kSections[] = {
        return {{"rates_relative_to", to_word(r.scenario.release.rates_relative_to)}, {"statement", matching_rule(r.scenario)}};
      }},
     {"drift", false, [](const RunResult& r) { return drift_json(r); }},
+    {"motion", false, [](const RunResult& r) { return motion_json(r); }},
     {"growth_of_disturbances", false, [](const RunResult& r) { return growth_json(r.verdict); }},
     {"stops", false, [](const RunResult& r) { return stops_json(r.stops); }},
     {"headline", false, [](const RunResult& r) { return headline_json(check_headline(r)); }},

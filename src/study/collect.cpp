@@ -73,8 +73,9 @@ bool is_known_at_the_end(std::string_view path) {
                                                        "drift.threshold_time_s",
                                                        "attitude_bound_rad"};
   if (std::find(kPaths.begin(), kPaths.end(), path) != kPaths.end()) return true;
-  for (const std::string_view front : {"matching_rule.", "growth_of_disturbances.", "effects.", "selection.", "accuracy.",
-                                       "scenario.", "provenance.", "sensitivities.", "uncertainty."})
+  for (const std::string_view front :
+       {"matching_rule.", "motion.axis_final_L.", "motion.reference_axis_final_L.", "growth_of_disturbances.", "effects.",
+        "selection.", "accuracy.", "scenario.", "provenance.", "sensitivities.", "uncertainty."})
     if (path.starts_with(front)) return true;
   return false;
 }

@@ -48,6 +48,15 @@ bool is_blank(const fs::path& file) {
   }
 }
 
+/// @throws ScenarioError where the disk has no room for the study's results
+void require_room(const fs::path& dir, double bytes) {
+  std::error_code error;
+  const fs::space_info space = fs::space(dir, error);
+  if (!error && bytes > static_cast<double>(space.available))
+    refuse(dir, fmt::format("has {:.2g} GB left, and the study takes about {:.2g} GB; make room, or choose another --out",
+                            static_cast<double>(space.available) / 1e9, bytes / 1e9));
+}
+
 Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options) {
   std::error_code error;
   if (fs::exists(file, error) && is_blank(file)) remove_store(file);
@@ -99,7 +108,7 @@ class MissingPoints {
   std::vector<std::uint64_t> known_;  // points in the store, from `at_` to `known_until_`
 };
 
-/// How many points a chunk has: a quarter of a second of work, as far as it is known by now; less where all would wait for the
+/// How many points a chunk has: a tenth of a second of work, as far as it is known by now; less where all would wait for the
 /// last one.
 class ChunkSize {
  public:
@@ -108,7 +117,7 @@ class ChunkSize {
     if (points > 0) seconds_a_point_ = seconds * workers_ / static_cast<double>(points);
   }
   std::size_t points(std::uint64_t left) const {
-    constexpr double kSeconds = 0.25, kLanes = 8, kMost = 512, kShares = 4;
+    constexpr double kSeconds = 0.1, kLanes = 8, kMost = 512, kShares = 4;
     const double points =
         std::min(kSeconds / std::max(seconds_a_point_, 1e-9), static_cast<double>(left) / (kShares * workers_));
     if (points < kLanes) return static_cast<std::size_t>(std::max(points, 1.0));
@@ -133,7 +142,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
   MissingPoints missing(study, count, shard, store);
   ChunkSize size(seconds_a_point, workers);
   const auto start = Clock::now();
-  auto last_told = start, last_commit = start;
+  auto last_told = start, last_commit = start - std::chrono::hours(1);  // the first results are stored at once
   bool open_transaction = false;
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {
@@ -178,6 +187,7 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   require_affordable(study);
   const StudyEstimate expected = estimate(study);
   make_directory(options.dir);
+  require_room(options.dir, expected.disk_bytes / static_cast<double>(options.shard.n));
   StudyRunReport report;
   report.store = study_store(options.dir, options.shard);
   const StoreLock lock(report.store);

@@ -116,8 +116,11 @@ std::string fits_text(const Json& document) {
   std::string text;
   for (const Json& fit : document.at("fits")) {
     const std::string kind = fit.at("kind").get<std::string>(), x = fit.at("axis").get<std::string>();
-    const std::string form = kind == "linear" ? "a + b " + x : kind == "power_law" ? "a |" + x + "|^b" : "a + b sin(" + x + ")";
     const bool power = kind == "power_law";
+    const std::string form = kind == "linear"         ? fmt::format("a + b {}", x)
+                             : power                  ? fmt::format("a |{}|^b", x)
+                             : kind == "sin_latitude" ? fmt::format("a + b sin({})", x)
+                                                      : fmt::format("a + b cos({})", x);
     text += fmt::format("  {} = {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n",
                         power ? "|" + fit.at("quantity").get<std::string>() + "|" : fit.at("quantity").get<std::string>(), form,
                         cell(fit.at("points")), with_error(fit.at("a"), fit.at("a_standard_error")),

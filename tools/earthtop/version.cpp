@@ -5,6 +5,7 @@
 
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/results/provenance.hpp"
+#include "earthtop/study/processes.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -16,16 +17,17 @@ int version_verb(bool json) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
     for (const auto& [name, version] : build.libraries) libraries[name] = version;
     const nlohmann::ordered_json document = {
-        {"program", "earthtop"}, {"version", build.version}, {"commit", build.commit},      {"compiler", build.compiler},
-        {"flags", build.flags},  {"libraries", libraries},   {"peers", peers_description()}};
+        {"program", "earthtop"}, {"version", build.version}, {"commit", build.commit},       {"compiler", build.compiler},
+        {"flags", build.flags},  {"libraries", libraries},   {"peers", peers_description()}, {"mpi", has_mpi()}};
     print(document.dump(2) + '\n');
     return kDone;
   }
   std::string libraries;
   for (const auto& [name, version] : build.libraries)
     libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
-  print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\npeers      {}\n", build.version,
-                    build.commit, build.compiler, build.flags, libraries, peers_description()));
+  print(fmt::format("earthtop {}\ncommit     {}\ncompiler   {}\nflags      {}\nlibraries  {}\npeers      {}\nmpi        {}\n",
+                    build.version, build.commit, build.compiler, build.flags, libraries, peers_description(),
+                    has_mpi() ? "yes" : "no"));
   return kDone;
 }
 

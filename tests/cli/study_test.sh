@@ -1,0 +1,121 @@
+#!/bin/sh
+# Studies as a shell sees them: exit statuses, resumption after kills, shards, processes, who holds a store.
+# usage: study_test.sh PATH_OF_EARTHTOP
+set -u
+# shellcheck source=tests/cli/expect.sh
+. "$(dirname "$0")/expect.sh"
+
+cat >top.json <<'END'
+{ "name": "cli-top", "site": { "latitude_deg": 45, "gravity_m_s2": 9.8 },
+  "body": { "mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03],
+            "inertia": { "about": "pivot", "principal_kg_m2": [1.2e-4, 1.2e-4, 4e-5] } },
+  "release": { "tilt_deg": 20, "spin_rad_s": 200 }, "motion": { "duration_s": 3 } }
+END
+cat >small.json <<'END'
+{ "base": "top.json", "title": "A study for the shell", "axes": [
+    { "pointer": "/site/latitude_deg", "range": { "from": -80, "to": 80, "points": 5 } },
+    { "pointer": "/release/spin_rad_s", "values": [150, 200] } ],
+  "fits": [ { "kind": "sin_latitude", "axis": "latitude_deg", "quantity": "drift.azimuth_final_rad" } ] }
+END
+sed 's/"points": 5/"points": 1500/; s/A study for the shell/Many points/' small.json >many.json
+sed 's/80, "to": 80/100, "to": 80/' small.json >failing.json
+sed 's/"points": 5/"points": 1e12/' small.json >huge.json
+
+# Usage, refusals: nothing is written.
+expect 2 study
+on_stderr 'a study file is needed'
+expect 2 study missing.json
+on_stderr 'missing.json: error: there is no such file'
+expect 2 study top.json
+on_stderr 'top.json:[0-9]*:[0-9]*: error: /site: unknown key'
+expect 2 study small.json --shard 3/2
+on_stderr '1 <= K <= N'
+expect 2 study huge.json
+on_stderr '2000000000000 points.*hours.*GB'
+expect 2 study show missing
+on_stderr 'no such store'
+[ ! -e out ] || fault "a refused study left a directory"
+expect 0 study small.json --dry-run
+on_stdout '10 points'
+[ ! -e out ] || fault "a dry run left a directory"
+
+# The main case.
+expect 0 study small.json
+on_stdout 'A study for the shell'
+on_stdout 'a + b sin(latitude_deg)'
+on_stdout 'out/studies/small'
+nothing_on_stderr
+[ "$(wc -l <out/studies/small/study.csv)" -eq 11 ] || fault "not ten points"
+expect 0 study small.json --json
+on_stdout '"points_computed": 10'
+expect 0 study small.json --quiet
+nothing_on_stdout
+expect 0 study small.json
+on_stderr 'resuming: 10 of 10'
+expect 0 study show out/studies/small
+on_stdout 'Statistics'
+expect 0 study show out/studies/small/study.sqlite --json
+cmp -s out.txt out/studies/small/study.json || fault "show --json is not study.json"
+expect 0 study export out/studies/small
+cmp -s out.txt out/studies/small/study.csv || fault "export is not study.csv"
+
+# A failed point stops nothing; another study's store is left alone.
+expect 1 study failing.json --quiet
+on_stderr '2 of 10 points failed'
+grep -q 'refused,"\{0,1\}/site/latitude_deg' out/studies/failing/study.csv || fault "no reason in the table"
+expect 2 study failing.json --out out/studies/small
+on_stderr 'another study'
+expect 0 study show out/studies/small
+on_stdout 'A study for the shell'
+expect 1 study failing.json --out out/studies/small --force
+
+# Shards and processes give the same bytes as threads.
+expect 0 study many.json --quiet --jobs 2 --out whole
+for k in 1 2 3; do expect 0 study many.json --quiet --shard $k/3 --out parts; done
+expect 1 study merge parts/shard-1-of-3.sqlite --out merged --quiet
+on_stderr '2000 of 3000 points are missing'
+expect 0 study merge parts/shard-2-of-3.sqlite parts/shard-3-of-3.sqlite --out merged --quiet
+for file in study.csv study.json; do cmp -s whole/$file merged/$file || fault "merged shards differ in $file"; done
+if "$tool" version --json | grep -q '"mpi": true' && command -v mpirun >/dev/null; then
+  OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    timeout 100 mpirun -n 3 "$tool" study many.json --quiet --out processes >out.txt 2>err.txt </dev/null ||
+    fault "mpirun failed"
+  for file in study.csv study.json; do cmp -s whole/$file processes/$file || fault "processes differ in $file"; done
+fi
+
+# Killed fifty times at random moments: nothing that was stored is lost, and the end is the same.
+stored() {
+  if [ -e killed/study.sqlite ]; then "$tool" study export killed 2>/dev/null | tail -n +2 | wc -l; else echo 0; fi
+}
+before=0
+kills=0
+# shellcheck disable=SC2046
+for moment in $(awk 'BEGIN { srand(20261122); for (i = 0; i < 50; ++i) printf "%.3f ", 0.005 + 0.12 * rand() }'); do
+  timeout -s KILL "$moment" "$tool" study many.json --quiet --out killed >out.txt 2>err.txt </dev/null
+  status=$?
+  [ $status -eq 137 ] && kills=$((kills + 1))
+  [ $status -eq 137 ] || [ $status -eq 0 ] || fault "killed after $moment s: exit status $status"
+  now=$(stored)
+  [ "$now" -ge "$before" ] || fault "$before points before the kill, $now after it"
+  before=$now
+done
+echo "$kills kills, $before points by then"
+[ "$kills" -ge 10 ] || fault "hardly a run was killed"
+expect 0 study many.json --quiet --out killed
+for file in study.csv study.json; do cmp -s whole/$file killed/$file || fault "after the kills $file differs"; done
+[ -z "$(find killed -name '*.tmp' -o -name '*-wal' -o -name '*.lock')" ] || fault "something is left beside the store"
+
+# Interrupted, it says so and goes on; meanwhile a second one is told who holds the store.
+"$tool" study many.json --quiet --jobs 1 --out held >out.txt 2>err.txt </dev/null &
+holder=$!
+while [ ! -s held/study.sqlite.lock ]; do sleep 0.01; done
+expect 2 study many.json --out held
+on_stderr "written by process $holder on "
+kill -TERM $holder
+wait $holder
+status=$?
+[ $status -eq 143 ] || [ $status -eq 0 ] || fault "interrupted: exit status $status"
+expect 0 study many.json --quiet --out held
+cmp -s whole/study.csv held/study.csv || fault "after an interrupt the table differs"
+
+exit $((faults > 0))
