@@ -69,24 +69,26 @@ class DriftSeries {
     c.put(k, kAcross, u - along_ * n);
     c.put(k, kCarrier, u + of_cross_ * n);
     c.put(k, kTurn, turn);
-    c.put(k, kF, gravity_difference(c, k));
 
     const Pack factor = spread(1.0 / (k + 1)), half = spread(0.5) * factor;
-    const Vec s = c.cross(k, kU, kN);
+    const TwoVectors frame = reference_turn(c, k);
+    const Vec& s = frame.first;
     c.put(k + 1, kN, factor * s);
     const Pack torque = moment_ * gravity_;  // n x g of a gravity along the vertical
     c.put(k + 1, kU,
           factor * Vec{torque * n.y - b_ * s.x - b_rest_ * s.x, -torque * n.x - b_ * s.y - b_rest_ * s.y,
                        -b_ * s.z - b_rest_ * s.z});
-    c.put(k + 1, kA, factor * c.cross(k, kAcross, kA));
+    c.put(k + 1, kA, factor * frame.second);
 
-    const Turned turned = turned_deviation(c, k);
-    c.put(k + 1, kE, -epsilon_ * epsilon_ * (half * turned.dot));
-    Vec of_y = turned.cross;
+    const Deviation deviation = turned_deviation(c, k);
+    c.put(k + 1, kE, -epsilon_ * epsilon_ * (half * deviation.dot));
+    Vec of_y = deviation.cross;
     if constexpr (!kInertial) of_y = of_y + spread(2.0) * cross(c.vector(k, kY), W_);
-    c.put(k + 1, kY, half * (turned.scaled + epsilon_ * of_y));
+    c.put(k + 1, kY, half * (deviation.scaled + epsilon_ * of_y));
 
-    c.put(k + 1, kV, factor * (c.cross(k, kCarrier, kV) + of_axis_rate_ * s + moment_ * c.cross(k, kN, kF)));
+    c.put(k, kF, gravity_difference(c, k, deviation));
+    const TwoVectors rate = carried_rate(c, k);
+    c.put(k + 1, kV, factor * (rate.first + of_axis_rate_ * s + moment_ * rate.second));
     if constexpr (kInertial) {
       Vec h = epsilon_ * cross(W_, c.vector(k, kH));
       if (k == 0) h = h + gravity_ * Vec{W_.y, -W_.x, Pack{}};
@@ -95,49 +97,76 @@ class DriftSeries {
   }
 
  private:
-  struct Turned {
-    Vec scaled, cross;
-    Pack dot;
+  // Products with a factor in common share its loads; each loop's sums and factors fit the registers.
+  struct TwoVectors {
+    Vec first, second;
   };
-  /// w t, y x t and y.t of the rate t that D is turned at.
-  EARTHTOP_LANE_INLINE static Turned turned_deviation(const C& c, int k) {
-    Vec scaled{}, plus{}, minus{}, along{};
-    const Pack *e = c.at(0) + kE, *t = c.at(k) + kTurn;
-    for (int j = 0; j <= k; ++j, e += kStored, t -= kStored) {
-      const Pack w = e[0], *y = e + 1;
-      scaled.x += w * t[0], scaled.y += w * t[1], scaled.z += w * t[2];
-      along.x += y[0] * t[0], along.y += y[1] * t[1], along.z += y[2] * t[2];
-      plus.x += y[1] * t[2], minus.x += y[2] * t[1];
-      plus.y += y[2] * t[0], minus.y += y[0] * t[2];
-      plus.z += y[0] * t[1], minus.z += y[1] * t[0];
+  /// u x n and (u - (u.n) n) x a.
+  EARTHTOP_LANE_INLINE static TwoVectors reference_turn(const C& c, int k) {
+    Vec plus{}, minus{}, frame_plus{}, frame_minus{};
+    const Pack *of_u = c.at(0) + kAcross, *of_n = c.at(k) + kN, *of_a = c.at(k) + kA;
+    for (int j = 0; j <= k; ++j, of_u += kStored, of_n -= kStored, of_a -= kStored) {
+      const Vec u{of_u[0], of_u[1], of_u[2]};
+      add_cross(u, of_n, plus, minus);
+      add_cross(u, of_a, frame_plus, frame_minus);
     }
-    return {scaled, plus - minus, along.x + along.y + along.z};
+    return {plus - minus, frame_plus - frame_minus};
   }
-
-  /// F.
-  EARTHTOP_LANE_INLINE Vec gravity_difference(const C& c, int k) const {
-    if constexpr (kInertial) {
-      const Vec h = c.vector(k, kH), y = c.vector(k, kY);
-      const Vec of_h = epsilon_ * c.cross(k, kY, kH);
-      c.put(k, kC, Vec{gravity_ * y.y + of_h.x, of_h.y - gravity_ * y.x, of_h.z});
-      Vec scaled{};
-      const Pack *e = c.at(0) + kE, *g = c.at(k) + kC;
-      for (int j = 0; j <= k; ++j, e += kStored, g -= kStored)
-        scaled.x += e[0] * g[0], scaled.y += e[0] * g[1], scaled.z += e[0] * g[2];
-      return h + turn_scale_ * (epsilon_ * c.cross(k, kY, kC) - scaled);
-    } else {
-      // y x g = g (y_2, -y_1, 0)
-      Vec scaled{}, twice{};
-      Pack yy{};
-      const Pack *e = c.at(0) + kE, *f = c.at(k) + kE;
-      for (int j = 0; j <= k; ++j, e += kStored, f -= kStored) {
-        scaled.x += e[0] * f[2], scaled.y += e[0] * f[1];
-        twice.x += e[1] * f[3], twice.y += e[2] * f[3];
-        twice.z += e[1] * f[1], yy += e[2] * f[2];
+  /// (u + c n) x V and n x F.
+  EARTHTOP_LANE_INLINE static TwoVectors carried_rate(const C& c, int k) {
+    Vec plus{}, minus{}, torque_plus{}, torque_minus{};
+    const Pack *of_u = c.at(0) + kCarrier, *of_n = c.at(0) + kN, *of_V = c.at(k) + kV, *of_F = c.at(k) + kF;
+    for (int j = 0; j <= k; ++j, of_u += kStored, of_n += kStored, of_V -= kStored, of_F -= kStored) {
+      add_cross(Vec{of_u[0], of_u[1], of_u[2]}, of_V, plus, minus);
+      add_cross(Vec{of_n[0], of_n[1], of_n[2]}, of_F, torque_plus, torque_minus);
+    }
+    return {plus - minus, torque_plus - torque_minus};
+  }
+  /// What the deviation e = (w, y) makes with the rate t that D is turned at, and with gravity.
+  struct Deviation {
+    Vec scaled, cross;  ///< w t, y x t
+    Pack dot;           ///< y.t
+    Vec gravity;        ///< inertial: y x h; laboratory: -w c + epsilon y x c for a gravity of 1
+  };
+  EARTHTOP_LANE_INLINE Deviation turned_deviation(const C& c, int k) const {
+    Vec scaled{}, plus{}, minus{}, along{}, gravity_plus{}, gravity_minus{};
+    const Pack *of_e = c.at(0) + kE, *t = c.at(k) + kTurn;
+    const Pack* with = c.at(k) + (kInertial ? kH : kE);
+    for (int j = 0; j <= k; ++j, of_e += kStored, t -= kStored, with -= kStored) {
+      const Pack w = of_e[0];
+      const Vec y{of_e[1], of_e[2], of_e[3]};
+      scaled.x += w * t[0], scaled.y += w * t[1], scaled.z += w * t[2];
+      along.x += y.x * t[0], along.y += y.y * t[1], along.z += y.z * t[2];
+      add_cross(y, t, plus, minus);
+      if constexpr (kInertial) {
+        add_cross(y, with, gravity_plus, gravity_minus);
+      } else {  // c = (y_2, -y_1, 0)
+        gravity_plus.x += y.x * with[3], gravity_minus.x += w * with[2];
+        gravity_plus.y += y.y * with[3], gravity_minus.y += w * with[1];
+        gravity_plus.z += y.x * with[1], gravity_minus.z += y.y * with[2];
       }
-      const Pack scale = turn_scale_ * gravity_;
-      return {scale * (epsilon_ * twice.x - scaled.x), scale * (epsilon_ * twice.y + scaled.y),
-              -scale * (epsilon_ * (twice.z + yy))};
+    }
+    Vec gravity = gravity_plus - gravity_minus;
+    if constexpr (!kInertial)
+      gravity = {epsilon_ * gravity_plus.x - gravity_minus.x, epsilon_ * gravity_plus.y + gravity_minus.y,
+                 -epsilon_ * (gravity_plus.z + gravity_minus.z)};
+    return {scaled, plus - minus, along.x + along.y + along.z, gravity};
+  }
+  /// F.
+  EARTHTOP_LANE_INLINE Vec gravity_difference(const C& c, int k, const Deviation& deviation) const {
+    if constexpr (kInertial) {
+      const Vec y = c.vector(k, kY), of_h = epsilon_ * deviation.gravity;
+      c.put(k, kC, Vec{gravity_ * y.y + of_h.x, of_h.y - gravity_ * y.x, of_h.z});
+      Vec scaled{}, plus{}, minus{};
+      const Pack *of_e = c.at(0) + kE, *of_c = c.at(k) + kC;
+      for (int j = 0; j <= k; ++j, of_e += kStored, of_c -= kStored) {
+        const Pack w = of_e[0];
+        scaled.x += w * of_c[0], scaled.y += w * of_c[1], scaled.z += w * of_c[2];
+        add_cross(Vec{of_e[1], of_e[2], of_e[3]}, of_c, plus, minus);
+      }
+      return c.vector(k, kH) + turn_scale_ * (epsilon_ * (plus - minus) - scaled);
+    } else {
+      return turn_scale_ * gravity_ * deviation.gravity;
     }
   }
 

@@ -42,6 +42,13 @@ EARTHTOP_LANE_INLINE Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Adds the two halves of a x b to their sums, which are subtracted at the end: no sum waits for another.
+EARTHTOP_LANE_INLINE void add_cross(const Vec& a, const Pack* b, Vec& plus, Vec& minus) {
+  plus.x += a.y * b[2], minus.x += a.z * b[1];
+  plus.y += a.z * b[0], minus.y += a.x * b[2];
+  plus.z += a.x * b[1], minus.z += a.y * b[0];
+}
+
 /// Of one chunk: the coefficients of order k, `kStored` packs in a row, follow those of order k - 1.
 template <int kStored>
 struct Coefficients {
@@ -57,15 +64,11 @@ struct Coefficients {
     Pack* p = at(k) + variable;
     p[0] = v.x, p[1] = v.y, p[2] = v.z;
   }
-  /// The coefficient of order k of the cross product of two vectors. Six sums that do not wait for each other.
+  /// The coefficient of order k of the cross product of two vectors.
   EARTHTOP_LANE_INLINE Vec cross(int k, int left, int right) const {
     Vec plus{}, minus{};
     const Pack *a = at(0) + left, *b = at(k) + right;
-    for (int j = 0; j <= k; ++j, a += kStored, b -= kStored) {
-      plus.x += a[1] * b[2], minus.x += a[2] * b[1];
-      plus.y += a[2] * b[0], minus.y += a[0] * b[2];
-      plus.z += a[0] * b[1], minus.z += a[1] * b[0];
-    }
+    for (int j = 0; j <= k; ++j, a += kStored, b -= kStored) add_cross(Vec{a[0], a[1], a[2]}, b, plus, minus);
     return plus - minus;
   }
 };

@@ -1,0 +1,139 @@
+/// A batch is its runs: side by side where they fit, one by one where they do not.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "earthtop/run_batch.hpp"
+#include "lanes/lane_bits.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+std::vector<Scenario> symmetric_tops(std::size_t count, double radians) {
+  std::vector<Scenario> scenes;
+  scenes.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    scenes.push_back(testing::random_scene(2 * i + 1, radians));
+    scenes.back().numerics.method = Method::taylor;
+  }
+  return scenes;
+}
+
+bool in_lanes(const RunResult& result) { return result.solution.reason.ends_with("in SIMD lanes"); }
+
+std::vector<std::uint64_t> bits_of(const RunResult& result) {
+  testing::Bits bits;
+  bits.add(result.status);
+  bits.add(result.solution.counters), bits.add(result.certificate.counters);
+  for (const DriftRow& row : result.rows) {
+    bits.add(row.t_s), bits.add(row.drift_axis_rad), bits.add(row.drift_axis_bound_rad);
+    bits.add(row.drift_attitude_rad), bits.add(row.drift_attitude_bound_rad), bits.add(row.drift_spin_rad);
+    for (const double q : row.q_LB) bits.add(q);
+    for (const double w : row.w_LB_B) bits.add(w);
+  }
+  bits.add(result.drift.axis_final_rad), bits.add(result.verdict.reliable_until_s);
+  return bits.all();
+}
+
+/// Both with their bounds against a third, of more digits, by another method in other equations.
+TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
+  const std::vector<Scenario> scenes = symmetric_tops(24, 60);
+  const std::vector<BatchOutcome> outcomes = run_batch(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    SCOPED_TRACE(i);
+    ASSERT_TRUE(outcomes[i].result) << outcomes[i].refusal;
+    const RunResult& batch = *outcomes[i].result;
+    const RunResult alone = run(scenes[i]);
+    Scenario extended = scenes[i];
+    extended.precision = Precision::bits64;
+    extended.numerics.method = Method::extrapolation;
+    extended.numerics.observer = Observer::body;
+    extended.numerics.relative_tolerance = default_tolerance(extended.precision);
+    const RunResult truth = run(extended);
+    EXPECT_TRUE(in_lanes(batch));
+    EXPECT_FALSE(in_lanes(alone));
+    ASSERT_EQ(batch.status, alone.status);
+    ASSERT_EQ(batch.rows.size(), alone.rows.size());
+    for (std::size_t row = 0; row < batch.rows.size(); ++row) {
+      const DriftRow &got = batch.rows[row], &scalar = alone.rows[row], &exact = truth.rows[row];
+      ASSERT_EQ(got.t_s, scalar.t_s);
+      ASSERT_LE(std::abs(got.drift_axis_rad - scalar.drift_axis_rad), got.drift_axis_bound_rad + scalar.drift_axis_bound_rad);
+      ASSERT_LE(std::abs(got.drift_axis_rad - exact.drift_axis_rad), got.drift_axis_bound_rad + exact.drift_axis_bound_rad);
+      ASSERT_LE(std::abs(got.drift_attitude_rad - exact.drift_attitude_rad),
+                got.drift_attitude_bound_rad + exact.drift_attitude_bound_rad);
+      ASSERT_EQ(got.drift_reliable, scalar.drift_reliable);
+    }
+    EXPECT_EQ(batch.verdict.verdict, alone.verdict.verdict);
+    EXPECT_EQ(batch.theory.size(), alone.theory.size());
+    EXPECT_EQ(batch.invariants.size(), alone.invariants.size());
+    EXPECT_EQ(batch.solution.method, Method::taylor);
+    EXPECT_EQ(batch.certificate.method, Method::taylor);
+    EXPECT_EQ(batch.certificate.observer, Observer::inertial);
+    EXPECT_NE(batch.certificate.relative_tolerance, batch.solution.relative_tolerance);
+    EXPECT_GT(batch.solution.counters.accepted, 0);
+    EXPECT_EQ(batch.scenario.name, scenes[i].name);
+    EXPECT_EQ(batch.modelled.name, scenes[i].name);
+  }
+}
+
+TEST(RunBatch, OutcomesAreTheirOwn) {
+  std::vector<Scenario> scenes = symmetric_tops(70, 20);
+  for (std::size_t i = 0; i < scenes.size(); i += 5) scenes[i].numerics.relative_tolerance = 1e-9;
+  const auto all = run_batch(scenes);
+  for (const std::size_t i : {0U, 1U, 5U, 33U, 69U}) {
+    const auto one = run_batch(std::span(scenes).subspan(i, 1));
+    EXPECT_EQ(bits_of(*one[0].result), bits_of(*all[i].result)) << i;
+  }
+}
+
+TEST(RunBatch, RunsWhatDoesNotFitByItself) {
+  std::vector<Scenario> scenes;
+  scenes.push_back(testing::asymmetric_top());
+  scenes.push_back(testing::toy_top());
+  scenes.back().precision = Precision::bits64;
+  scenes.back().numerics.relative_tolerance = default_tolerance(Precision::bits64);
+  scenes.push_back(testing::toy_top());
+  scenes.back().accuracy_rad = 1e-6;
+  scenes.push_back(testing::toy_top());
+  scenes.back().numerics.method = Method::rkf78;
+  scenes.push_back(testing::toy_top());
+  scenes.back().effects.centrifugal = false;
+  scenes.push_back(testing::toy_top());
+  scenes.back().numerics.form = ModelForm::general;
+  scenes.back().numerics.method = Method::taylor;
+  for (Scenario& scene : scenes) scene.duration_s = 0.3;
+  const auto outcomes = run_batch(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    ASSERT_TRUE(outcomes[i].result);
+    EXPECT_FALSE(in_lanes(*outcomes[i].result)) << i;
+    EXPECT_EQ(bits_of(*outcomes[i].result), bits_of(run(scenes[i]))) << i;
+  }
+}
+
+/// A refused scene and one that runs into its step limit, among sound ones.
+TEST(RunBatch, LeavesTroubleWhereItIs) {
+  std::vector<Scenario> scenes = symmetric_tops(9, 20);
+  const auto expected = run_batch(scenes);
+  scenes[3] = testing::asymmetric_top();
+  scenes[3].numerics.method = Method::long_horizon;
+  scenes[6] = testing::random_scene(5, 200);
+  scenes[6].numerics.method = Method::taylor;
+  scenes[6].numerics.step_limit = static_cast<std::int64_t>(estimated_steps(scenes[6])) + 1;  // fewer than it takes
+  const auto got = run_batch(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    if (i != 3 && i != 6) {
+      EXPECT_EQ(bits_of(*got[i].result), bits_of(*expected[i].result)) << i;
+    }
+  EXPECT_FALSE(got[3].result);
+  EXPECT_NE(got[3].refusal.find("/numerics/method"), std::string::npos) << got[3].refusal;
+  ASSERT_TRUE(got[6].result);
+  EXPECT_TRUE(in_lanes(*got[6].result));
+  EXPECT_EQ(got[6].result->status, RunStatus::step_limit);
+  EXPECT_GT(got[6].result->rows.size(), 3U);
+  EXPECT_LT(got[6].result->reached_s, scenes[6].duration_s);
+}
+
+}  // namespace
+}  // namespace earthtop

@@ -1,0 +1,244 @@
+/// Points side by side: each is what the scalar series makes of it, and its bits are its own.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lanes/lane_bits.hpp"
+#include "scenario/problem.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::bits_of;
+
+IntegrationOptions reduced(Method method, Observer observer, double tolerance = 1e-13) {
+  IntegrationOptions options;
+  options.method = method;
+  options.observer = observer;
+  options.form = ModelForm::reduced;
+  options.relative_tolerance = tolerance;
+  return options;
+}
+
+/// Symmetric tops of every kind: fast and slow, both matching rules, any latitude, Earth rates from 1e-6 to 1 rad/s, a
+/// pendulum, a top about body axis 1, and one that the Earth does not turn. Their lengths differ, so that lanes are refilled at
+/// different times.
+std::vector<Scenario> tops(std::size_t count) {
+  std::vector<Scenario> scenes;
+  scenes.reserve(count);
+  for (std::uint64_t i = 0; scenes.size() < count; ++i) {
+    Scenario scene = testing::random_scene(2 * i + 1, 20.0 + 10.0 * static_cast<double>(i % 7));
+    if (i % 8 == 3) {
+      scene = testing::toy_top();
+      scene.release.spin_rad_s = 0;
+      scene.body.center_of_mass_m = {0, 0, -0.03};
+      scene.duration_s = 3;
+    }
+    if (i % 8 == 5) {
+      scene = testing::toy_top();
+      scene.body.center_of_mass_m = {0.03, 0, 0};
+      testing::set_principal(scene.body, 4e-5, 1.2e-4, 1.2e-4);
+      scene.release.angular_velocity_body_rad_s = {150, 3, -2};
+      scene.duration_s = 1;
+      scene.output_step_s = 0.01;
+    }
+    if (i % 8 == 7) scene.rotation_rate_rad_s = 0;
+    if (i % 8 == 1) scene.threshold_rad = 1e-6;
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+template <class Problem>
+std::vector<Problem> problems_of(const std::vector<Scenario>& scenes) {
+  std::vector<Problem> problems;
+  problems.reserve(scenes.size());
+  for (const Scenario& scene : scenes) problems.push_back(make_problem<double>(scene));
+  return problems;
+}
+
+/// Angle between two axes, and between two attitudes (rad).
+double angle(const Vec3<double>& a, const Vec3<double>& b) { return std::atan2(norm(Vec3<double>(a.cross(b))), a.dot(b)); }
+double angle(const Quaternion<double>& p, const Quaternion<double>& q) {
+  const Quaternion<double> d = p.conjugate() * q;
+  return 2 * std::atan2(norm(d.v), std::abs(d.w));
+}
+
+TEST(MotionLanes, AreTheScalarSeries) {
+  const std::vector<Scenario> scenes = tops(40);
+  const auto problems = problems_of<MotionProblem<double>>(scenes);
+  const IntegrationOptions options = reduced(Method::taylor, Observer::laboratory);
+  const auto attitudes = integrate_motion_in_lanes(problems, options);
+  const auto axes = integrate_motion_in_lanes(problems, options, MotionSought::symmetry_axis);
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto scalar = integrate_motion(problems[i], options);
+    const int axis = reduced_top(problems[i].model).axis;
+    ASSERT_EQ(attitudes[i].status, RunStatus::completed);
+    ASSERT_EQ(attitudes[i].samples.size(), scalar.samples.size());
+    ASSERT_EQ(axes[i].samples.size(), scalar.samples.size());
+    for (std::size_t row = 0; row < scalar.samples.size(); ++row) {
+      const auto &expected = scalar.samples[row], &got = attitudes[i].samples[row];
+      ASSERT_EQ(got.t_s, expected.t_s);
+      ASSERT_LT(angle(got.q_LB, expected.q_LB), 1e-12);
+      ASSERT_LT(norm(Vec3<double>(got.w_LB_B - expected.w_LB_B)), 1e-12 * norm(expected.w_LB_B) + 1e-11);
+      ASSERT_LT(angle(rotation_matrix(axes[i].samples[row].q_LB).col(axis), rotation_matrix(expected.q_LB).col(axis)), 1e-12);
+    }
+  }
+}
+
+TEST(MotionLanes, OfAnyToleranceMeetIt) {
+  const auto problems = problems_of<MotionProblem<double>>(tops(16));
+  const auto fine = integrate_motion_in_lanes(problems, reduced(Method::taylor, Observer::laboratory, 1e-14));
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    const auto coarse = integrate_motion_in_lanes(problems, reduced(Method::taylor, Observer::laboratory, tolerance));
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      EXPECT_LT(angle(coarse[i].samples.back().q_LB, fine[i].samples.back().q_LB), tolerance) << i;
+      EXPECT_LT(coarse[i].counters.evaluations, fine[i].counters.evaluations);
+    }
+  }
+}
+
+/// Against the scalar series, and against equations and method that know nothing of either.
+TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
+  const std::vector<Scenario> scenes = tops(40);
+  const auto problems = problems_of<DriftProblem<double>>(scenes);
+  const auto laboratory = integrate_drift_in_lanes(problems, reduced(Method::taylor, Observer::laboratory));
+  const auto inertial = integrate_drift_in_lanes(problems, reduced(Method::taylor, Observer::inertial));
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto scalar = integrate_drift(problems[i], reduced(Method::taylor, Observer::laboratory));
+    IntegrationOptions general = reduced(Method::extrapolation, Observer::body);
+    general.form = ModelForm::general;
+    const auto other = integrate_drift(problems[i], general);
+    const double largest = std::max_element(scalar.samples.begin(), scalar.samples.end(), [](const auto& a, const auto& b) {
+                             return a.measures.attitude < b.measures.attitude;
+                           })->measures.attitude;
+    const double slack = 1e-11 * largest;
+    for (const auto* lanes : {&laboratory[i], &inertial[i]}) {
+      ASSERT_EQ(lanes->status, RunStatus::completed);
+      ASSERT_EQ(lanes->samples.size(), scalar.samples.size());
+      ASSERT_EQ(lanes->threshold_time_s.has_value(), scalar.threshold_time_s.has_value());
+      if (scalar.threshold_time_s) {
+        EXPECT_NEAR(*lanes->threshold_time_s, *scalar.threshold_time_s, 0.1 * problems[i].times_s.back());
+      }
+      for (std::size_t row = 0; row < scalar.samples.size(); ++row) {
+        const auto &got = lanes->samples[row], &expected = scalar.samples[row];
+        ASSERT_EQ(got.state.t_s, expected.state.t_s);
+        ASSERT_NEAR(got.measures.axis, expected.measures.axis, slack) << row;
+        ASSERT_NEAR(got.measures.attitude, expected.measures.attitude, slack) << row;
+        ASSERT_NEAR(got.spin, expected.spin, 10 * slack) << row;
+        ASSERT_LT(angle(got.state.q_LB, expected.state.q_LB), 1e-12);
+        ASSERT_LT(angle(got.state.ref_q_LB, expected.state.ref_q_LB), 1e-12);
+        ASSERT_NEAR(got.measures.axis, other.samples[row].measures.axis, 100 * slack + 1e-13) << row;
+        if (expected.measures.azimuth_defined) {
+          ASSERT_NEAR(got.azimuth, expected.azimuth, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+/// Whatever stands beside it, wherever it stands, however many there are, and with every instruction set.
+template <class Integrate>
+void expect_own_bits(std::size_t count, const Integrate& integrate) {
+  std::vector<std::size_t> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = i;
+  const auto expected = integrate(all, InstructionSet::baseline);
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(to_string(set));
+    EXPECT_EQ(integrate(all, set), expected);
+    for (const std::size_t some : {std::size_t{1}, std::size_t{3}, std::size_t{8}, std::size_t{9}}) {
+      std::vector<std::size_t> chosen;
+      for (std::size_t i = 0; i < some; ++i) chosen.push_back((i * 37 + 11 * some) % count);
+      const auto got = integrate(chosen, set);
+      for (std::size_t i = 0; i < some; ++i) EXPECT_EQ(got[i], expected[chosen[i]]) << some << " " << i;
+    }
+    std::vector<std::size_t> backwards(all.rbegin(), all.rend());
+    auto got = integrate(backwards, set);
+    std::reverse(got.begin(), got.end());
+    EXPECT_EQ(got, expected);
+  }
+}
+
+TEST(MotionLanes, HaveBitsOfTheirOwn) {
+  const auto problems = problems_of<MotionProblem<double>>(tops(100));
+  for (const MotionSought sought : {MotionSought::symmetry_axis, MotionSought::attitude})
+    expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
+      std::vector<MotionProblem<double>> some;
+      for (const std::size_t i : chosen) some.push_back(problems[i]);
+      std::vector<std::vector<std::uint64_t>> bits;
+      for (const auto& trajectory :
+           integrate_motion_in_lanes(some, reduced(Method::taylor, Observer::laboratory, 1e-10), sought, nullptr, set))
+        bits.push_back(bits_of(trajectory));
+      return bits;
+    });
+}
+
+TEST(DriftLanes, HaveBitsOfTheirOwn) {
+  const auto problems = problems_of<DriftProblem<double>>(tops(100));
+  for (const Observer observer : {Observer::laboratory, Observer::inertial})
+    expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
+      std::vector<DriftProblem<double>> some;
+      for (const std::size_t i : chosen) some.push_back(problems[i]);
+      std::vector<std::vector<std::uint64_t>> bits;
+      for (const auto& trajectory : integrate_drift_in_lanes(some, reduced(Method::taylor, observer, 1e-10), nullptr, set))
+        bits.push_back(bits_of(trajectory));
+      return bits;
+    });
+}
+
+/// One that overflows, one whose release is no number, and one that is too long for its step limit end by themselves.
+TEST(DriftLanes, LeaveTroubleWhereItIs) {
+  const auto sound = problems_of<DriftProblem<double>>(tops(20));
+  IntegrationOptions options = reduced(Method::taylor, Observer::laboratory, 1e-10);
+  options.step_limit = 2000;
+  const auto expected = integrate_drift_in_lanes(sound, options);
+  auto problems = sound;
+  problems[2].model.apparent_gravity_L[2] = std::numeric_limits<double>::infinity();
+  problems[6].release.w_XB_B[0] = std::numeric_limits<double>::quiet_NaN();
+  problems[11].model.mass_moment_B *= 1e200;
+  Scenario longer = testing::toy_top();
+  longer.duration_s = 100;
+  problems[13] = make_problem<double>(longer);
+  for (const InstructionSet set : instruction_sets()) {
+    const auto got = integrate_drift_in_lanes(problems, options, nullptr, set);
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      const RunStatus status = got[i].status;
+      if (i == 2 || i == 6)
+        EXPECT_EQ(status, RunStatus::not_finite) << i;
+      else if (i == 11)
+        EXPECT_NE(status, RunStatus::completed);
+      else if (i == 13)
+        EXPECT_EQ(status, RunStatus::step_limit);
+      else
+        EXPECT_EQ(bits_of(got[i]), bits_of(expected[i])) << i;
+    }
+    EXPECT_TRUE(got[6].samples.empty());
+    EXPECT_EQ(got[13].counters.accepted, options.step_limit);
+    EXPECT_GT(got[13].samples.size(), 10U);
+  }
+}
+
+TEST(DriftLanes, StopWhenAsked) {
+  const auto problems = problems_of<DriftProblem<double>>(tops(10));
+  const std::atomic<bool> stop = true;
+  for (const auto& trajectory : integrate_drift_in_lanes(problems, reduced(Method::taylor, Observer::laboratory), &stop)) {
+    EXPECT_EQ(trajectory.status, RunStatus::interrupted);
+    EXPECT_EQ(trajectory.samples.size(), 1U);
+  }
+}
+
+TEST(DriftLanes, RefuseWhatHasNoReducedForm) {
+  const std::vector<DriftProblem<double>> asymmetric{make_problem<double>(testing::asymmetric_top())};
+  EXPECT_THROW(integrate_drift_in_lanes(asymmetric, reduced(Method::taylor, Observer::laboratory)), std::logic_error);
+  const auto symmetric = problems_of<DriftProblem<double>>(tops(1));
+  EXPECT_THROW(integrate_drift_in_lanes(symmetric, reduced(Method::taylor, Observer::body)), std::logic_error);
+  EXPECT_TRUE(integrate_drift_in_lanes({}, reduced(Method::taylor, Observer::laboratory)).empty());
+}
+
+}  // namespace
+}  // namespace earthtop
