@@ -2,6 +2,7 @@
 #include <mpi.h>
 
 #include <deque>
+#include <exception>
 #include <optional>
 #include <thread>
 
@@ -32,9 +33,37 @@ std::optional<Message> next_message() {
   return message;
 }
 
+/// Waits until the message has been taken: only for those to whom the first process listens.
 void send(int to, Tag tag, const std::string& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
+
+/// Messages of the first process. It does not wait for them to be taken: a worker that waits for its own to be taken would wait
+/// for ever.
+class Outbox {
+ public:
+  void send(int to, Tag tag, std::string bytes) {
+    while (!letters_.empty() && is_taken(letters_.front())) letters_.pop_front();
+    Letter& letter = letters_.emplace_back(Letter{std::move(bytes), MPI_REQUEST_NULL});
+    MPI_Isend(letter.bytes.data(), static_cast<int>(letter.bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD, &letter.request);
+  }
+  void wait() {
+    for (Letter& letter : letters_) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
+    letters_.clear();
+  }
+
+ private:
+  struct Letter {
+    std::string bytes;
+    MPI_Request request;
+  };
+  static bool is_taken(Letter& letter) {
+    int taken = 0;
+    MPI_Test(&letter.request, &taken, MPI_STATUS_IGNORE);
+    return taken != 0;
+  }
+  std::deque<Letter> letters_;
+};
 
 /// Waiting does not keep a core busy that another process may compute on.
 void nap() { std::this_thread::sleep_for(std::chrono::microseconds(500)); }
@@ -60,6 +89,8 @@ bool has_mpi() { return true; }
 struct StudyProcesses::Session {
   int rank = 0, size = 1;
   bool initialized = false;
+  Outbox outbox;              ///< of the first process
+  std::size_t under_way = 0;  ///< chunks that the others have
 };
 
 StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
@@ -72,8 +103,13 @@ StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
 
 StudyProcesses::~StudyProcesses() {
   if (!session_->initialized) return;
-  if (is_first())
-    for (int worker = 1; worker < session_->size; ++worker) send(worker, kGoHome, "");
+  if (!is_first() && std::uncaught_exceptions() > 0) MPI_Abort(MPI_COMM_WORLD, 1);  // nobody would know
+  if (is_first()) {
+    while (session_->under_way > 0)  // after an error: those who still wait to be heard
+      if (const auto message = next_message(); message && message->tag == kResults) --session_->under_way;
+    for (int worker = 1; worker < session_->size; ++worker) session_->outbox.send(worker, kGoHome, "");
+    session_->outbox.wait();
+  }
   MPI_Finalize();
 }
 
@@ -104,18 +140,19 @@ namespace {
 
 class Processes : public Workforce {
  public:
-  Processes(const Study& study, unsigned workers) : in_hand_(workers + 1) {
-    for (unsigned worker = 1; worker <= workers; ++worker) send(static_cast<int>(worker), kStudyText, study_message(study));
+  Processes(const Study& study, StudyProcesses& processes) : session_(processes.session()), in_hand_(processes.workers() + 1) {
+    for (std::size_t worker = 1; worker < in_hand_.size(); ++worker)
+      session_.outbox.send(static_cast<int>(worker), kStudyText, study_message(study));
   }
 
   bool wants_work() override { return least_busy() != 0; }
   void give(Chunk chunk) override {
     const unsigned worker = least_busy();
-    send(static_cast<int>(worker), kChunk, to_message(chunk));
+    session_.outbox.send(static_cast<int>(worker), kChunk, to_message(chunk));
     ++in_hand_[worker];
-    ++under_way_;
+    ++session_.under_way;
   }
-  std::size_t under_way() const override { return under_way_; }
+  std::size_t under_way() const override { return session_.under_way; }
   std::vector<PointResult> collect(std::chrono::milliseconds patience) override {
     std::vector<PointResult> results;
     const auto until = std::chrono::steady_clock::now() + patience;
@@ -123,13 +160,13 @@ class Processes : public Workforce {
       while (const auto message = next_message()) {
         if (message->tag != kResults) continue;
         --in_hand_[static_cast<std::size_t>(message->from)];
-        --under_way_;
+        --session_.under_way;
         auto points = results_from(message->bytes);
         results.insert(results.end(), std::make_move_iterator(points.begin()), std::make_move_iterator(points.end()));
         if (points.empty()) return results;  // interrupted: nothing will come
       }
-      if (results.empty() && under_way_ > 0) nap();
-    } while (results.empty() && under_way_ > 0 && std::chrono::steady_clock::now() < until);
+      if (results.empty() && session_.under_way > 0) nap();
+    } while (results.empty() && session_.under_way > 0 && std::chrono::steady_clock::now() < until);
     return results;
   }
 
@@ -142,14 +179,14 @@ class Processes : public Workforce {
     return best;
   }
 
+  StudyProcesses::Session& session_;
   std::vector<int> in_hand_;  // chunks that each process has; the first computes none
-  std::size_t under_way_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes) {
-  return std::make_unique<Processes>(study, processes.workers());
+  return std::make_unique<Processes>(study, processes);
 }
 
 }  // namespace study

@@ -61,6 +61,8 @@ TEST(ScenarioReference, ReadmeHoldsTheTable) {
   const std::string readme = text_of(std::filesystem::path(EARTHTOP_SCENARIOS) / ".." / "README.md");
   EXPECT_NE(readme.find(scenario_reference_markdown()), std::string::npos)
       << "put the output of `earthtop schema --markdown` into README.md";
+  EXPECT_NE(readme.find(study_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --study --markdown` into README.md";
 }
 
 }  // namespace
