@@ -54,8 +54,8 @@ class Trial {
     }
   }
   T distance(const Trial& other) const {
-    // The turn about the axis is looked at a tenth as closely.
-    constexpr double kTurnShare = 0.1;
+    // The turn about the axis is looked at a thirtieth as closely.
+    constexpr double kTurnShare = 1.0 / 30;
     T largest = T(0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(looks_); ++i) {
       const Mat3<T> R = rotation_matrix(seen_[i].q_LF), S = rotation_matrix(other.seen_[i].q_LF);
@@ -151,7 +151,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
     const Trial<T> fine(top, finer, part, looks.count, counters);
     const T distance = coarse.distance(fine);
     if (distance * growth < tolerance) return plan;
-    if (distance * growth < std::max(T(kLeastGain) * tolerance, T(averages ? kLeastSquare : 0))) return finer;
+    if (distance * growth < T(kLeastGain) * tolerance) return finer;
     const bool composed = is_composed(plan);
     if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(kGain)))) {
       // Hardly better by halving: round-off, or the square of a large perturbation, for which there is a schedule. That one may
