@@ -120,6 +120,11 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
   point.status = to_string(result.status);
   if (result.status != RunStatus::completed)
     point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scenario.duration_s);
+  if (point.status == "completed" && result.accuracy && !result.accuracy->reached()) {
+    point.status = "accuracy_not_reached";
+    point.reason = fmt::format("the drift error asked for, {} rad, was not reached: it is {:.2g} rad",
+                               result.accuracy->asked_rad, result.accuracy->reached_rad);
+  }
   point.scenario_sha256 = scenario_sha256(result.scenario);
   std::string made;
   std::optional<Json> section;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kFormat = "earthtop-study-store-1";
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
+[[noreturn]] void refuse_store(const std::filesystem::path& file, std::string message) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, file.string());
 }
 
@@ -77,16 +77,16 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
 
 Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mode) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "there is no such store");
+  if (!std::filesystem::is_regular_file(file, error)) refuse_store(file, "there is no such store");
   auto connection = std::make_unique<sqlite::Connection>(file.string(), mode);
   std::map<std::string, std::string> facts;
   try {
     sqlite::Statement statement(*connection, "SELECT key, value FROM study");
     while (statement.step()) facts[statement.text(0)] = statement.text(1);
   } catch (const FileError& what) {
-    refuse(file, fmt::format("is no study's store ({})", what.reason()));
+    refuse_store(file, fmt::format("is no study's store ({})", what.reason()));
   }
-  if (facts["format"] != kFormat) refuse(file, "is no study's store of this version");
+  if (facts["format"] != kFormat) refuse_store(file, "is no study's store of this version");
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   const ScenarioSource base{facts["base_file"], facts["base"]};
   Study study = parse_study({facts["name"] + ".json", facts["study"]}, base);

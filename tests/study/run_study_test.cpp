@@ -111,6 +111,19 @@ TEST(RunStudy, AQuantityThatDoesNotExistFailsItsPointsWithTheReason) {
   EXPECT_EQ(document.at("failures").at(0).at("reason"), "summary.json has no drift.no_such");
 }
 
+TEST(RunStudy, AnAccuracyThatIsNotReachedIsAFailureThatKeepsItsNumbers) {
+  const TemporaryDirectory dir;
+  const auto report = run_in(dir.path(), small_study(R"(, "design": {"kind": "one_at_a_time"})"));
+  EXPECT_EQ(report.failed, 1U);
+  const Study asking = parse_study({"asking.json", R"({"base": ")" + kBase + R"(", "set": {"/motion/duration_s": 0.5},
+    "axes": [{"pointer": "/accuracy/drift_rad", "values": [1e-6, 1e-30]}]})"});
+  const auto asked = run_in(dir.path() / "asking", asking);
+  EXPECT_EQ(asked.failed, 1U);
+  const Json document = Json::parse(study_json(asked.store));
+  EXPECT_EQ(document.at("points").at(1).at("status"), "accuracy_not_reached");
+  EXPECT_GT(document.at("points").at(1).at("drift.axis_final_rad").get<double>(), 0);
+}
+
 TEST(RunStudy, AnotherStudysStoreIsRefusedUnlessForced) {
   const TemporaryDirectory dir;
   run_in(dir.path(), small_study());

@@ -8,9 +8,9 @@
 namespace earthtop {
 namespace {
 
-const std::string kBase = std::string(EARTHTOP_SCENARIOS) + "/toy-top.json";
+const std::string kToyTop = std::string(EARTHTOP_SCENARIOS) + "/toy-top.json";
 
-std::string file(const std::string& members) { return "{\"base\": \"" + kBase + "\", " + members + "}"; }
+std::string file(const std::string& members) { return "{\"base\": \"" + kToyTop + "\", " + members + "}"; }
 const std::string kAxis = R"("axes": [{"pointer": "/site/latitude_deg", "values": [0, 45]}])";
 
 std::vector<Diagnostic> errors(const std::string& text) {
@@ -45,7 +45,7 @@ struct Fault {
   const char* pointer;
   const char* says;
 };
-class StudyFaults : public testing::TestWithParam<Fault> {};
+class StudyFaults : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(StudyFaults, AreRefusedWithPlaceAndRemedy) {
   const auto [members, pointer, says] = GetParam();
@@ -62,7 +62,7 @@ TEST_P(StudyFaults, AreRefusedWithPlaceAndRemedy) {
 #define AXES "\"axes\": [{\"pointer\": \"/site/latitude_deg\", \"values\": [0, 45]}]"
 INSTANTIATE_TEST_SUITE_P(
     All, StudyFaults,
-    testing::Values(
+    ::testing::Values(
         Fault{R"("axis": [])", "/axis", "did you mean \"axes\""}, Fault{R"("name": "x")", "/axes", "is missing"},
         Fault{R"("axes": [])", "/axes", "at least one"}, Fault{R"("axes": [{"values": [1]}])", "/axes/0/pointer", "pointer"},
         Fault{R"("axes": [{"pointer": "latitude", "values": [1]}])", "/axes/0/pointer", "no JSON pointer"},
