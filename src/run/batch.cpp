@@ -99,7 +99,8 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
         MethodChoice choice = method_choice(scenario);
         if (fits_lanes(scenario, choice)) {
           require_affordable(scenario);
-          lanes[{choice.options.relative_tolerance, choice.options.step_limit}].push_back({i, std::move(choice)});
+          std::vector<LanePoint>& alike = lanes[{choice.options.relative_tolerance, choice.options.step_limit}];
+          alike.push_back({i, std::move(choice)});
           continue;
         }
       }

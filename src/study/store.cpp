@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "earthtop/results/provenance.hpp"
 
@@ -156,7 +157,7 @@ std::optional<double> Store::quantile(const std::string& quantity, double share,
       *connection_, fmt::format("SELECT {0} FROM point WHERE status = 'completed' AND typeof({0}) IN ('real', 'integer') "
                                 "ORDER BY {0} LIMIT 1 OFFSET ?",
                                 column));
-  statement.bind(1, static_cast<std::int64_t>(share * static_cast<double>(count - 1) + 0.5));
+  statement.bind(1, std::int64_t{std::llround(share * static_cast<double>(count - 1))});
   if (!statement.step()) return std::nullopt;
   return std::get<double>(statement.value(0));
 }
