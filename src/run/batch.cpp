@@ -26,14 +26,15 @@ bool fits_lanes(const Scenario& scenario, const MethodChoice& choice) {
 }
 
 /// The second integration of a lane: the equations of inertial axes, in which gravity turns, by a series of another order. The
-/// tolerance is a hundredth, or where the digits do not allow that ten times as large. It is the method of the rows: the bound
-/// is ten times the distance.
+/// tolerance is a hundredth, or where the digits do not allow that ten times as large; below 1e-13 the last terms of a series
+/// are round-off. It is the method of the rows: the bound is ten times the distance.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
+  constexpr double kLeast = 1e-13;
   IntegrationOptions second = first;
   second.observer = Observer::inertial;
   second.form = ModelForm::reduced;
-  const double asked = first.relative_tolerance, finer = std::max(asked / 100, least_tolerance(Precision::bits53));
-  second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
+  const double asked = first.relative_tolerance, finer = std::max(asked / 100, kLeast);
+  second.relative_tolerance = finer < asked / 5 ? finer : std::min(10 * asked, 0.1);
   return second;
 }
 

@@ -53,7 +53,7 @@ EARTHTOP_LANE_INLINE void add_cross(const Vec& a, const Pack* b, Vec& plus, Vec&
 template <int kStored>
 struct Coefficients {
   Pack* first;
-  EARTHTOP_LANE_INLINE Pack* at(int k) const { return first + k * kStored; }
+  EARTHTOP_LANE_INLINE Pack* at(int k) const { return first + static_cast<long>(k) * kStored; }
   EARTHTOP_LANE_INLINE Pack get(int k, int variable) const { return at(k)[variable]; }
   EARTHTOP_LANE_INLINE Vec vector(int k, int variable) const {
     const Pack* p = at(k) + variable;
