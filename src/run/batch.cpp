@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "earthtop/arithmetic.hpp"
@@ -15,24 +16,33 @@ namespace {
 /// A scenario that goes into a lane.
 struct LanePoint {
   std::size_t index;  ///< of the scenario in the batch
-  MethodChoice choice;
+  IntegrationOptions options;
+  std::string reason;
 };
+/// What points side by side share: form, tolerance and step limit.
+using Shared = std::tuple<ModelForm, double, std::int64_t>;
 
-/// Whether the run of this scenario is one pair of integrations, of which the first is a series of the reduced form.
-bool fits_lanes(const Scenario& scenario, const MethodChoice& choice) {
+/// Whether the run of this scenario is one pair of integrations, of which the first is a series: of a symmetric top without its
+/// spin, or of any body in its own axes.
+bool fits_lanes(const Scenario& scenario, const IntegrationOptions& options) {
   return scenario.precision == Precision::bits53 && !scenario.accuracy_rad && !scenario.effects.automatic &&
-         choice.options.method == Method::taylor && choice.options.observer == Observer::laboratory &&
-         takes_reduced_form(make_model<double>(scenario), choice.options);
+         options.method == Method::taylor && is_plain(scenario) && options.observer != Observer::inertial;
 }
 
-/// The second integration of a lane: the equations of inertial axes, in which gravity turns, by a series of another order. The
+/// A point with the form it takes named.
+LanePoint lane_point(std::size_t index, const Scenario& scenario, MethodChoice choice) {
+  const bool reduced = takes_reduced_form(make_model<double>(scenario), choice.options);
+  choice.options.form = reduced ? ModelForm::reduced : ModelForm::general;
+  return {index, choice.options, std::move(choice.reason)};
+}
+
+/// The second integration of a lane: the equations of inertial space, in which gravity turns, by a series of another order. The
 /// tolerance is a hundredth, or where the digits do not allow that ten times as large; below 1e-13 the last terms of a series
 /// are round-off. It is the method of the rows: the bound is ten times the distance.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
   constexpr double kLeast = 1e-13;
   IntegrationOptions second = first;
   second.observer = Observer::inertial;
-  second.form = ModelForm::reduced;
   const double asked = first.relative_tolerance, finer = std::max(asked / 100, kLeast);
   second.relative_tolerance = finer < asked / 5 ? finer : std::min(10 * asked, 0.1);
   return second;
@@ -51,9 +61,9 @@ std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftPro
   return trajectories;
 }
 
-/// Runs points of one tolerance.
+/// Runs points that share what they must.
 void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint> points, std::vector<BatchOutcome>& outcomes) {
-  const IntegrationOptions options = points.front().choice.options, other_options = second_lane_options(options);
+  const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
   std::vector<DriftProblem<double>> problems;
   problems.reserve(points.size());
   for (const LanePoint& point : points) problems.push_back(make_problem<double>(scenarios[point.index]));
@@ -71,11 +81,11 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
     TwoIntegrations<double>& both = made[i];
     const Scenario& scenario = scenarios[points[i].index];
     both.second = std::move(trajectories[i]);
-    both.options = points[i].choice.options;
+    both.options = points[i].options;
     both.other_options = second_lane_options(both.options);
     describe(problems[i], both.options, both.first, scenario.precision, both.solution);
     describe(problems[i], both.other_options, both.second, scenario.precision, both.certificate);
-    both.solution.reason = points[i].choice.reason + "; in SIMD lanes";
+    both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
     RunResult result = assemble_result(scenario, both);
@@ -90,7 +100,7 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
 std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
   require_ieee_arithmetic();
   std::vector<BatchOutcome> outcomes(scenarios.size());
-  std::map<std::pair<double, std::int64_t>, std::vector<LanePoint>> lanes;  // by tolerance and step limit
+  std::map<Shared, std::vector<LanePoint>> lanes;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     const Scenario& scenario = scenarios[i];
     try {
@@ -98,10 +108,11 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
         if (const auto reason = method_refusal(scenario.numerics.method, scenario))
           throw ScenarioError("/numerics/method", *reason);
         MethodChoice choice = method_choice(scenario);
-        if (fits_lanes(scenario, choice)) {
+        if (fits_lanes(scenario, choice.options)) {
           require_affordable(scenario);
-          std::vector<LanePoint>& alike = lanes[{choice.options.relative_tolerance, choice.options.step_limit}];
-          alike.push_back({i, std::move(choice)});
+          LanePoint point = lane_point(i, scenario, std::move(choice));
+          const Shared shared{point.options.form, point.options.relative_tolerance, point.options.step_limit};
+          lanes[shared].push_back(std::move(point));
           continue;
         }
       }
@@ -111,7 +122,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
     }
   }
   constexpr std::size_t kTogether = 64;  // so that the samples of few are in memory
-  for (const auto& [key, points] : lanes)
+  for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
       run_in_lanes(scenarios, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)), outcomes);
   return outcomes;

@@ -142,6 +142,58 @@ TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
   }
 }
 
+/// Any body, its inertia along its axes or not.
+std::vector<DriftProblem<double>> any_bodies(std::size_t count) {
+  std::vector<Scenario> scenes;
+  scenes.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    scenes.push_back(testing::random_scene(i, 10.0 + 5.0 * static_cast<double>(i % 7)));
+    if (i % 9 == 4) {
+      scenes.back() = testing::asymmetric_top();
+      scenes.back().body.inertia_kg_m2 = {{{1.2e-4, 1e-5, -4e-6}, {1e-5, 1.05e-4, 3e-6}, {-4e-6, 3e-6, 4e-5}}};
+      scenes.back().body.center_of_mass_m = {0.004, -0.003, 0.03};
+      scenes.back().rotation_rate_rad_s = 0.3;
+      scenes.back().duration_s = 0.5;
+    }
+  }
+  return problems_of<DriftProblem<double>>(scenes);
+}
+IntegrationOptions general(Method method, Observer observer, double tolerance = 1e-13) {
+  IntegrationOptions options = reduced(method, observer, tolerance);
+  options.form = ModelForm::general;
+  return options;
+}
+
+TEST(GeneralDriftLanes, AreTheScalarSeriesSeenFromBoth) {
+  const auto problems = any_bodies(60);
+  const auto body = integrate_drift_in_lanes(problems, general(Method::taylor, Observer::body));
+  const auto inertial = integrate_drift_in_lanes(problems, general(Method::taylor, Observer::inertial));
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto scalar = integrate_drift(problems[i], general(Method::taylor, Observer::body));
+    const auto other = integrate_drift(problems[i], general(Method::extrapolation, Observer::laboratory));
+    const double largest = std::max_element(scalar.samples.begin(), scalar.samples.end(), [](const auto& a, const auto& b) {
+                             return a.measures.attitude < b.measures.attitude;
+                           })->measures.attitude;
+    const double slack = 1e-11 * largest;
+    for (const auto* lanes : {&body[i], &inertial[i]}) {
+      ASSERT_EQ(lanes->status, RunStatus::completed);
+      ASSERT_EQ(lanes->samples.size(), scalar.samples.size());
+      for (std::size_t row = 0; row < scalar.samples.size(); ++row) {
+        const auto &got = lanes->samples[row], &expected = scalar.samples[row];
+        ASSERT_EQ(got.state.t_s, expected.state.t_s);
+        ASSERT_NEAR(got.measures.axis, expected.measures.axis, slack) << row;
+        ASSERT_NEAR(got.measures.attitude, expected.measures.attitude, slack) << row;
+        ASSERT_NEAR(got.spin, expected.spin, 10 * slack) << row;
+        ASSERT_LT(angle(got.state.q_LB, expected.state.q_LB), 1e-12);
+        ASSERT_LT(angle(got.state.ref_q_LB, expected.state.ref_q_LB), 1e-12);
+        ASSERT_LT(norm(Vec3<double>(got.state.w_LB_B - expected.state.w_LB_B)), 1e-12 * norm(expected.state.w_LB_B) + 1e-11);
+        ASSERT_NEAR(got.measures.axis, other.samples[row].measures.axis, 100 * slack + 1e-13) << row;
+      }
+    }
+  }
+}
+
 /// Whatever stands beside it, wherever it stands, however many there are, and with every instruction set.
 template <class Integrate>
 void expect_own_bits(std::size_t count, const Integrate& integrate) {
@@ -191,6 +243,19 @@ TEST(DriftLanes, HaveBitsOfTheirOwn) {
     });
 }
 
+TEST(GeneralDriftLanes, HaveBitsOfTheirOwn) {
+  const auto problems = any_bodies(60);
+  for (const Observer observer : {Observer::body, Observer::inertial})
+    expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
+      std::vector<DriftProblem<double>> some;
+      for (const std::size_t i : chosen) some.push_back(problems[i]);
+      std::vector<std::vector<std::uint64_t>> bits;
+      for (const auto& trajectory : integrate_drift_in_lanes(some, general(Method::taylor, observer, 1e-10), nullptr, set))
+        bits.push_back(bits_of(trajectory));
+      return bits;
+    });
+}
+
 /// One that overflows, one whose release is no number, and one that is too long for its step limit end by themselves.
 TEST(DriftLanes, LeaveTroubleWhereItIs) {
   const auto sound = problems_of<DriftProblem<double>>(tops(20));
@@ -232,9 +297,10 @@ TEST(DriftLanes, StopWhenAsked) {
   }
 }
 
-TEST(DriftLanes, RefuseWhatHasNoReducedForm) {
+TEST(DriftLanes, RefuseWhatDoesNotHaveTheForm) {
   const std::vector<DriftProblem<double>> asymmetric{make_problem<double>(testing::asymmetric_top())};
   EXPECT_THROW(integrate_drift_in_lanes(asymmetric, reduced(Method::taylor, Observer::laboratory)), std::logic_error);
+  EXPECT_THROW(integrate_drift_in_lanes(asymmetric, general(Method::taylor, Observer::laboratory)), std::logic_error);
   const auto symmetric = problems_of<DriftProblem<double>>(tops(1));
   EXPECT_THROW(integrate_drift_in_lanes(symmetric, reduced(Method::taylor, Observer::body)), std::logic_error);
   EXPECT_TRUE(integrate_drift_in_lanes({}, reduced(Method::taylor, Observer::laboratory)).empty());

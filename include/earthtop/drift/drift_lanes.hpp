@@ -1,5 +1,5 @@
-/// Many drifts of symmetric tops side by side: the Taylor series of the reduced form, a point in each lane of the processor's
-/// vectors.
+/// Many drifts side by side: Taylor series of symmetric tops without their spin, or of any body, a point in each lane of the
+/// processor's vectors.
 ///
 /// A point's result depends on it alone, to the last bit: not on its neighbours, on its place among them, on how many there
 /// are, or on the instruction set.
@@ -12,11 +12,11 @@
 
 namespace earthtop {
 
-/// @param options  of them `observer` (laboratory, or inertial: other equations for the same drift), `relative_tolerance` and
-/// `step_limit` are read
+/// @param options  of them `form` (general: any body; else reduced), `observer` (reduced: laboratory; general: body; or
+/// inertial: other equations for the same drift), `relative_tolerance` and `step_limit` are read
 /// @param stop  set from outside to end early with RunStatus::interrupted; may be null
 /// @param set  which instructions to take; none: the widest
-/// @throws std::logic_error for a model that has no reduced form, and in body axes.
+/// @throws std::logic_error for a model that does not have the form, and for other axes.
 std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const DriftProblem<double>> problems,
                                                               const IntegrationOptions& options,
                                                               const std::atomic<bool>* stop = nullptr,

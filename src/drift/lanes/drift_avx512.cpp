@@ -1,4 +1,6 @@
 #define EARTHTOP_LANE_WIDTH 8
 #include "drift/lanes/drift_kernels.ipp"
+#include "drift/lanes/general_drift_kernels.ipp"
 
 EARTHTOP_DRIFT_KERNELS(avx512)
+EARTHTOP_GENERAL_DRIFT_KERNELS(avx512)

@@ -1,8 +1,13 @@
 #include "earthtop/drift/drift_lanes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <tuple>
+#include <utility>
 
+#include "drift/drift_system.hpp"
 #include "drift/lanes/drift_kernels.hpp"
+#include "drift/lanes/general_drift_kernels.hpp"
 #include "drift/reduced_drift_system.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
@@ -12,19 +17,138 @@
 namespace earthtop {
 namespace {
 
+/// A symmetric top without its spin, in laboratory or in inertial axes.
 template <Observer O>
+class ReducedTopDrift : public ReducedDriftSystem<double, O> {
+ public:
+  using Base = ReducedDriftSystem<double, O>;
+  static constexpr bool kInertial = O == Observer::inertial;
+  static constexpr int kVariables = kInertial ? lanes::kInertialDriftVariables : lanes::kLaboratoryDriftVariables;
+  static_assert(lanes::are_groups_of<Base>(lanes::kDriftGroups));
+
+  explicit ReducedTopDrift(const DriftProblem<double>& problem)
+      : Base(problem.model, problem.release, problem.units), model_(problem.model) {}
+
+  template <class Put>
+  void constants(const Put& put) const {
+    using Constants = lanes::DriftConstants;
+    const ReducedDriftConstants<double>& constants = Base::constants();
+    put(Constants::b, constants.b.value);
+    put(Constants::b_rest, constants.b.rest);
+    put(Constants::k, constants.k);
+    put(Constants::of_axis_rate, constants.of_axis_rate);
+    put(Constants::of_cross, constants.of_cross);
+    put(Constants::moment_ratio, this->top().moment_ratio);
+    put(Constants::gravity, model_.apparent_gravity_L[2]);
+    put(Constants::epsilon, model_.epsilon);
+    for (int i = 0; i < 3; ++i) put(Constants::W_scaled + i, model_.W_IL_L_scaled[i]);
+  }
+
+ private:
+  const Model<double>& model_;
+};
+
+/// What the kernels of any body's drift read.
+template <class Put>
+void put_general_constants(const Model<double>& model, const Put& put) {
+  using Constants = lanes::GeneralDriftConstants;
+  const Mat3<double>&I = model.I_BP_B, &inverse = model.I_BP_B_inverse;
+  const bool principal = I.isDiagonal(0.0);
+  constexpr std::array<std::pair<int, int>, 3> kBeside{{{0, 1}, {0, 2}, {1, 2}}};
+  for (int i = 0; i < 3; ++i) {
+    const auto [row, column] = kBeside[static_cast<std::size_t>(i)];
+    put(Constants::inertia + i, I(i, i));
+    put(Constants::inertia_beside + i, I(row, column));
+    put(Constants::inverse_reciprocal + i, principal ? I(i, i) : 1 / inverse(i, i));
+    put(Constants::inverse_beside + i, principal ? 0.0 : inverse(row, column));
+    put(Constants::mass_moment + i, model.mass_moment_B[i]);
+    put(Constants::W_scaled + i, model.W_IL_L_scaled[i]);
+  }
+  put(Constants::gravity, model.apparent_gravity_L[2]);
+  put(Constants::epsilon, model.epsilon);
+}
+
+/// Any body in its own axes, the deviation as the laboratory sees it.
+class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, RotatingMotion::composed> {
+ public:
+  using Base = DriftSystem<double, Observer::body, SceneKind::plain, RotatingMotion::composed>;
+  static constexpr int kVariables = lanes::kBodyDriftVariables;
+  static_assert(lanes::are_groups_of<Base>(lanes::kGeneralDriftGroups));
+
+  explicit BodyDrift(const DriftProblem<double>& problem) : Base(problem.model), problem_(problem) {}
+  State initial_state() const {
+    const Release<double>& release = problem_.release;
+    return Base::initial_state(release.q_LB, problem_.units.rate_from_rad_s(release.w_XB_B), release.X);
+  }
+  double largest_step() const { return 0; }
+  template <class Put>
+  void constants(const Put& put) const {
+    put_general_constants(problem_.model, put);
+  }
+
+ private:
+  const DriftProblem<double>& problem_;
+};
+
+/// Any body in its own axes, the deviation as inertial space sees it.
+class InertialBodyDrift {
+ public:
+  using Outer = DriftSystem<double, Observer::inertial, SceneKind::plain, RotatingMotion::composed>;
+  static constexpr std::size_t kSize = lanes::kInertialBodyDriftVariables;
+  static constexpr int kVariables = lanes::kInertialBodyDriftVariables;
+  using State = std::array<double, kSize>;
+  static constexpr auto groups() { return BodyDrift::groups(); }
+
+  explicit InertialBodyDrift(const DriftProblem<double>& problem) : body_(problem), outer_(problem.model), problem_(problem) {}
+
+  State initial_state() const {
+    const BodyDrift::State body = body_.initial_state();
+    State x{};
+    std::copy(body.begin(), body.end(), x.begin());
+    const Mat3<double> R_LB = rotation_matrix(problem_.release.q_LB);
+    store_vector(transposed_times(R_LB, problem_.model.W_IL_L_scaled), x, 14);
+    store_vector(transposed_times(R_LB, problem_.model.apparent_gravity_L), x, 17);
+    return x;
+  }
+  double largest_step() const { return 0; }
+  void follow(const State&) {}
+  DriftState<double> shared_state(const State& x, double t) const { return outer_.shared_state(in_outer_axes(x), t); }
+  DriftState<double> deviation_state(const State& x, double t) const { return outer_.deviation_state(in_outer_axes(x), t); }
+  template <class Put>
+  void constants(const Put& put) const {
+    put_general_constants(problem_.model, put);
+  }
+
+ private:
+  /// Reference and deviation as `inertial_deviation_equation` has them.
+  Outer::State in_outer_axes(const State& x) const {
+    const Motion<double> reference = drift_state::load_motion(x, drift_state::kReference);
+    const Deviation<double> deviation = drift_state::load_deviation(x);
+    const Mat3<double> R_ref = rotation_matrix(reference.q);
+    Outer::State outer;
+    const Vec3<double> L_N = times(R_ref, times(problem_.model.I_BP_B, reference.m));
+    drift_state::store_motion<double>({reference.q, L_N}, outer, drift_state::kReference);
+    drift_state::store_deviation<double>({deviation.w, times(R_ref, deviation.y), times(R_ref, deviation.p)}, outer);
+    return outer;
+  }
+
+  BodyDrift body_;
+  Outer outer_;
+  const DriftProblem<double>& problem_;
+};
+
+/// A point on its way through a lane. @tparam Drift  whose equations
+template <class Drift>
 class DriftPoint {
  public:
-  using System = ReducedDriftSystem<double, O>;
+  using System = Drift;
   using State = typename System::State;
-  static constexpr int kVariables =
-      O == Observer::laboratory ? lanes::kLaboratoryDriftVariables : lanes::kInertialDriftVariables;
-  static_assert(lanes::are_groups_of<System>(lanes::kDriftGroups));
+  static constexpr int kVariables = System::kVariables;
 
   DriftPoint(const DriftProblem<double>& problem, const IntegrationOptions& options, const std::atomic<bool>* stop,
              DriftTrajectory<double>& trajectory)
       : problem_(problem),
-        system_(problem.model, problem.release, problem.units),
+        system_(problem),
         watcher_(system_, problem.units, problem.threshold_rad),
         times_(natural_times(problem)),
         drive_(drive_options(problem, options, stop)),
@@ -37,18 +161,7 @@ class DriftPoint {
   const std::vector<double>& times() const { return times_; }
   const DriveOptions<double>& drive() const { return drive_; }
   void constants(lanes::Row* rows, std::size_t lane) const {
-    const auto put = [&](int row, double value) { rows[row].lane[lane] = value; };
-    using Constants = lanes::DriftConstants;
-    const ReducedDriftConstants<double>& constants = system_.constants();
-    put(Constants::b, constants.b.value);
-    put(Constants::b_rest, constants.b.rest);
-    put(Constants::k, constants.k);
-    put(Constants::of_axis_rate, constants.of_axis_rate);
-    put(Constants::of_cross, constants.of_cross);
-    put(Constants::moment_ratio, system_.top().moment_ratio);
-    put(Constants::gravity, problem_.model.apparent_gravity_L[2]);
-    put(Constants::epsilon, problem_.model.epsilon);
-    for (int i = 0; i < 3; ++i) put(Constants::W_scaled + i, problem_.model.W_IL_L_scaled[i]);
+    system_.constants([&](int row, double value) { rows[row].lane[lane] = value; });
   }
   void on_step(double t, const State& x) { watcher_(t, x); }
   void on_row(std::size_t row, const State& x) {
@@ -70,13 +183,25 @@ class DriftPoint {
   DriftTrajectory<double>& trajectory_;
 };
 
-template <Observer O>
+template <class Drift>
 std::vector<DriftTrajectory<double>> integrate(const lanes::Kernel& kernel, std::span<const DriftProblem<double>> problems,
                                                const IntegrationOptions& options, const std::atomic<bool>* stop) {
   std::vector<DriftTrajectory<double>> trajectories(problems.size());
   const auto arguments = [&](std::size_t i) { return std::tie(problems[i], options, stop, trajectories[i]); };
-  lanes::run_in_lanes<DriftPoint<O>>(lanes::plan_for(kernel, options.relative_tolerance), problems.size(), arguments);
+  lanes::run_in_lanes<DriftPoint<Drift>>(lanes::plan_for(kernel, options.relative_tolerance), problems.size(), arguments);
   return trajectories;
+}
+
+std::vector<DriftTrajectory<double>> integrate_general(std::span<const DriftProblem<double>> problems,
+                                                       const IntegrationOptions& options, const std::atomic<bool>* stop,
+                                                       InstructionSet set) {
+  for (const DriftProblem<double>& problem : problems)
+    if (problem.model.kind != SceneKind::plain) throw std::logic_error("no series is compiled for this scene");
+  if (options.observer == Observer::body)
+    return integrate<BodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kBodyDrift), problems, options, stop);
+  if (options.observer == Observer::inertial)
+    return integrate<InertialBodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kInertialBodyDrift), problems, options, stop);
+  throw std::logic_error("the general form in lanes has no laboratory axes");
 }
 
 }  // namespace
@@ -85,11 +210,14 @@ std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const Dr
                                                               const IntegrationOptions& options, const std::atomic<bool>* stop,
                                                               std::optional<InstructionSet> set) {
   const InstructionSet taken = lanes::set_taken(set);
+  if (options.form == ModelForm::general) return integrate_general(problems, options, stop, taken);
   switch (options.observer) {
     case Observer::laboratory:
-      return integrate<Observer::laboratory>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kLaboratoryDrift), problems, options, stop);
+      return integrate<ReducedTopDrift<Observer::laboratory>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kLaboratoryDrift), problems,
+                                                              options, stop);
     case Observer::inertial:
-      return integrate<Observer::inertial>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kInertialDrift), problems, options, stop);
+      return integrate<ReducedTopDrift<Observer::inertial>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kInertialDrift), problems,
+                                                            options, stop);
     case Observer::body: break;
   }
   throw std::logic_error("the reduced form has no body axes");

@@ -57,7 +57,7 @@ class Lane {
     const State x = point_.system().initial_state();
     GroupScales<double, System> scales;
     scales.include(x);
-    scales.include(point_.system().typical_state());
+    if constexpr (requires { point_.system().typical_state(); }) scales.include(point_.system().typical_state());
     if (!all_finite(x)) return end(RunStatus::not_finite);
     point_.on_step(point_.times().front(), x);
     point_.on_row(0, x);
