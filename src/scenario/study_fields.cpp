@@ -61,8 +61,8 @@ constexpr Field kStudyFields[] = {
 
     {"study:/fits", list, "", kAny, "", "", "curves through the points, by least squares"},
     {"study:/fits/*", object, "", kAny, "", "", "one fit"},
-    {"study:/fits/*/kind", word, "", kAny, "linear|sin_latitude|cos_latitude|power_law", "",
-     "y = a + b x; y = a + b sin(x) or a + b cos(x), x in degrees; |y| = a |x|^b", kRequired},
+    {"study:/fits/*/kind", word, "", kAny, "linear|sin_latitude|cos_latitude|logarithmic|power_law", "",
+     "y = a + b x; y = a + b sin(x) or a + b cos(x), x in degrees; y = a + b ln|x|; |y| = a |x|^b", kRequired},
     {"study:/fits/*/axis", text, "", kAny, "", "", "the axis that is x", kRequired},
     {"study:/fits/*/quantity", text, "", kAny, "", "", "the quantity that is y", kRequired},
 

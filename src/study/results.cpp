@@ -168,6 +168,9 @@ class Gathering {
         case FitKind::linear: fits_[f].include(*x, *y); break;
         case FitKind::sin_latitude: fits_[f].include(std::sin(*x * std::numbers::pi / 180), *y); break;
         case FitKind::cos_latitude: fits_[f].include(std::cos(*x * std::numbers::pi / 180), *y); break;
+        case FitKind::logarithmic:
+          if (*x != 0) fits_[f].include(std::log(std::abs(*x)), *y);
+          break;
         case FitKind::power_law:
           if (*x != 0 && *y != 0) fits_[f].include(std::log(std::abs(*x)), std::log(std::abs(*y)));
           break;

@@ -64,7 +64,10 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
   const std::string sha256 = study_sha256(study);
   try {
     Store store = Store::open(file, sqlite::Connection::Mode::write);
-    if (store.sha256() == sha256) return store;
+    if (store.sha256() == sha256) {
+      store.adopt(study);
+      return store;
+    }
   } catch (const ScenarioError&) {
     if (!options.force) throw;
   }

@@ -96,6 +96,16 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
                StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
 }
 
+void Store::adopt(const Study& study) {
+  begin();
+  put(*connection_, "name", study.name);
+  put(*connection_, "study", study.text);
+  put(*connection_, "base", study.base.text);
+  put(*connection_, "base_file", study.base.file);
+  commit();
+  study_ = study;
+}
+
 std::uint64_t Store::counted(const char* condition) {
   sqlite::Statement statement(*connection_, fmt::format("SELECT count(*) FROM point{}", condition));
   statement.step();

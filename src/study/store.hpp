@@ -26,6 +26,8 @@ class Store {
   /// The study as it was when the store was made.
   const Study& study() const { return study_; }
   const std::string& sha256() const { return sha256_; }  ///< `study_sha256`
+  /// Takes over what is not part of a study's identity: title, finding, fits, figures. @param study  of the same identity
+  void adopt(const Study& study);
   const StudyShard& shard() const { return shard_; }
 
   std::uint64_t count() { return counted(""); }

@@ -267,7 +267,8 @@ class Decoder {
     if (!fit.present() || !fit.require("kind") || !fit.require("axis") || !fit.require("quantity")) return;
     StudyFit decoded;
     const std::string kind = fit.word("kind").value_or("");
-    for (const FitKind candidate : {FitKind::linear, FitKind::sin_latitude, FitKind::cos_latitude, FitKind::power_law})
+    for (const FitKind candidate :
+         {FitKind::linear, FitKind::sin_latitude, FitKind::cos_latitude, FitKind::logarithmic, FitKind::power_law})
       if (to_string(candidate) == kind) decoded.kind = candidate;
     decoded.axis = fit.word("axis").value_or("");
     decoded.quantity = fit.word("quantity").value_or("");
@@ -315,6 +316,7 @@ std::string_view to_string(FitKind kind) {
     case FitKind::linear: return "linear";
     case FitKind::sin_latitude: return "sin_latitude";
     case FitKind::cos_latitude: return "cos_latitude";
+    case FitKind::logarithmic: return "logarithmic";
     case FitKind::power_law: return "power_law";
   }
   return "unknown";

@@ -136,6 +136,24 @@ TEST(RunStudy, AnotherStudysStoreIsRefusedUnlessForced) {
   EXPECT_EQ(run_study(other, options).progress.before, 0U);
 }
 
+TEST(RunStudy, TitleFitsAndFiguresAreThoseOfTheFileGivenLast) {
+  const TemporaryDirectory dir;
+  run_in(dir.path(), small_study());
+  const auto again = run_in(dir.path(), small_study(R"(, "title": "Later", "fits": [
+      {"kind": "logarithmic", "axis": "tilt_deg", "quantity": "drift.axis_final_rad"}])"));
+  EXPECT_EQ(again.progress.done, 0U);
+  const Json document = Json::parse(study_json(again.store));
+  EXPECT_EQ(document.at("title"), "Later");
+  const Json &fit = document.at("fits").at(0), &points = document.at("points");
+  // Two tilts at each of seven latitudes: the line goes through the means at ln 10 and ln 20.
+  double rise = 0;
+  for (std::size_t i = 0; i < 7; ++i)
+    for (const auto& [tilt, sign] : {std::pair(0, -1), std::pair(1, 1)})
+      rise += sign * points.at(3 * i + static_cast<std::size_t>(tilt)).at("drift.axis_final_rad").get<double>() / 7;
+  EXPECT_NEAR(fit.at("b").get<double>(), rise / std::log(2.0), 1e-12 * std::abs(rise));
+  EXPECT_EQ(fit.at("points"), 14);
+}
+
 TEST(RunStudy, StoresOfDifferentStudiesAreNotMerged) {
   const TemporaryDirectory dir;
   const auto a = run_in(dir.path() / "a", small_study()), b = run_in(dir.path() / "b", small_study(R"(, "rows": "all")"));

@@ -119,6 +119,7 @@ std::string fits_text(const Json& document) {
     const bool power = kind == "power_law";
     const std::string form = kind == "linear"         ? fmt::format("a + b {}", x)
                              : power                  ? fmt::format("a |{}|^b", x)
+                             : kind == "logarithmic"  ? fmt::format("a + b ln|{}|", x)
                              : kind == "sin_latitude" ? fmt::format("a + b sin({})", x)
                                                       : fmt::format("a + b cos({})", x);
     text += fmt::format("  {} = {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n",

@@ -45,7 +45,7 @@ struct StudyQuantity {
   std::string path;  ///< dotted path in summary.json
 };
 
-enum class FitKind { linear, sin_latitude, cos_latitude, power_law };
+enum class FitKind { linear, sin_latitude, cos_latitude, logarithmic, power_law };
 std::string_view to_string(FitKind kind);
 
 struct StudyFit {
