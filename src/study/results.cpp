@@ -10,6 +10,7 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "results/file_set.hpp"
+#include "study/figure.hpp"
 #include "study/json_text.hpp"
 #include "study/statistics.hpp"
 #include "study/store.hpp"
@@ -363,10 +364,12 @@ void study_csv(const std::filesystem::path& file, const std::function<void(std::
 
 void write_study_results(const std::filesystem::path& file) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
-  static constexpr std::array<std::string_view, 2> kNames = {"study.csv", "study.json"};
+  static constexpr std::array<std::string_view, 3> kNames = {"study.csv", "study.svg", "study.json"};
   FileSet files(file.parent_path(), kNames);
   files.add("study.csv", [&](const FileSet::Sink& sink) { study::write_table(store, sink); });
-  files.add("study.json", study::text_of(study::document_of(store)));
+  const auto document = study::document_of(store);
+  if (const auto figure = study::study_figure(store.study(), document)) files.add("study.svg", svg(*figure));
+  files.add("study.json", study::text_of(document));
   files.commit();
 }
 

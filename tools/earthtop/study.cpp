@@ -111,7 +111,8 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
     print(text);
   else
     print(study_text(Json::parse(text)) +
-          fmt::format("\nResults in {}: study.csv, study.json, study.sqlite\n", printable(store.parent_path().string())));
+          fmt::format("\nResults in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes\n",
+                      printable(store.parent_path().string())));
 }
 
 int study_verb(const StudyArguments& arguments) {

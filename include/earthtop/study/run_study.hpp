@@ -62,7 +62,8 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
 /// As JSON with a final newline; the same points give the same bytes.
 std::string study_json(const std::filesystem::path& store);
 
-/// Writes study.csv, one line a point, and study.json beside the store. @throws WriteError, Interrupted
+/// Writes study.csv, one line a point, study.json, and where a few curves show it all study.svg, beside the store. @throws
+/// WriteError, Interrupted
 void write_study_results(const std::filesystem::path& store);
 
 /// The table of the points alone, piece by piece.

@@ -1,0 +1,105 @@
+#include "study/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace earthtop::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostLines = 7, kMostPanels = 3, kMostMarked = 60;
+constexpr LineColor kColors[kMostLines] = {LineColor::blue,   LineColor::vermillion, LineColor::green, LineColor::purple,
+                                           LineColor::orange, LineColor::sky,        LineColor::grey};
+
+/// Different numbers that an axis takes; 0 where it takes words.
+std::size_t numbers_of(const std::string& axis, const Json& points) {
+  std::set<double> numbers;
+  for (const Json& point : points) {
+    if (!point.at(axis).is_number()) return 0;
+    numbers.insert(point.at(axis).get<double>());
+  }
+  return numbers.size();
+}
+
+std::string shown(const Json& value) {
+  if (value.is_number()) return fmt::format("{:.6g}", value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// A scale on which numbers that are all positive, and of different sizes, can be told apart.
+AxisScale scale_of(const std::vector<Line>& lines) {
+  constexpr double kManySizes = 100;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Line& line : lines)
+    for (const double y : line.y) {
+      if (!std::isfinite(y)) continue;
+      if (!(y > 0)) return AxisScale::linear;
+      least = std::min(least, y);
+      most = std::max(most, y);
+    }
+  return most > kManySizes * least ? AxisScale::logarithmic : AxisScale::linear;
+}
+
+/// The unit that a name ends with, as in the rest of the program: "drift.axis_final_rad" -> "rad".
+std::string unit_of(std::string_view name) {
+  for (const auto& [suffix, unit] :
+       {std::pair("_rad_s", "rad/s"), std::pair("_m_s2", "m/s^2"), std::pair("_rad", "rad"), std::pair("_deg", "deg"),
+        std::pair("_s", "s"), std::pair("_m", "m"), std::pair("_hz", "Hz")})
+    if (name.ends_with(suffix)) return unit;
+  return "";
+}
+
+}  // namespace
+
+std::optional<Figure> study_figure(const Study& study, const Json& document) {
+  const Json& points = document.at("points");
+  if (points.is_null() || points.size() < 3 || study.axes.size() > 2 || study.design.kind != DesignKind::grid)
+    return std::nullopt;
+  std::size_t across = 0, most = 0;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (const std::size_t count = numbers_of(study.axes[a].name, points); count > most) across = a, most = count;
+  if (most < 3) return std::nullopt;
+  const StudyAxis& x = study.axes[across];
+  const StudyAxis* other = study.axes.size() == 2 ? &study.axes[1 - across] : nullptr;
+  if (other && other->size() > kMostLines) return std::nullopt;
+
+  Figure figure{study.title.empty() ? study.name : study.title,
+                study.finding,
+                {x.name, unit_of(x.name),
+                 x.range && x.range->logarithmic && x.range->from.front() > 0 ? AxisScale::logarithmic : AxisScale::linear},
+                {}};
+  for (const StudyQuantity& quantity : study.quantities) {
+    if (quantity.name.ends_with("bound_rad") || figure.panels.size() == kMostPanels) continue;
+    std::vector<Line> lines;
+    std::map<std::string, std::size_t> line_of;
+    for (const Json& point : points) {
+      const std::string label = other ? fmt::format("{} {}", other->name, shown(point.at(other->name))) : "";
+      const auto [at, is_new] = line_of.try_emplace(label, lines.size());
+      if (is_new)
+        lines.push_back({label,
+                         {},
+                         {},
+                         kColors[lines.size() % kMostLines],
+                         LineStyle::solid,
+                         most <= kMostMarked ? Marker::circle : Marker::none});
+      Line& line = lines[at->second];
+      const Json& y = point.at(quantity.name);
+      line.x.push_back(point.at(x.name).get<double>());
+      line.y.push_back(y.is_number() ? y.get<double>() : std::numeric_limits<double>::quiet_NaN());
+    }
+    const bool any = std::any_of(lines.begin(), lines.end(), [](const Line& line) {
+      return std::any_of(line.y.begin(), line.y.end(), [](double y) { return std::isfinite(y); });
+    });
+    if (any) figure.panels.push_back({{quantity.name, unit_of(quantity.name), scale_of(lines)}, std::move(lines)});
+  }
+  if (figure.panels.empty()) return std::nullopt;
+  return figure;
+}
+
+}  // namespace earthtop::study
