@@ -155,8 +155,9 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
     const bool composed = is_composed(plan);
     if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(kGain)))) {
       // Hardly better by halving: round-off, or the square of a large perturbation, for which there is a schedule. That one may
-      // stand still for once where its error changes from one order, and one sign, to another.
-      if (distance < T(kLeastSquare) || stalls > 1) return plan;
+      // stand still for once where its error changes from one order, and one sign, to another. What long steps leave falls
+      // again with shorter ones.
+      if (distance < T(kLeastSquare) || stalls > 1) return averages ? finer : plan;
       if (composed) {
         ++stalls;
       } else {
