@@ -6,12 +6,28 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "closed_form/lagrange_cases.hpp"
+#include "closed_form/lagrange_roots.hpp"
 #include "closed_form/top_motion.hpp"
 
 namespace earthtop::test {
 namespace {
+
+/// The exact product of long doubles, without a fused one: where the difference cancels all but its last bits, and where it
+/// does not, over all magnitudes that doubles leave.
+TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 2000; ++k) {
+    const long double y = std::ldexp(1 + static_cast<long double>(unit(engine)) + 1e-18L * unit(engine), k - 1000);
+    const long double near = k % 3 == 0 ? y * y : y * y * (1 + (k % 3 == 1 ? 1e-18L : 1.0L) * (unit(engine) - 0.5));
+    const long double exact = -std::fma(y, y, -near), made = less_square<long double>(near, y);
+    EXPECT_LE(std::abs(made - exact), std::numeric_limits<long double>::epsilon() * std::abs(exact)) << k;
+  }
+}
 
 class LagrangeRegimes : public testing::TestWithParam<LagrangeGenerator> {};
 std::string regime_name(const testing::TestParamInfo<LagrangeGenerator>& info) {
