@@ -71,10 +71,10 @@ std::optional<std::string> note_on_air(const RunResult& result) {
 }  // namespace
 
 template <class T>
-void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first) {
+void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));
-  nudge(problem);
+  nudge(problem, nudge_units);
 }
 
 template <class T>
@@ -141,7 +141,7 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&);                                         \
+  template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&, T);                                      \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
   template RunResult assemble_result(const Scenario&, const TwoIntegrations<T>&);

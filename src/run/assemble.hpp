@@ -14,8 +14,9 @@ struct TwoIntegrations {
 };
 
 /// From the problem of the rows to that of the second integration: nudged, and no further than the rows got.
+/// @param nudge_units  units in the last place
 template <class T>
-void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first);
+void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units = T(8));
 
 /// Fills a report but for its reason and its time.
 template <class T>

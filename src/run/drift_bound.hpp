@@ -11,8 +11,8 @@ namespace earthtop {
 /// Moves a problem by some units in the last place of its attitude, rates and moments, in no special direction: well over what
 /// rounding the scene to T did to it, so that two runs of which one is nudged do not share that error.
 template <class T>
-void nudge(DriftProblem<T>& problem) {
-  const T kUnit = T(8) * real::epsilon<T>();
+void nudge(DriftProblem<T>& problem, T units = T(8)) {
+  const T kUnit = units * real::epsilon<T>();
   const Vec3<T> turn = kUnit * Vec3<T>(T(0.6), T(-0.5), T(0.7));
   problem.release.q_LB = (problem.release.q_LB * Quaternion<T>{T(1), turn / T(2)}).normalized();
   Vec3<T>& w_XB_B = problem.release.w_XB_B;

@@ -73,7 +73,7 @@ class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, R
  public:
   using Base = DriftSystem<double, Observer::body, SceneKind::plain, RotatingMotion::composed>;
   static constexpr int kVariables = lanes::kBodyDriftVariables;
-  static_assert(lanes::are_groups_of<Base>(lanes::kGeneralDriftGroups));
+  static_assert(lanes::are_groups_of<Base>(lanes::kBodyDriftGroups));
 
   explicit BodyDrift(const DriftProblem<double>& problem) : Base(problem.model), problem_(problem) {}
   State initial_state() const {
@@ -97,7 +97,10 @@ class InertialBodyDrift {
   static constexpr std::size_t kSize = lanes::kInertialBodyDriftVariables;
   static constexpr int kVariables = lanes::kInertialBodyDriftVariables;
   using State = std::array<double, kSize>;
-  static constexpr auto groups() { return BodyDrift::groups(); }
+  static constexpr auto groups() {
+    constexpr auto body = BodyDrift::groups();
+    return std::array<ComponentGroup, 7>{{body[0], body[1], body[2], body[3], {14, 3, 1e-3}, {17, 3, 1e-3}, {20, 3, 1e-3}}};
+  }
 
   explicit InertialBodyDrift(const DriftProblem<double>& problem) : body_(problem), outer_(problem.model), problem_(problem) {}
 
@@ -136,6 +139,8 @@ class InertialBodyDrift {
   Outer outer_;
   const DriftProblem<double>& problem_;
 };
+
+static_assert(lanes::are_groups_of<InertialBodyDrift>(lanes::kInertialBodyDriftGroups));
 
 /// A point on its way through a lane. @tparam Drift  whose equations
 template <class Drift>

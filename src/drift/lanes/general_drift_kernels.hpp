@@ -22,7 +22,10 @@ struct GeneralDriftConstants {
 };
 static_assert(GeneralDriftConstants::kCount <= kMostConstants);
 /// Of the state q_LB, w_IB_B; w, y, p.
-constexpr Group kGeneralDriftGroups[] = {{0, 4, true}, {4, 3, false}, {7, 1, true}, {8, 6, false}};
+constexpr Group kBodyDriftGroups[] = {{0, 4, true}, {4, 3, false}, {7, 1, true}, {8, 6, false}};
+/// The same, and what the reference sees of W, g and h.
+constexpr Group kInertialBodyDriftGroups[] = {{0, 4, true},   {4, 3, false},  {7, 1, true},  {8, 6, false},
+                                              {14, 3, false}, {17, 3, false}, {20, 3, false}};
 /// Numbers of the states: the laboratory's, and the inertial one with W, g and h as the reference sees them.
 inline constexpr int kBodyDriftVariables = 14, kInertialBodyDriftVariables = 23;
 

@@ -30,8 +30,8 @@ class GeneralDriftSeries {
  public:
   static constexpr bool kInertial = kFrom == SeenFrom::inertial;
   static constexpr int kVariables = kInertial ? kInertialBodyDriftVariables : kBodyDriftVariables;
-  static constexpr int kGroupCount = 4;
-  static constexpr const Group* kGroups = kGeneralDriftGroups;
+  static constexpr int kGroupCount = kInertial ? 7 : 4;
+  static constexpr const Group* kGroups = kInertial ? kInertialBodyDriftGroups : kBodyDriftGroups;
 
  private:
   static constexpr int kQ = 0, kRate = 4, kE = 7, kY = 8, kP = 11;

@@ -11,7 +11,7 @@ namespace earthtop::lanes {
 inline constexpr int kLanes = 8;
 /// The highest order of a series.
 inline constexpr int kMostOrder = 32;
-inline constexpr int kMostVariables = 24, kMostStored = 48, kMostConstants = 24, kMostGroups = 5;
+inline constexpr int kMostVariables = 24, kMostStored = 48, kMostConstants = 24, kMostGroups = 7;
 
 /// Components of a state that the step control measures together, as `ComponentGroup` has them.
 /// `turns`: unit vectors and quaternions, whose change is an angle.

@@ -241,6 +241,7 @@ void run_in_lanes(const Plan& plan, std::size_t count, const Arguments& argument
 template <class System, std::size_t kMost>
 constexpr bool are_groups_of(const Group (&groups)[kMost]) {
   constexpr auto expected = System::groups();
+  static_assert(expected.size() <= kMostGroups);
   bool same = kMost >= expected.size();
   for (std::size_t g = 0; same && g < expected.size(); ++g)
     same = groups[g].begin == static_cast<int>(expected[g].begin) && groups[g].count == static_cast<int>(expected[g].count) &&
