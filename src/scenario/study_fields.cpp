@@ -6,9 +6,9 @@ namespace {
 
 using enum FieldKind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kLargestWhole = 9007199254740992;  // beyond it a double skips whole numbers
-constexpr bool kRequired = true;
+constexpr bool kNeeded = true;
 
 constexpr Range kAny = {};
 constexpr Range kCounts = {1, kLargestWhole, false};
@@ -20,11 +20,11 @@ constexpr Field kStudyFields[] = {
     {"study:/purpose", text, "", kAny, "", "\"\"", "what the study is for"},
     {"study:/finding", text, "", kAny, "", "\"\"", "what it showed, in a sentence"},
     {"study:/base", anything, "", kAny, "", "",
-     "the scenario that is varied: a file, looked for beside this one, or the scenario itself", kRequired},
+     "the scenario that is varied: a file, looked for beside this one, or the scenario itself", kNeeded},
     {"study:/set", anything, "", kAny, "", "{}",
      "changes of the base for all points: an object of JSON pointers and values, e.g. {\"/motion/duration_s\": 600}"},
 
-    {"study:/axes", list, "", kAny, "", "", "what is varied, at most 20 of them", kRequired},
+    {"study:/axes", list, "", kAny, "", "", "what is varied, at most 20 of them", kNeeded},
     {"study:/axes/*", object, "", kAny, "", "", "one axis"},
     {"study:/axes/*/name", text, "", kAny, "", "",
      "column of the results, of a-z, 0-9 and _; default: the last key of the pointer"},
@@ -35,13 +35,13 @@ constexpr Field kStudyFields[] = {
      "pointer"},
     {"study:/axes/*/range", object, "", kAny, "", "", "instead: equal steps"},
     {"study:/axes/*/range/from", anything, "", kAny, "", "", "first value; of several pointers an array may give each its own",
-     kRequired},
-    {"study:/axes/*/range/to", anything, "", kAny, "", "", "last value", kRequired},
+     kNeeded},
+    {"study:/axes/*/range/to", anything, "", kAny, "", "", "last value", kNeeded},
     {"study:/axes/*/range/points", number, "", kCounts, "", "",
      "how many values, the ends included; not needed where the design draws them"},
     {"study:/axes/*/log_range", object, "", kAny, "", "", "instead: equal ratios; ends of one sign"},
-    {"study:/axes/*/log_range/from", anything, "", kAny, "", "", "first value", kRequired},
-    {"study:/axes/*/log_range/to", anything, "", kAny, "", "", "last value", kRequired},
+    {"study:/axes/*/log_range/from", anything, "", kAny, "", "", "first value", kNeeded},
+    {"study:/axes/*/log_range/to", anything, "", kAny, "", "", "last value", kNeeded},
     {"study:/axes/*/log_range/points", number, "", kCounts, "", "", "how many values, the ends included"},
 
     {"study:/design", object, "", kAny, "", "{}", "which points of the axes' space are computed"},
@@ -62,23 +62,23 @@ constexpr Field kStudyFields[] = {
     {"study:/fits", list, "", kAny, "", "", "curves through the points, by least squares"},
     {"study:/fits/*", object, "", kAny, "", "", "one fit"},
     {"study:/fits/*/kind", word, "", kAny, "linear|sin_latitude|cos_latitude|logarithmic|power_law", "",
-     "y = a + b x; y = a + b sin(x) or a + b cos(x), x in degrees; y = a + b ln|x|; |y| = a |x|^b", kRequired},
-    {"study:/fits/*/axis", text, "", kAny, "", "", "the axis that is x", kRequired},
-    {"study:/fits/*/quantity", text, "", kAny, "", "", "the quantity that is y", kRequired},
+     "y = a + b x; y = a + b sin(x) or a + b cos(x), x in degrees; y = a + b ln|x|; |y| = a |x|^b", kNeeded},
+    {"study:/fits/*/axis", text, "", kAny, "", "", "the axis that is x", kNeeded},
+    {"study:/fits/*/quantity", text, "", kAny, "", "", "the quantity that is y", kNeeded},
 
     {"study:/figures", list, "", kAny, "", "", "figures known from elsewhere, held against the results"},
     {"study:/figures/*", object, "", kAny, "", "", "one figure"},
     {"study:/figures/*/figure", text, "", kAny, "", "",
      "a JSON pointer into study.json, e.g. /fits/0/b, /statistics/drift.axis_final_rad/max or /points/3/drift.axis_final_rad",
-     kRequired},
-    {"study:/figures/*/value", number, "", kAny, "", "", "the figure", kRequired},
-    {"study:/figures/*/tolerance", number, "", {0, kInfinity, true}, "", "", "largest difference from it", kRequired},
-    {"study:/figures/*/origin", text, "", kAny, "", "", "where the figure comes from", kRequired},
+     kNeeded},
+    {"study:/figures/*/value", number, "", kAny, "", "", "the figure", kNeeded},
+    {"study:/figures/*/tolerance", number, "", {0, kNoLimit, true}, "", "", "largest difference from it", kNeeded},
+    {"study:/figures/*/origin", text, "", kAny, "", "", "where the figure comes from", kNeeded},
 
     {"study:/limits", object, "", kAny, "", "{}", "beyond which the study is refused, with its estimate"},
     {"study:/limits/points", number, "", kCounts, "", "10000000", "points"},
-    {"study:/limits/core_hours", number, "h", {0, kInfinity, true}, "", "1000", "time on one core"},
-    {"study:/limits/disk_gb", number, "GB", {0, kInfinity, true}, "", "20", "size of the store and of the exported table"},
+    {"study:/limits/core_hours", number, "h", {0, kNoLimit, true}, "", "1000", "time on one core"},
+    {"study:/limits/disk_gb", number, "GB", {0, kNoLimit, true}, "", "20", "size of the store and of the exported table"},
 };
 
 }  // namespace

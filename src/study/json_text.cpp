@@ -7,7 +7,7 @@
 namespace earthtop::study {
 namespace {
 
-nlohmann::ordered_json json_of(const scenario::Node& node) {
+nlohmann::ordered_json tree_of(const scenario::Node& node) {
   using scenario::JsonKind;
   nlohmann::ordered_json json;
   switch (node.kind) {
@@ -18,11 +18,11 @@ nlohmann::ordered_json json_of(const scenario::Node& node) {
     case JsonKind::string: json = node.text; break;
     case JsonKind::array:
       json = nlohmann::ordered_json::array();
-      for (const scenario::Node& child : node.children) json.push_back(json_of(child));
+      for (const scenario::Node& child : node.children) json.push_back(tree_of(child));
       break;
     case JsonKind::object:
       json = nlohmann::ordered_json::object();
-      for (const scenario::Node& child : node.children) json[child.key] = json_of(child);
+      for (const scenario::Node& child : node.children) json[child.key] = tree_of(child);
       break;
   }
   return json;
@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(const scenario::Node& node) {
 
 }  // namespace
 
-std::string json_text(const scenario::Node& node) { return json_of(node).dump(); }
+std::string json_text(const scenario::Node& node) { return tree_of(node).dump(); }
 
 std::string json_text(double number) { return nlohmann::json(number).dump(); }
 

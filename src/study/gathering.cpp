@@ -1,0 +1,158 @@
+#include "study/gathering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace earthtop::study {
+namespace {
+
+constexpr std::size_t kMostListed = 1000;  // points in the document
+constexpr std::size_t kMostLevels = 500;   // of an axis, in the means along it
+constexpr std::size_t kMostFailures = 20;
+constexpr int kBins = 10;  // of a range that is drawn from
+
+Json cell_json(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  return nullptr;
+}
+
+template <class List>
+std::size_t index_of(const List& list, const std::string& name) {
+  return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.name == name; }) -
+                                  list.begin());
+}
+
+}  // namespace
+
+std::optional<double> number_of(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number ? std::optional(*number) : std::nullopt;
+}
+
+std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value) {
+  if (std::holds_alternative<std::monostate>(value)) return std::nullopt;
+  if (!binned_) {
+    const std::string text = csv_cell(value);
+    const auto place = order_.try_emplace(text, static_cast<double>(order_.size())).first->second;
+    const auto number = number_of(value);
+    return std::pair(number ? *number : place, text);
+  }
+  const double from = axis_.range->from.front(), to = axis_.range->to.front(), x = number_of(value).value_or(from);
+  const double part = axis_.range->logarithmic ? std::log(x / from) / std::log(to / from) : (x - from) / (to - from);
+  const int bin = std::clamp(static_cast<int>(part * kBins), 0, kBins - 1);
+  const auto edge = [&](int i) {
+    const double share = static_cast<double>(i) / kBins;
+    return axis_.range->logarithmic ? from * std::pow(to / from, share) : from + (to - from) * share;
+  };
+  return std::pair(static_cast<double>(bin), fmt::format("{:.6g} to {:.6g}", edge(bin), edge(bin + 1)));
+}
+
+Gathering::Gathering(const Study& study) : study_(study), moments_(study.quantities.size()) {
+  const bool drawn = study.design.kind == DesignKind::random || study.design.kind == DesignKind::latin_hypercube ||
+                     study.design.kind == DesignKind::sobol;
+  levels_.reserve(study.axes.size());
+  for (const StudyAxis& axis : study.axes) levels_.emplace_back(axis, drawn);
+  along_.resize(study.axes.size());
+  fits_ = std::vector<LineFit>(study.fits.size());
+  for (const StudyFit& fit : study.fits) {
+    places_.emplace_back(index_of(study.axes, fit.axis), index_of(study.quantities, fit.quantity));
+  }
+}
+
+void Gathering::include(const PointResult& point) {
+  ++statuses_[point.status];
+  if (point.failed()) {
+    if (failures_.size() < kMostFailures)
+      failures_.push_back({{"point", point.number}, {"status", point.status}, {"reason", point.reason}});
+  } else {
+    include_values(point);
+  }
+  if (points_.size() <= kMostListed) list(point);
+}
+
+Json Gathering::points() const { return points_.size() <= kMostListed ? points_ : Json(); }
+
+Json Gathering::marginals() const {
+  Json axes = Json::object();
+  for (std::size_t a = 0; a < study_.axes.size(); ++a) {
+    if (along_[a].size() > kMostLevels) continue;
+    Json& rows = axes[study_.axes[a].name] = Json::array();
+    for (const auto& [place, level] : along_[a]) {
+      Json row = {{"value", place.second}};
+      for (std::size_t q = 0; q < level.size(); ++q)
+        if (level[q].count > 0)
+          row[study_.quantities[q].name] = {{"count", level[q].count},
+                                            {"mean", level[q].mean},
+                                            {"standard_deviation", number_json(level[q].standard_deviation())}};
+      rows.push_back(std::move(row));
+    }
+  }
+  return axes;
+}
+
+Json Gathering::fits() {
+  Json list = Json::array();
+  for (std::size_t f = 0; f < fits_.size(); ++f) {
+    const StudyFit& fit = study_.fits[f];
+    Json json = {{"kind", to_string(fit.kind)}, {"axis", fit.axis}, {"quantity", fit.quantity}};
+    const auto line = fits_[f].line();
+    const bool power = fit.kind == FitKind::power_law;
+    const std::optional<double> none;
+    // Of a power law, a is exp of the line's: its error goes with it.
+    const auto a = !line ? none : power ? std::optional(std::exp(line->a)) : std::optional(line->a);
+    const auto a_error = !line || !line->a_standard_error ? none
+                         : power                          ? std::optional(*a * *line->a_standard_error)
+                                                          : line->a_standard_error;
+    json["points"] = line ? line->points : 0;
+    json["a"] = number_json(a);
+    json["a_standard_error"] = number_json(a_error);
+    json["b"] = number_json(line ? std::optional(line->b) : none);
+    json["b_standard_error"] = number_json(line ? line->b_standard_error : none);
+    json[power ? "residual_rms_of_logarithm" : "residual_rms"] = number_json(line ? line->residual_rms : none);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+void Gathering::include_values(const PointResult& point) {
+  for (std::size_t q = 0; q < moments_.size(); ++q)
+    if (const auto y = number_of(point.values[q])) moments_[q].include(*y);
+  for (std::size_t a = 0; a < levels_.size(); ++a) {
+    if (along_[a].size() > kMostLevels) continue;
+    const auto place = levels_[a].of(point.axis_values[a]);
+    if (!place) continue;
+    std::vector<Moments>& level = along_[a][*place];
+    level.resize(moments_.size());
+    for (std::size_t q = 0; q < level.size(); ++q)
+      if (const auto y = number_of(point.values[q])) level[q].include(*y);
+  }
+  for (std::size_t f = 0; f < fits_.size(); ++f) {
+    const auto x = number_of(point.axis_values[places_[f].first]), y = number_of(point.values[places_[f].second]);
+    if (!x || !y) continue;
+    switch (study_.fits[f].kind) {
+      case FitKind::linear: fits_[f].include(*x, *y); break;
+      case FitKind::sin_latitude: fits_[f].include(std::sin(*x * std::numbers::pi / 180), *y); break;
+      case FitKind::cos_latitude: fits_[f].include(std::cos(*x * std::numbers::pi / 180), *y); break;
+      case FitKind::logarithmic:
+        if (*x != 0) fits_[f].include(std::log(std::abs(*x)), *y);
+        break;
+      case FitKind::power_law:
+        if (*x != 0 && *y != 0) fits_[f].include(std::log(std::abs(*x)), std::log(std::abs(*y)));
+        break;
+    }
+  }
+}
+
+void Gathering::list(const PointResult& point) {
+  Json row = {{"point", point.number}};
+  for (std::size_t a = 0; a < study_.axes.size(); ++a) row[study_.axes[a].name] = cell_json(point.axis_values[a]);
+  for (std::size_t q = 0; q < study_.quantities.size(); ++q) row[study_.quantities[q].name] = cell_json(point.values[q]);
+  row["status"] = point.status;
+  points_.push_back(std::move(row));
+}
+
+}  // namespace earthtop::study

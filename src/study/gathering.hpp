@@ -1,0 +1,60 @@
+/// One pass over a study's points: counts, moments, means along each axis, lines.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/collect.hpp"
+#include "study/statistics.hpp"
+
+namespace earthtop::study {
+
+using Json = nlohmann::ordered_json;
+
+inline Json number_json(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(); }
+std::optional<double> number_of(const Value& value);
+
+/// Where on an axis a point counts for the means along it: at its value, or of a drawn range in one of ten parts.
+class AxisLevels {
+ public:
+  AxisLevels(const StudyAxis& axis, bool drawn) : axis_(axis), binned_(drawn && axis.range) {}
+  /// Its place in order, and what it is called; nothing at the base.
+  std::optional<std::pair<double, std::string>> of(const Value& value);
+
+ private:
+  const StudyAxis& axis_;
+  bool binned_;
+  std::map<std::string, double> order_;
+};
+
+class Gathering {
+ public:
+  explicit Gathering(const Study& study);
+  void include(const PointResult& point);
+
+  const std::map<std::string, std::uint64_t>& statuses() const { return statuses_; }
+  const std::vector<Moments>& moments() const { return moments_; }  ///< of each quantity
+  const Json& failures() const { return failures_; }                ///< the first ones
+  Json points() const;                                              ///< all of them; null where they are too many
+  Json marginals() const;
+  Json fits();
+
+ private:
+  void include_values(const PointResult& point);
+  void list(const PointResult& point);
+
+  const Study& study_;
+  std::vector<Moments> moments_;
+  std::vector<AxisLevels> levels_;
+  std::vector<std::map<std::pair<double, std::string>, std::vector<Moments>>> along_;
+  std::vector<LineFit> fits_;
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // axis and quantity of each fit
+  std::map<std::string, std::uint64_t> statuses_;
+  Json failures_ = Json::array(), points_ = Json::array();
+};
+
+}  // namespace earthtop::study
