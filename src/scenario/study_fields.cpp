@@ -57,7 +57,7 @@ constexpr Field kStudyFields[] = {
      "verdict\"]",
      "an array of paths in summary.json, or {\"name\": ..., \"path\": ...}"},
     {"study:/rows", word, "", kAny, "needed|all", "\"needed\"",
-     "needed: where no quantity depends on them, rows between release and end are not computed"},
+     "needed: rows between release and end, and sensitivities, are not computed where no quantity depends on them"},
 
     {"study:/fits", list, "", kAny, "", "", "curves through the points, by least squares"},
     {"study:/fits/*", object, "", kAny, "", "", "one fit"},

@@ -10,11 +10,10 @@
 
 #include "earthtop/results/provenance.hpp"
 #include "results/summary_section.hpp"
+#include "study/json_text.hpp"
 
 namespace earthtop::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What follows a dotted path; null where a step leads below a null, nothing where there is no such member.
 std::optional<Json> follow(const Json& root, const std::vector<std::string>& steps) {
@@ -94,6 +93,9 @@ Collector::Collector(const Study& study) : study_(study) {
     path.steps.assign(steps.begin() + 1, steps.end());
     paths_.push_back(std::move(path));
   }
+  sensitivities_ = !study.needed_rows_only || std::any_of(paths_.begin(), paths_.end(), [](const Path& path) {
+    return path.section == "sensitivities" || path.section == "uncertainty" || path.section == "scenario";
+  });
   ends_only_ = study.needed_rows_only && std::all_of(study.quantities.begin(), study.quantities.end(),
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
@@ -106,6 +108,10 @@ std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::str
     return std::nullopt;
   }
   if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
+  if (!sensitivities_) {
+    report.scenario->sensitivities = false;
+    report.scenario->uncertainty.reset();
+  }
   return std::move(report.scenario);
 }
 

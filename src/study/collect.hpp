@@ -40,7 +40,8 @@ class Collector {
 
  private:
   const Study& study_;
-  bool ends_only_;
+  bool ends_only_;      ///< no rows between release and end are needed
+  bool sensitivities_;  ///< the drift's derivatives are, where the base asks for them
   struct Path {
     std::string section;             // top-level key of summary.json
     std::vector<std::string> steps;  // below it

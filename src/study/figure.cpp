@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
+#include "study/json_text.hpp"
+
 namespace earthtop::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 7, kMostPanels = 3, kMostMarked = 60;
 constexpr LineColor kColors[kMostLines] = {LineColor::blue,   LineColor::vermillion, LineColor::green, LineColor::purple,

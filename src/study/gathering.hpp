@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "study/collect.hpp"
+#include "study/json_text.hpp"
 #include "study/statistics.hpp"
 
 namespace earthtop::study {
-
-using Json = nlohmann::ordered_json;
 
 inline Json number_json(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(); }
 std::optional<double> number_of(const Value& value);

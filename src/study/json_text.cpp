@@ -7,9 +7,9 @@
 namespace earthtop::study {
 namespace {
 
-nlohmann::ordered_json tree_of(const scenario::Node& node) {
+Json tree_of(const scenario::Node& node) {
   using scenario::JsonKind;
-  nlohmann::ordered_json json;
+  Json json;
   switch (node.kind) {
     case JsonKind::null:
     case JsonKind::refused: break;
@@ -17,11 +17,11 @@ nlohmann::ordered_json tree_of(const scenario::Node& node) {
     case JsonKind::number: json = node.number; break;
     case JsonKind::string: json = node.text; break;
     case JsonKind::array:
-      json = nlohmann::ordered_json::array();
+      json = Json::array();
       for (const scenario::Node& child : node.children) json.push_back(tree_of(child));
       break;
     case JsonKind::object:
-      json = nlohmann::ordered_json::object();
+      json = Json::object();
       for (const scenario::Node& child : node.children) json[child.key] = tree_of(child);
       break;
   }

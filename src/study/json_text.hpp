@@ -1,11 +1,14 @@
 /// A node of a study file as JSON text again: what `--set` would be given.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "scenario/node.hpp"
 
 namespace earthtop::study {
+
+using Json = nlohmann::ordered_json;
 
 std::string json_text(const scenario::Node& node);
 /// The shortest digits that read back to the same bits.

@@ -51,7 +51,9 @@ bool is_blank(const fs::path& file) {
 /// @throws ScenarioError where the disk has no room for the study's results
 void require_room(const fs::path& dir, double bytes) {
   std::error_code error;
-  const fs::space_info space = fs::space(dir, error);
+  fs::path present = fs::absolute(dir, error).lexically_normal();
+  while (!fs::exists(present, error) && present.has_relative_path()) present = present.parent_path();
+  const fs::space_info space = fs::space(present, error);
   if (!error && bytes > static_cast<double>(space.available))
     refuse(dir, fmt::format("has {:.2g} GB left, and the study takes about {:.2g} GB; make room, or choose another --out",
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
@@ -189,8 +191,8 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   using namespace earthtop::study;
   require_affordable(study);
   const StudyEstimate expected = estimate(study);
-  make_directory(options.dir);
   require_room(options.dir, expected.disk_bytes / static_cast<double>(options.shard.n));
+  make_directory(options.dir);
   StudyRunReport report;
   report.store = study_store(options.dir, options.shard);
   const StoreLock lock(report.store);

@@ -17,7 +17,7 @@ cat >small.json <<'END'
     { "pointer": "/release/spin_rad_s", "values": [150, 200] } ],
   "fits": [ { "kind": "sin_latitude", "axis": "latitude_deg", "quantity": "drift.azimuth_final_rad" } ] }
 END
-sed 's/"points": 5/"points": 1500/; s/A study for the shell/Many points/' small.json >many.json
+sed 's/"points": 5/"points": 800/; s/A study for the shell/Many points/' small.json >many.json
 sed 's/80, "to": 80/100, "to": 80/' small.json >failing.json
 sed 's/"points": 5/"points": 1e12/' small.json >huge.json
 
@@ -73,7 +73,7 @@ expect 1 study failing.json --out out/studies/small --force
 expect 0 study many.json --quiet --jobs 2 --out whole
 for k in 1 2 3; do expect 0 study many.json --quiet --shard $k/3 --out parts; done
 expect 1 study merge parts/shard-1-of-3.sqlite --out merged --quiet
-on_stderr '2000 of 3000 points are missing'
+on_stderr '1066 of 1600 points are missing'
 expect 0 study merge parts/shard-2-of-3.sqlite parts/shard-3-of-3.sqlite --out merged --quiet
 for file in study.csv study.json; do cmp -s whole/$file merged/$file || fault "merged shards differ in $file"; done
 if "$tool" version --json | grep -q '"mpi": true' && command -v mpirun >/dev/null; then

@@ -298,6 +298,18 @@ def main():
         if not any(part in e for e in errors):
             fault(f"the decoder does not refuse this with '{part}': {errors}", text)
 
+    studies = jsonschema.Draft7Validator(json.loads(subprocess.run(
+        [earthtop, "schema", "--study"], capture_output=True, check=True, text=True).stdout))
+    shipped = sorted(pathlib.Path(sys.argv[2], "studies").glob("*.json"))
+    if not shipped:
+        fault("no study is shipped", "")
+    for file in shipped:
+        study = json.loads(file.read_text())
+        if not studies.is_valid(study):
+            fault(f"the schema refuses {file.name}: {next(studies.iter_errors(study)).message}", "")
+        if studies.is_valid({**study, "axis": []}) or studies.is_valid({**study, "design": {"kind": "grids"}}):
+            fault(f"the schema of studies refuses nothing in {file.name}", "")
+
     print(f"{len(sound)} sound scenarios, {MUTANTS} mutants of which {refused} are refused, "
           f"{len(documents) + len(texts)} faults beyond the schema; seed {SEED}: {faults} disagreements")
     return faults != 0

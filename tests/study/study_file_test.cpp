@@ -48,12 +48,12 @@ struct Fault {
 class StudyFaults : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(StudyFaults, AreRefusedWithPlaceAndRemedy) {
-  const auto [members, pointer, says] = GetParam();
-  const auto found = errors(file(members));
+  const Fault& fault = GetParam();
+  const auto found = errors(file(fault.members));
   const auto hit = std::find_if(found.begin(), found.end(), [&](const Diagnostic& d) {
-    return d.pointer == pointer && d.message.find(says) != std::string::npos;
+    return d.pointer == fault.pointer && d.message.find(fault.says) != std::string::npos;
   });
-  EXPECT_NE(hit, found.end()) << members
+  EXPECT_NE(hit, found.end()) << fault.members
                               << (found.empty() ? " accepted" : ": " + found.front().pointer + " " + found.front().message);
   if (hit == found.end()) return;
   EXPECT_GT(hit->line, 0);
