@@ -134,8 +134,6 @@ class ChunkSize {
   unsigned workers_;
 };
 
-}  // namespace
-
 /// The loop of one who holds the store: chunks out, results in.
 StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store& store, Workforce& workforce, unsigned workers,
                       double seconds_a_point) {
@@ -181,6 +179,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
   }
 }
 
+}  // namespace
 }  // namespace study
 
 std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard) {

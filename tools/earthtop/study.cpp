@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -104,9 +106,15 @@ void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments
                       report.failed));
 }
 
+/// The document that `write_study_results` has put beside a store: to gather it again from millions of points takes long.
+std::string written_document(const fs::path& store) {
+  std::ifstream file(store.parent_path() / "study.json");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void tell_results(const fs::path& store, bool json, bool quiet) {
   if (quiet && !json) return;
-  const std::string text = study_json(store);
+  const std::string text = written_document(store);
   if (json)
     print(text);
   else
@@ -171,7 +179,7 @@ int merge_verb(const StudyArguments& arguments) {
   merge_study_stores(stores, dir, arguments.force);
   const fs::path merged = study_store(dir);
   write_study_results(merged);
-  const Json document = Json::parse(study_json(merged));
+  const Json document = Json::parse(written_document(merged));
   tell_results(merged, arguments.json, arguments.quiet);
   const auto computed = document.at("points_computed").get<std::uint64_t>(),
              planned = document.at("points_planned").get<std::uint64_t>();
