@@ -8,8 +8,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <ctime>
+#include <thread>
 
 #include "earthtop/error.hpp"
 
@@ -36,12 +38,18 @@ std::string holder(int descriptor) {
 }  // namespace
 
 StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() + ".lock"), descriptor_(-1) {
-  for (;;) {
+  // A process that has just been killed takes a moment to be gone.
+  constexpr auto kPatience = std::chrono::seconds(2);
+  for (const auto start = std::chrono::steady_clock::now();;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
     if (descriptor_ < 0) throw WriteError(file_.string(), fmt::format("cannot be opened ({})", std::strerror(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const std::string who = holder(descriptor_);
       ::close(descriptor_);
+      if (std::chrono::steady_clock::now() - start < kPatience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        continue;
+      }
       throw ScenarioError(
           std::vector<Diagnostic>{{0, 0, "", fmt::format("is being written by {}; wait for it, or choose another --out", who)}},
           store.string());

@@ -1,4 +1,5 @@
-/// Every shipped study is computed, and its figures are met: its finding is not an opinion.
+/// Every shipped study is computed, and its figures are met: its finding is not an opinion. With EARTHTOP_ALL_STUDIES all of
+/// them, otherwise those that take less than five seconds.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,10 +14,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+bool is_left_out(const fs::path& file) {
+#ifdef EARTHTOP_ALL_STUDIES
+  return file.empty();
+#else
+  return file.stem() == "gyrocompass" || file.stem() == "gyrocompass-settles";
+#endif
+}
+
 std::vector<std::string> shipped_studies() {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(EARTHTOP_SCENARIOS "/studies"))
-    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+    if (entry.path().extension() == ".json" && !is_left_out(entry.path())) files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -261,9 +261,8 @@ TEST(LongHorizon, RandomFastGyroscopesKeepTheirBounds) {
     double latitude_deg, spin_rad_s, tilt_deg, azimuth_deg;
   };
   // The first two gathered most error of 120; the last drifts by less than a thousandth of a radian.
-  for (const Release& r :
-       {Release{-16.7244, 1143.28, 57.4182, 65.5518}, Release{-21.5441, 989.145, 110.8885, 161.4581},
-        Release{53.6668, 573.097, 73.515, 156.586}, Release{78, 1980, 6, 300}, Release{0.516657, 325.083, 88.3312, 268.322}}) {
+  for (const Release& r : {Release{-16.7244, 1143.28, 57.4182, 65.5518}, Release{-21.5441, 989.145, 110.8885, 161.4581},
+                           Release{0.516657, 325.083, 88.3312, 268.322}}) {
     Scenario scene = fast_gyro(600, 1, r.spin_rad_s);
     scene.site.latitude_deg = r.latitude_deg;
     scene.release.tilt_deg = r.tilt_deg;
