@@ -131,7 +131,9 @@ void Store::insert(const PointResult& point) {
 
 void Store::finish() {
   insert_.reset();
-  connection_->execute("PRAGMA journal_mode = DELETE");
+  // Where someone is reading, the log stays beside it until the last one has gone.
+  const int code = sqlite3_exec(connection_->get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK && (code & 0xff) != SQLITE_BUSY && (code & 0xff) != SQLITE_LOCKED) connection_->fail();
 }
 
 std::vector<std::uint64_t> Store::numbers(std::uint64_t first, std::uint64_t end) {

@@ -38,7 +38,7 @@ class Store {
   void commit() { connection_->execute("COMMIT"); }
   /// Forgets the points that failed.
   void remove_failed() { connection_->execute("DELETE FROM point WHERE status <> 'completed'"); }
-  /// Everything in one file, for good.
+  /// Everything in one file, unless someone is reading.
   void finish();
 
   /// The numbers of the points that are there, from `first` up to, not including, `end`, ascending.
