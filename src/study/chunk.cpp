@@ -4,6 +4,8 @@
 #include <exception>
 #include <span>
 
+#include "study/json_text.hpp"
+
 namespace earthtop::study {
 namespace {
 
@@ -11,6 +13,10 @@ namespace {
 constexpr double kMostRows = 200'000;
 
 double rows_of(const Scenario& scenario) { return 2 + scenario.duration_s / scenario.output_step_s; }
+
+Value axis_cell(const StudyAxis& axis, const Setting& setting) {
+  return setting.at_base ? Value() : value_of(Json::parse(axis_value(axis, setting)));
+}
 
 std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios) {
   try {
@@ -43,7 +49,7 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
     result.number = point.number;
     result.values.resize(study.quantities.size());
     for (std::size_t a = 0; a < study.axes.size(); ++a)
-      result.axis_values.push_back(value_of_json(axis_value(study.axes[a], point.settings[a])));
+      result.axis_values.push_back(axis_cell(study.axes[a], point.settings[a]));
     if (auto scenario = collector.scenario(overrides(study, point), result.reason)) {
       of_scenario.push_back(results.size() - 1);
       scenarios.push_back(*std::move(scenario));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/provenance.hpp"
@@ -33,16 +32,6 @@ std::optional<Json> follow(const Json& root, const std::vector<std::string>& ste
     }
   }
   return *at;
-}
-
-Value value_of(const Json& json) {
-  if (json.is_number()) {
-    const auto number = json.get<double>();
-    return std::isfinite(number) ? Value(number) : Value();
-  }
-  if (json.is_null()) return {};
-  if (json.is_string()) return json.get<std::string>();
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string first_message(const ScenarioReport& report) {

@@ -70,7 +70,7 @@ void require_affordable(const Study& study) {
   const auto limit = study.limits;
   const std::string points = count ? fmt::format("{}", *count) : "more than 9e15";
   if (!count || *count > limit.points) {
-    // At 10 ms and 200 bytes a point, to give an idea.
+    // To give an idea; nothing of the study is looked at yet.
     const double n = count ? static_cast<double>(*count) : 9e15;
     refuse("/axes",
            fmt::format("the study has {} points, at 10 ms each {:.1g} hours on one core and at 300 bytes each {:.1g} GB; "

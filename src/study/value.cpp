@@ -7,16 +7,14 @@
 
 namespace earthtop::study {
 
-Value value_of_json(std::string_view text) {
-  if (text.empty()) return {};
-  const auto json = nlohmann::json::parse(text);
+Value value_of(const nlohmann::ordered_json& json) {
   if (json.is_number()) {
     const auto number = json.get<double>();
     return std::isfinite(number) ? Value(number) : Value();
   }
   if (json.is_null()) return {};
   if (json.is_string()) return json.get<std::string>();
-  return std::string(text);
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string csv_cell(const Value& value) {

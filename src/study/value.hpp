@@ -1,16 +1,16 @@
 /// A cell of a study's table: nothing (absent, or not finite), a number, or a word.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <variant>
 
 namespace earthtop::study {
 
 using Value = std::variant<std::monostate, double, std::string>;
 
-/// Of a JSON text; what is neither number nor string stays JSON.
-Value value_of_json(std::string_view json);
+/// Of JSON; what is neither number nor string stays JSON.
+Value value_of(const nlohmann::ordered_json& json);
 
 /// The shortest digits that read back to the same bits; a word quoted where CSV needs it (RFC 4180); empty for nothing.
 std::string csv_cell(const Value& value);

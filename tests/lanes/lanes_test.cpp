@@ -230,30 +230,26 @@ TEST(MotionLanes, HaveBitsOfTheirOwn) {
     });
 }
 
+void expect_own_drift_bits(const std::vector<DriftProblem<double>>& problems, const IntegrationOptions& options) {
+  expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
+    std::vector<DriftProblem<double>> some;
+    for (const std::size_t i : chosen) some.push_back(problems[i]);
+    std::vector<std::vector<std::uint64_t>> bits;
+    for (const auto& trajectory : integrate_drift_in_lanes(some, options, nullptr, set)) bits.push_back(bits_of(trajectory));
+    return bits;
+  });
+}
+
 TEST(DriftLanes, HaveBitsOfTheirOwn) {
   const auto problems = problems_of<DriftProblem<double>>(tops(100));
   for (const Observer observer : {Observer::laboratory, Observer::inertial})
-    expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
-      std::vector<DriftProblem<double>> some;
-      for (const std::size_t i : chosen) some.push_back(problems[i]);
-      std::vector<std::vector<std::uint64_t>> bits;
-      for (const auto& trajectory : integrate_drift_in_lanes(some, reduced(Method::taylor, observer, 1e-10), nullptr, set))
-        bits.push_back(bits_of(trajectory));
-      return bits;
-    });
+    expect_own_drift_bits(problems, reduced(Method::taylor, observer, 1e-10));
 }
 
 TEST(GeneralDriftLanes, HaveBitsOfTheirOwn) {
   const auto problems = any_bodies(60);
   for (const Observer observer : {Observer::body, Observer::inertial})
-    expect_own_bits(problems.size(), [&](const std::vector<std::size_t>& chosen, InstructionSet set) {
-      std::vector<DriftProblem<double>> some;
-      for (const std::size_t i : chosen) some.push_back(problems[i]);
-      std::vector<std::vector<std::uint64_t>> bits;
-      for (const auto& trajectory : integrate_drift_in_lanes(some, general(Method::taylor, observer, 1e-10), nullptr, set))
-        bits.push_back(bits_of(trajectory));
-      return bits;
-    });
+    expect_own_drift_bits(problems, general(Method::taylor, observer, 1e-10));
 }
 
 /// One that overflows, one whose release is no number, and one that is too long for its step limit end by themselves.
