@@ -15,20 +15,6 @@ namespace earthtop {
 namespace scenario {
 namespace {
 
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  ~Descriptor() {
-    if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
 [[noreturn]] void refuse_file(const std::string& name, std::string message) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, name);
 }
@@ -59,11 +45,11 @@ constexpr FileUse kScenarioFile = {"scenario file", true};
 
 }  // namespace
 
-std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
+Descriptor open_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) require_regular(status, name, use);
   // Not blocking, and asked again: a FIFO put there in between would hold the program for ever.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   if (file.get() < 0) {
     if (errno == ENOENT)
       refuse_file(name, fmt::format("there is no such file; check the path{}",
@@ -73,7 +59,19 @@ std::string read_regular_file(const std::string& path, const std::string& name, 
   if (::fstat(file.get(), &status) != 0)
     refuse_file(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
   require_regular(status, name, use);
-  return read_all(file.get(), name, use);
+  return file;
+}
+
+std::size_t read_some(const Descriptor& file, const std::string& name, char* bytes, std::size_t size) {
+  for (;;) {
+    const ssize_t got = ::read(file.get(), bytes, size);
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
+  }
+}
+
+std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
+  return read_all(open_regular_file(path, name, use).get(), name, use);
 }
 
 }  // namespace scenario

@@ -1,0 +1,126 @@
+#include "compare/csv_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "earthtop/error.hpp"
+#include "scenario/node.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // a file without line ends is none of numbers
+constexpr scenario::FileUse kCsvFile = {"CSV file", false};
+
+std::string_view trimmed(std::string_view cell) {
+  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
+  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t' || cell.back() == '\r')) cell.remove_suffix(1);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+  return cell;
+}
+
+/// @returns whether the cell is a number or what stands for one (nan, inf), or empty
+bool parse(std::string_view cell, double& number, CellKind& kind) {
+  number = std::numeric_limits<double>::quiet_NaN();
+  kind = CellKind::empty;
+  if (cell.empty()) return true;
+  if (cell.front() == '+') cell.remove_prefix(1);
+  double parsed = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), parsed);
+  if (end != cell.data() + cell.size()) return false;
+  if (error == std::errc::result_out_of_range) parsed = std::strtod(std::string(cell).c_str(), nullptr);  // 1e-400, 1e999
+  kind = std::isfinite(parsed) ? CellKind::number : CellKind::not_finite;
+  if (kind == CellKind::number) number = parsed;
+  return true;
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string file, CsvFormat format)
+    : file_(std::move(file)), format_(format), descriptor_(scenario::open_regular_file(file_, file_, kCsvFile)) {
+  std::string_view line;
+  if (!read_line(line)) refuse("is empty; a header line and rows of numbers are needed");
+  if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  split(line);
+  for (const std::string_view cell : cells_) header_.emplace_back(cell);
+  for (std::size_t i = 0; i < header_.size(); ++i)
+    if (find(header_[i]) != i && !header_[i].empty())
+      refuse(fmt::format("column \"{}\" stands twice in the header", scenario::excerpt(header_[i])));
+}
+
+std::size_t CsvReader::find(std::string_view column) const {
+  return static_cast<std::size_t>(std::find(header_.begin(), header_.end(), column) - header_.begin());
+}
+
+void CsvReader::want(std::vector<std::size_t> columns) {
+  wanted_ = std::move(columns);
+  numbers_.assign(wanted_.size(), 0);
+  kinds_.assign(wanted_.size(), CellKind::empty);
+}
+
+bool CsvReader::next() {
+  std::string_view line;
+  if (!read_line(line)) return false;
+  split(line);
+  if (cells_.size() != header_.size())
+    refuse(fmt::format("{} cells, where the header names {} columns", cells_.size(), header_.size()));
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    const std::string_view cell = cells_[wanted_[i]];
+    if (!parse(cell, numbers_[i], kinds_[i]))
+      refuse(fmt::format("column {}: \"{}\" is no number", header_[wanted_[i]], scenario::excerpt(cell)),
+             static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
+  }
+  return true;
+}
+
+bool CsvReader::read_line(std::string_view& line) {
+  for (;;) {
+    const char* start = buffer_.data() + begin_;
+    const auto* end = static_cast<const char*>(std::memchr(start, '\n', end_ - begin_));
+    if (!end) {
+      if (end_ - begin_ > kLongestLine) refuse("a line of more than 16 MiB; is it a CSV file?");
+      std::memmove(buffer_.data(), start, end_ - begin_);
+      end_ -= begin_;
+      begin_ = 0;
+      if (buffer_.size() < end_ + kBlock) buffer_.resize(end_ + kBlock);
+      const std::size_t got = scenario::read_some(descriptor_, file_, buffer_.data() + end_, kBlock);
+      if (got == 0 && end_ == 0) return false;
+      if (got == 0) {
+        ++line_;
+        refuse("the last line has no end, as if its writing had broken off; write the file anew");
+      }
+      end_ += got;
+      continue;
+    }
+    ++line_;
+    line = std::string_view(start, static_cast<std::size_t>(end - start));
+    begin_ += line.size() + 1;
+    const std::string_view content = trimmed(line);
+    if (!content.empty() && content.front() != format_.comment) return true;
+  }
+}
+
+void CsvReader::split(std::string_view line) {
+  whole_ = line;
+  cells_.clear();
+  for (std::size_t at = 0; at <= line.size();) {
+    const auto* end = static_cast<const char*>(std::memchr(line.data() + at, format_.delimiter, line.size() - at));
+    const std::size_t stop = end ? static_cast<std::size_t>(end - line.data()) : line.size();
+    cells_.push_back(trimmed(line.substr(at, stop - at)));
+    at = stop + 1;
+  }
+}
+
+void CsvReader::refuse(std::string message, std::size_t column) const {
+  throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(std::min<std::uint64_t>(line_, 2147483647)),
+                                               static_cast<int>(column), "", std::move(message)}},
+                      file_);
+}
+
+}  // namespace earthtop::compare
