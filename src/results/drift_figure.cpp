@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "earthtop/results/results.hpp"
+#include "results/time_unit.hpp"
 
 namespace earthtop {
 namespace {
@@ -14,15 +15,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Unit {
   const char* name;
-  double per_si;  ///< how many of it a second or a radian has
+  double per_rad;  ///< how many of it a radian has
 };
-
-Unit time_unit(double duration_s) {
-  if (duration_s <= 600) return {"s", 1};
-  if (duration_s <= 3 * 3600.0) return {"min", 1 / 60.0};
-  if (duration_s <= 3 * 86400.0) return {"h", 1 / 3600.0};
-  return {"d", 1 / 86400.0};
-}
 
 Unit angle_unit(double largest_rad) {
   constexpr double kDegrees = 180 / std::numbers::pi;
@@ -30,18 +24,18 @@ Unit angle_unit(double largest_rad) {
   return {"arcseconds", 3600 * kDegrees};
 }
 
-Line make_line(const RunResult& result, const char* label, LineColor color, LineStyle style, Unit time) {
+Line make_line(const RunResult& result, const char* label, LineColor color, LineStyle style, TimeUnit time) {
   Line line{label, {}, {}, color, style};
   line.x.reserve(result.rows.size());
   line.y.reserve(result.rows.size());
-  for (const DriftRow& row : result.rows) line.x.push_back(row.t_s * time.per_si);
+  for (const DriftRow& row : result.rows) line.x.push_back(row.t_s * time.per_s);
   return line;
 }
 
 /// The size of what is drawn; numbers that are not finite are not.
 double largest(double a, double b) { return std::isfinite(b) ? std::max(a, std::abs(b)) : a; }
 
-Panel axis_panel(const RunResult& result, Unit time) {
+Panel axis_panel(const RunResult& result, TimeUnit time) {
   double size = 0;
   for (const DriftRow& row : result.rows) size = largest(size, row.drift_axis_rad);
   const Unit unit = angle_unit(size);
@@ -49,25 +43,25 @@ Panel axis_panel(const RunResult& result, Unit time) {
   Line bound = make_line(result, "bound on its error", LineColor::vermillion, LineStyle::filled, time);
   Line unreliable = make_line(result, "no longer reliable", LineColor::grey, LineStyle::dashed, time);
   for (const DriftRow& row : result.rows) {
-    const double angle = row.drift_axis_rad * unit.per_si;
+    const double angle = row.drift_axis_rad * unit.per_rad;
     drift.y.push_back(row.drift_reliable ? angle : kNone);
     unreliable.y.push_back(row.drift_reliable ? kNone : angle);
-    bound.y.push_back(row.drift_axis_bound_rad * unit.per_si);
+    bound.y.push_back(row.drift_axis_bound_rad * unit.per_rad);
   }
   std::vector<Line> lines{std::move(bound), std::move(drift)};
   if (result.verdict.from_s) lines.push_back(std::move(unreliable));
   return {{"Angle between the two spin axes", unit.name, AxisScale::logarithmic}, std::move(lines)};
 }
 
-Panel parts_panel(const RunResult& result, Unit time) {
+Panel parts_panel(const RunResult& result, TimeUnit time) {
   double size = 0;
   for (const DriftRow& row : result.rows) size = largest(largest(size, row.drift_tilt_rad), row.drift_azimuth_rad.value_or(0));
   const Unit unit = angle_unit(size);
   Line azimuth = make_line(result, "azimuth, clockwise", LineColor::blue, LineStyle::solid, time);
   Line tilt = make_line(result, "tilt, from the vertical", LineColor::orange, LineStyle::solid, time);
   for (const DriftRow& row : result.rows) {
-    azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_si);
-    tilt.y.push_back(row.drift_tilt_rad * unit.per_si);
+    azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_rad);
+    tilt.y.push_back(row.drift_tilt_rad * unit.per_rad);
   }
   return {{"Drift in azimuth and in tilt", unit.name, AxisScale::linear}, {std::move(azimuth), std::move(tilt)}};
 }
@@ -76,7 +70,7 @@ Panel parts_panel(const RunResult& result, Unit time) {
 
 Figure drift_figure(const RunResult& result) {
   const Scenario& scenario = result.scenario;
-  const Unit time = time_unit(result.rows.empty() ? scenario.duration_s : result.rows.back().t_s);
+  const TimeUnit time = time_unit(result.rows.empty() ? scenario.duration_s : result.rows.back().t_s);
   return {scenario.title.empty() ? scenario.name : scenario.title,
           "Rotating minus non-rotating Earth; " + matching_rule(scenario),
           {"Time", time.name},

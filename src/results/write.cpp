@@ -93,6 +93,17 @@ void check_output_directory(const fs::path& dir, const Scenario& scenario, bool 
   if (fs::is_directory(dir, error)) check_present_files(dir, scenario, force);
 }
 
+void write_file(const fs::path& file, std::string_view content) {
+  std::error_code error;
+  if (!file.has_filename() || fs::is_directory(fs::symlink_status(file, error)))
+    refuse(file, "is a directory, or no file's name; give a file");
+  const std::string name = file.filename().string();
+  const std::string_view names[] = {name};
+  FileSet files(file.has_parent_path() ? file.parent_path() : fs::path("."), names);
+  files.add(name, content);
+  files.commit();
+}
+
 void write_results(const RunResult& result, const fs::path& dir, bool force) {
   check_output_directory(dir, result.scenario, force);
   FileSet files(dir, kFiles);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "earthtop/error.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/reader.hpp"
 #include "scenario/suggest.hpp"
 
 namespace earthtop::scenario {
@@ -176,10 +178,18 @@ bool is_scenario_name(std::string_view text) {
 void check_structure(Node& root, Findings& findings, std::string_view pattern) {
   if (root.kind == JsonKind::object) return Checker(findings).members(root, pattern, "");
   if (root.kind != JsonKind::refused)
-    findings.add(
-        root.place, "",
-        fmt::format("the text is {}; a {} is an object {{...}}", name_of(root.kind), pattern == kStudy ? "study" : "scenario"));
+    findings.add(root.place, "",
+                 fmt::format("the text is {}; a {} is an object {{...}}", name_of(root.kind), noun_of(pattern)));
   root.refused = true;
+}
+
+Node read_checked(std::string_view& text, const std::string& file, std::string_view pattern, Findings& findings) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Node root;
+  const ReadOutcome outcome = read_json(text, "", false, root, findings);
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) throw ScenarioError(findings.errors(text), file);
+  check_structure(root, findings, pattern);
+  return root;
 }
 
 }  // namespace earthtop::scenario

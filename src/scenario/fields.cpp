@@ -216,26 +216,31 @@ constexpr Field kFields[] = {
 
 }  // namespace
 
-namespace {
-
-/// The table that a pattern belongs to.
-std::span<const Field> table_of(std::string_view pattern) {
-  return pattern.starts_with(kStudy) ? study_fields() : all_fields();
-}
-
-}  // namespace
-
 std::span<const Field> all_fields() { return kFields; }
 
+std::span<const Field> fields_of(std::string_view pattern) {
+  if (pattern.starts_with(kStudy)) return study_fields();
+  if (pattern.starts_with(kMapping)) return mapping_fields();
+  if (pattern.starts_with(kTolerances)) return tolerances_fields();
+  return all_fields();
+}
+
+std::string_view noun_of(std::string_view pattern) {
+  if (pattern.starts_with(kStudy)) return "study";
+  if (pattern.starts_with(kMapping)) return "mapping file";
+  if (pattern.starts_with(kTolerances)) return "tolerance file";
+  return "scenario";
+}
+
 const Field* find_field(std::string_view pattern) {
-  for (const Field& field : table_of(pattern))
+  for (const Field& field : fields_of(pattern))
     if (field.pointer == pattern) return &field;
   return nullptr;
 }
 
 std::vector<std::string_view> keys_below(std::string_view pattern) {
   std::vector<std::string_view> keys;
-  for (const Field& field : table_of(pattern))
+  for (const Field& field : fields_of(pattern))
     if (field.parent() == pattern && field.key() != "*") keys.push_back(field.key());
   return keys;
 }

@@ -51,9 +51,16 @@ struct Field {
 /// Of a scenario.
 std::span<const Field> all_fields();
 
-/// Of a study: the same, with patterns that begin with this.
-inline constexpr std::string_view kStudy = "study:";
+/// Of a study, and of the files that a comparison takes: the same, with patterns that begin with these.
+inline constexpr std::string_view kStudy = "study:", kMapping = "mapping:", kTolerances = "tolerances:";
 std::span<const Field> study_fields();
+std::span<const Field> mapping_fields();
+std::span<const Field> tolerances_fields();
+
+/// The table that a pattern belongs to.
+std::span<const Field> fields_of(std::string_view pattern);
+/// What a file of the table is called: "scenario", "study", ...
+std::string_view noun_of(std::string_view pattern);
 
 /// The field of a pointer pattern, null if there is none.
 const Field* find_field(std::string_view pattern);

@@ -124,6 +124,8 @@ std::string markdown_of(std::span<const scenario::Field> fields, std::string_vie
 
 std::string scenario_reference_markdown() { return markdown_of(scenario::all_fields(), ""); }
 std::string study_reference_markdown() { return markdown_of(scenario::study_fields(), scenario::kStudy); }
+std::string mapping_reference_markdown() { return markdown_of(scenario::mapping_fields(), scenario::kMapping); }
+std::string tolerances_reference_markdown() { return markdown_of(scenario::tolerances_fields(), scenario::kTolerances); }
 
 std::string annotated_scenario(const ScenarioSource& source) {
   parse_scenario(source);

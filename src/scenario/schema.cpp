@@ -218,28 +218,40 @@ Json of_object(std::string_view pattern) {
 }  // namespace
 }  // namespace scenario
 
-std::string scenario_schema() {
-  using scenario::Json;
-  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"$id", "earthtop-scenario-1.json"},
-                 {"title", "earthtop scenario"},
-                 {"description",
-                  "A top or gyroscope in a laboratory that turns with the Earth. Keys that begin with _ or // are "
-                  "comments. Laboratory axes: East, North, Up; body axis 3 is the spin axis."}};
-  schema.update(scenario::of_object(""));
+namespace {
+
+std::string schema_of(std::string_view pattern, std::string_view id, std::string_view title, std::string_view description) {
+  scenario::Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                           {"$id", id},
+                           {"title", title},
+                           {"description", std::string(description) + " Keys that begin with _ or // are comments."}};
+  schema.update(scenario::of_object(pattern));
   return schema.dump(2) + '\n';
 }
 
+}  // namespace
+
+std::string scenario_schema() {
+  return schema_of(
+      "", "earthtop-scenario-1.json", "earthtop scenario",
+      "A top or gyroscope in a laboratory that turns with the Earth. Laboratory axes: East, North, Up; body axis 3 "
+      "is the spin axis.");
+}
+
 std::string study_schema() {
-  using scenario::Json;
-  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"$id", "earthtop-study-1.json"},
-                 {"title", "earthtop study"},
-                 {"description",
-                  "A base scenario, axes along which its keys are changed, a design that chooses the points, and the "
-                  "quantities to collect. Keys that begin with _ or // are comments."}};
-  schema.update(scenario::of_object(scenario::kStudy));
-  return schema.dump(2) + '\n';
+  return schema_of(scenario::kStudy, "earthtop-study-1.json", "earthtop study",
+                   "A base scenario, axes along which its keys are changed, a design that chooses the points, and the "
+                   "quantities to collect.");
+}
+
+std::string mapping_schema() {
+  return schema_of(scenario::kMapping, "earthtop-mapping-1.json", "earthtop mapping",
+                   "What the columns of another program's CSV file mean.");
+}
+
+std::string tolerances_schema() {
+  return schema_of(scenario::kTolerances, "earthtop-tolerances-1.json", "earthtop tolerances",
+                   "What a comparison lets pass, a quantity at a time.");
 }
 
 }  // namespace earthtop

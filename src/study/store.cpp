@@ -145,21 +145,28 @@ std::vector<std::uint64_t> Store::numbers(std::uint64_t first, std::uint64_t end
   return list;
 }
 
+Store::Points Store::points() {
+  return {sqlite::Statement(*connection_, fmt::format("SELECT {} FROM point ORDER BY number", columns())), study_};
+}
+
+bool Store::Points::next(PointResult& point) {
+  if (!statement_.step()) return false;
+  int at = 0;
+  point.number = static_cast<std::uint64_t>(statement_.integer(at++));
+  point.status = statement_.text(at++);
+  point.reason = statement_.text(at++);
+  point.scenario_sha256 = statement_.text(at++);
+  point.axis_values.resize(study_.axes.size());
+  for (Value& value : point.axis_values) value = statement_.value(at++);
+  point.values.resize(study_.quantities.size());
+  for (Value& value : point.values) value = statement_.value(at++);
+  return true;
+}
+
 void Store::for_each(const std::function<void(const PointResult&)>& visit) {
-  sqlite::Statement statement(*connection_, fmt::format("SELECT {} FROM point ORDER BY number", columns()));
+  Points all = points();
   PointResult point;
-  while (statement.step()) {
-    int at = 0;
-    point.number = static_cast<std::uint64_t>(statement.integer(at++));
-    point.status = statement.text(at++);
-    point.reason = statement.text(at++);
-    point.scenario_sha256 = statement.text(at++);
-    point.axis_values.resize(study_.axes.size());
-    for (Value& value : point.axis_values) value = statement.value(at++);
-    point.values.resize(study_.quantities.size());
-    for (Value& value : point.values) value = statement.value(at++);
-    visit(point);
-  }
+  while (all.next(point)) visit(point);
 }
 
 std::optional<double> Store::quantile(const std::string& quantity, double share, std::uint64_t count) {

@@ -45,6 +45,18 @@ class Store {
   std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t end);
 
   /// All points in ascending order, one at a time.
+  class Points {
+   public:
+    /// @returns false at the end
+    bool next(PointResult& point);
+
+   private:
+    friend class Store;
+    Points(sqlite::Statement statement, const Study& study) : statement_(std::move(statement)), study_(study) {}
+    sqlite::Statement statement_;
+    const Study& study_;
+  };
+  Points points();
   void for_each(const std::function<void(const PointResult&)>& visit);
 
   /// Of a quantity's numbers in completed points, the one that this share of them is not above; nothing where there are none.

@@ -324,14 +324,9 @@ std::string_view to_string(FitKind kind) {
 
 Study parse_study(const ScenarioSource& source, const std::optional<ScenarioSource>& base) {
   using namespace scenario;
-  std::string_view text = source.text;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Findings findings;
-  Node root;
-  const ReadOutcome outcome = read_json(text, "", false, root, findings);
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused)
-    throw ScenarioError(findings.errors(text), source.file);
-  check_structure(root, findings, kStudy);
+  std::string_view text = source.text;
+  const Node root = read_checked(text, source.file, kStudy, findings);
   Study decoded = study::Decoder(source, base, findings).decode(Section(root, findings, kStudy));
   if (!findings.empty()) throw ScenarioError(findings.errors(text), source.file);
   decoded.text = source.text;

@@ -18,7 +18,7 @@ namespace earthtop::tool {
 namespace {
 
 /// Verbs that have a name already, and nothing behind it.
-constexpr std::array<std::string_view, 2> kNotAvailable = {"compare", "report"};
+constexpr std::array<std::string_view, 1> kNotAvailable = {"report"};
 
 bool wants_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) { return std::string_view(argument) == "--json"; });
@@ -42,8 +42,8 @@ int parse_and_do(int argc, char** argv) {
   app.add_flag("--json", version_json, "with --version: as one JSON document");
 
   Action action;
-  for (const auto& add_verb : {add_run, add_check, add_explain, add_verify, add_bench, add_study, add_schema, add_example,
-                               add_completion, add_version})
+  for (const auto& add_verb : {add_run, add_check, add_explain, add_verify, add_bench, add_study, add_compare, add_schema,
+                               add_example, add_completion, add_version})
     add_verb(app, action);
 
   try {

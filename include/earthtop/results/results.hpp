@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
@@ -60,6 +61,9 @@ class Interrupted : public std::runtime_error {
 /// link, the link is replaced and what it leads to is left alone.
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted.
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force);
+
+/// Writes one file, making its directory; the old one stays until the new one is whole. @throws WriteError, Interrupted
+void write_file(const std::filesystem::path& file, std::string_view content);
 
 /// Removes the temporaries of a `write_results` that is under way, for a program about to end; safe in a signal handler.
 /// @returns false, and does nothing, in the moment in which files are put in place

@@ -1,0 +1,157 @@
+#include "compare/compact_reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/error.hpp"
+#include "earthtop/results/provenance.hpp"
+#include "results/csv.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr std::uint64_t kRows = 11;
+
+class KeptRows : public RowSource {
+ public:
+  KeptRows(std::shared_ptr<const std::vector<Row>> rows, std::vector<bool> columns, std::string file)
+      : rows_(std::move(rows)), columns_(std::move(columns)), file_(std::move(file)) {}
+  bool next(Row& row) override {
+    if (at_ == rows_->size()) return false;
+    row = (*rows_)[at_++];
+    return true;
+  }
+  std::string_view text(std::size_t) const override { return {}; }
+  bool has_column(std::size_t column) const override { return columns_[column]; }
+  std::string where() const override { return fmt::format("{}, row {}", file_, at_); }
+
+ private:
+  std::shared_ptr<const std::vector<Row>> rows_;
+  std::vector<bool> columns_;
+  std::string file_;
+  std::size_t at_ = 0;
+};
+
+Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs::path& file) {
+  if (!numbers.is_array() || numbers.size() != places.size() + 1 || !numbers[0].is_number())
+    refuse_path(file, "a row has another number of cells than there are columns, or no time; write the reference anew");
+  Row row;
+  row.t_s = numbers[0].get<double>();
+  row.kind.fill(CellKind::empty);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!numbers[i + 1].is_number()) continue;
+    row.value[places[i]] = numbers[i + 1].get<double>();
+    row.kind[places[i]] = CellKind::number;
+  }
+  return row;
+}
+
+/// What a reference keeps of a summary: what is compared, and what says where it comes from.
+Json kept_of(const Json& summary) {
+  Json kept = Json::object();
+  for (const char* key :
+       {"$schema", "name", "outcome", "drift", "motion", "growth_of_disturbances", "stops", "attitude_bound_rad", "invariants",
+        "theory", "ledger", "effects", "solution", "certificate", "scenario", "provenance"})
+    if (summary.contains(key)) kept[key] = summary.at(key);
+  for (const char* key : {"title", "purpose", "headline", "criteria"}) kept["scenario"].erase(key);
+  for (const char* key : {"constants", "libraries", "flags"}) kept["provenance"].erase(key);
+  return kept;
+}
+
+/// Digits of the final drift that its error bound leaves; of a run without a drift those of the attitude.
+int known_digits(const Comparand& results) {
+  const double drift = results.number("/drift/axis_final_rad").value_or(0);
+  const double bound = drift > 0 ? results.number("/drift/axis_bound_rad").value_or(drift) / drift
+                                 : results.number("/attitude_bound_rad").value_or(1);
+  constexpr int kOfDouble = 16;
+  return bound > 0 ? std::clamp(static_cast<int>(-std::log10(bound)), 0, kOfDouble) : kOfDouble;
+}
+
+std::string row_text(const Row& row, const std::vector<std::size_t>& places) {
+  std::string text = "  [";
+  append_number(text, row.t_s);
+  for (const std::size_t place : places) {
+    text += ',';
+    if (row.kind[place] == CellKind::number)
+      append_number(text, row.value[place]);
+    else
+      text += "null";
+  }
+  return text + ']';
+}
+
+}  // namespace
+
+Comparand open_compact_reference(const fs::path& file) {
+  Comparand reference;
+  reference.path = file;
+  const Json json = read_json_file(file, "reference");
+  if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
+    refuse_path(file,
+                fmt::format("is no reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
+                            "compare --update has written",
+                            kReferenceSchema));
+  for (const char* key : {"summary", "columns", "rows", "generator"})
+    if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference anew", key));
+  reference.summary = json.at("summary");
+  reference.has_some_rows_only = true;
+  reference.generator = json.at("generator").is_string() ? json.at("generator").get<std::string>() : "";
+  const Table& table = trajectory_table();
+  std::vector<std::size_t> places;
+  std::vector<bool> columns(Row::kMostColumns, false);
+  for (std::size_t i = 1; i < json.at("columns").size(); ++i) {
+    const Json& name = json.at("columns").at(i);
+    const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
+    if (!place) refuse_path(file, fmt::format("its column {} is none of trajectory.csv", name.dump()));
+    places.push_back(*place);
+    columns[*place] = true;
+  }
+  auto rows = std::make_shared<std::vector<Row>>();
+  for (const Json& row : json.at("rows")) {
+    rows->push_back(row_of(row, places, file));
+    if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_path(file, "its rows are not in order");
+  }
+  reference.stated_rows = rows->size();
+  if (rows->empty()) refuse_path(file, "has no rows; write the reference anew");
+  reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
+  return reference;
+}
+
+std::string compact_reference(const Comparand& results, Json history, const std::string& reason) {
+  const Table& table = trajectory_table();
+  const std::unique_ptr<RowSource> rows = results.open_rows();
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (rows->has_column(i)) places.push_back(i);
+  const std::uint64_t last = std::max<std::uint64_t>(results.stated_rows.value_or(1), 1) - 1;
+  std::string rows_text;
+  Row row;
+  std::uint64_t number = 0, kept = 0;
+  for (; rows->next(row); ++number) {
+    if (number != (kept * last + (kRows - 1) / 2) / (kRows - 1)) continue;  // equally spaced, the ends included
+    while (number == (kept * last + (kRows - 1) / 2) / (kRows - 1) && kept < kRows) ++kept;
+    rows_text += (rows_text.empty() ? "" : ",\n") + row_text(row, places);
+  }
+  if (number != last + 1) refuse_path(results.path, fmt::format("has {} rows where its summary states {}", number, last + 1));
+
+  Json columns = Json::array({"t_s"});
+  for (const std::size_t place : places) columns.push_back(table.columns[place]);
+  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
+  const auto tolerance = results.number("/solution/relative_tolerance");
+  Json head = {{"$schema", kReferenceSchema},
+               {"generator",
+                fmt::format("earthtop run, {} in {}{}", results.word("/solution/method"), results.word("/solution/precision"),
+                            tolerance ? fmt::format(", relative tolerance {}", *tolerance) : "")},
+               {"precision", results.word("/solution/precision")},
+               {"digits", known_digits(results)},
+               {"history", std::move(history)},
+               {"summary", kept_of(results.summary)},
+               {"columns", std::move(columns)}};
+  std::string text = head.dump(1);
+  text.resize(text.rfind('\n'));  // the closing brace comes after the rows
+  return text + ",\n \"rows\": [\n" + rows_text + "\n ]\n}\n";
+}
+
+}  // namespace earthtop::compare

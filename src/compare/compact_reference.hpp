@@ -1,0 +1,17 @@
+/// A reference small enough to be kept with the sources: a run's figures and eleven of its rows in one JSON file.
+#pragma once
+
+#include "compare/comparand.hpp"
+
+namespace earthtop::compare {
+
+inline constexpr const char* kReferenceSchema = "earthtop-reference-1.json";
+
+/// @throws ScenarioError where the file is none
+Comparand open_compact_reference(const fs::path& file);
+
+/// The compact form of a run's results, with a final newline. @param history  of the reference that it replaces: an array
+/// @param reason  added to it
+std::string compact_reference(const Comparand& results, Json history, const std::string& reason);
+
+}  // namespace earthtop::compare

@@ -1,0 +1,121 @@
+#include "compare/comparand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/compact_reference.hpp"
+#include "earthtop/error.hpp"
+#include "earthtop/study/run_study.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr const char* kSummarySchema = "earthtop-summary-1.json";
+
+/// Compact references and results, stores and CSV files are told apart by what they are called.
+bool may_be_member(const fs::directory_entry& entry) {
+  std::error_code error;
+  if (entry.is_directory(error)) return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path()));
+  return entry.path().extension() == ".json" && entry.is_regular_file(error);
+}
+
+Comparand open_results(const fs::path& directory) {
+  Comparand results;
+  results.path = directory;
+  const fs::path file = directory / "summary.json";
+  results.summary = read_json_file(file, "summary");
+  if (results.word("/$schema") != kSummarySchema)
+    refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
+  const auto rows = results.number("/outcome/rows");
+  if (!rows) refuse_path(file, "does not state its rows (/outcome/rows); write the results anew");
+  results.stated_rows = static_cast<std::uint64_t>(*rows);
+  if (is_there(directory / "timing.json")) results.timing = read_json_file(directory / "timing.json", "timing");
+  const std::string trajectory = (directory / "trajectory.csv").string(), torques = (directory / "torques.csv").string();
+  results.open_rows = [trajectory] { return open_own_csv(trajectory, trajectory_table()); };
+  if (is_there(torques)) results.open_torques = [torques] { return open_own_csv(torques, torques_table()); };
+  return results;
+}
+
+}  // namespace
+
+void refuse_path(const fs::path& path, std::string message) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, path.string());
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+ComparandKind kind_of(const fs::path& path) {
+  std::error_code error;
+  if (path.empty()) refuse_path(path, "the path is empty; give a directory of results, a study store, or a file");
+  if (!fs::is_directory(path, error)) {
+    if (!fs::exists(path, error)) refuse_path(path, "there is no such file or directory; check the path");
+    if (path.extension() == ".sqlite") return ComparandKind::store;
+    return path.extension() == ".json" ? ComparandKind::reference : ComparandKind::csv;
+  }
+  if (is_there(path / "summary.json")) return ComparandKind::results;
+  if (is_there(study_store(path))) return ComparandKind::store;
+  if (is_there(path / "trajectory.csv"))
+    refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
+  if (members(path).empty())
+    refuse_path(path, "holds no results: no summary.json, no study.sqlite, no directories with one, no compact references");
+  return ComparandKind::collection;
+}
+
+std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory) {
+  std::vector<std::pair<std::string, fs::path>> found;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    std::error_code error;
+    if (may_be_member(entry)) {
+      found.emplace_back(entry.is_directory(error) ? name : entry.path().stem().string(), entry.path());
+    } else if (entry.is_directory(error) && !entry.is_symlink(error)) {
+      for (auto& [below, path] : members(entry.path())) found.emplace_back(name + "/" + below, std::move(path));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Json read_json_file(const fs::path& file, std::string_view noun) {
+  const std::string text = scenario::read_regular_file(file.string(), file.string(), {noun, false});
+  if (text.empty()) refuse_path(file, "is empty");
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+    refuse_path(file, fmt::format("is no JSON object, as a {} is: truncated or changed; write it anew", noun));
+  return json;
+}
+
+std::optional<double> Comparand::number(const std::string& pointer) const {
+  const Json::json_pointer at(pointer);
+  if (!summary.is_object() || !summary.contains(at) || !summary.at(at).is_number()) return std::nullopt;
+  const auto value = summary.at(at).get<double>();
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string Comparand::word(const std::string& pointer) const {
+  const Json::json_pointer at(pointer);
+  return summary.is_object() && summary.contains(at) && summary.at(at).is_string() ? summary.at(at).get<std::string>() : "";
+}
+
+Comparand open_comparand(const fs::path& path, const Mapping* mapping) {
+  const ComparandKind kind = kind_of(path);
+  if (kind == ComparandKind::results) return open_results(path);
+  if (kind == ComparandKind::reference) return open_compact_reference(path);
+  Comparand csv;
+  csv.path = path;
+  const std::string file = path.string();
+  if (mapping) {
+    csv.attitude_error_rad = mapping->attitude_error_rad;
+    csv.open_rows = [file, mapping] { return open_mapped_csv(file, *mapping); };
+  } else {
+    csv.open_rows = [file] { return open_own_csv(file, trajectory_table()); };
+  }
+  return csv;
+}
+
+}  // namespace earthtop::compare

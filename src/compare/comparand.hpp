@@ -1,0 +1,60 @@
+/// One side of a comparison: what a path leads to.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/row_source.hpp"
+
+namespace earthtop::compare {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+enum class ComparandKind {
+  results,    ///< a directory that `run` has written
+  reference,  ///< compact: summary and some rows in one JSON file
+  csv,
+  store,      ///< of a study
+  collection  ///< a directory of several of these
+};
+
+/// @throws ScenarioError for a file or directory that is not what it should be
+[[noreturn]] void refuse_path(const fs::path& path, std::string message);
+bool is_there(const fs::path& path);
+
+/// What a path leads to. @throws ScenarioError where it is none of these
+ComparandKind kind_of(const fs::path& path);
+
+struct Comparand {
+  fs::path path;
+  Json summary;                              ///< of a run; null of a CSV
+  Json timing;                               ///< null where there is none
+  bool has_some_rows_only = false;           ///< a compact reference: rows of the other between its own are of no concern
+  std::optional<double> attitude_error_rad;  ///< of a mapped CSV, stated
+  /// Opens the rows anew. @throws as `RowSource`
+  std::function<std::unique_ptr<RowSource>()> open_rows;
+  std::function<std::unique_ptr<RowSource>()> open_torques;  ///< null where there are none
+  std::optional<std::uint64_t> stated_rows;                  ///< by its summary
+  std::string generator;                                     ///< of a compact reference
+
+  /// A number of the summary, null where it has none.
+  std::optional<double> number(const std::string& pointer) const;
+  std::string word(const std::string& pointer) const;
+};
+
+/// @param mapping  of a foreign CSV; may be null
+Comparand open_comparand(const fs::path& path, const Mapping* mapping);
+
+/// The comparands in a directory of several, by their paths below it (a compact reference without its .json), sorted.
+std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
+
+/// JSON of a file that a program wrote. @throws ScenarioError where it is none; ReadError
+Json read_json_file(const fs::path& file, std::string_view noun);
+
+}  // namespace earthtop::compare

@@ -1,0 +1,85 @@
+#include <nlohmann/json.hpp>
+
+#include "earthtop/compare/compare.hpp"
+#include "earthtop/results/provenance.hpp"
+
+namespace earthtop {
+namespace compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json quantity_json(const QuantityVerdict& quantity) {
+  Json json = {{"name", quantity.name},
+               {"passed", quantity.passed},
+               {"reason", text_or_null(quantity.reason)},
+               {"compared", quantity.compared},
+               {"largest_difference", quantity.largest},
+               {"where", text_or_null(quantity.where)},
+               {"at_s", number_or_null(quantity.at_s)},
+               {"tolerance", quantity.tolerance},
+               {"tolerance_origin", quantity.origin},
+               {"share_used", quantity.share},
+               {"violations", quantity.violations},
+               {"first_violation", text_or_null(quantity.first_violation)},
+               {"first_violation_s", number_or_null(quantity.first_violation_s)},
+               {"change", to_string(quantity.change)},
+               {"error_bounds_sum", number_or_null(quantity.errors)},
+               {"interpolation_error", number_or_null(quantity.interpolation_error)}};
+  if (!quantity.curve.t_s.empty())
+    json["curve"] = {
+        {"t_s", quantity.curve.t_s}, {"difference", quantity.curve.difference}, {"tolerance", quantity.curve.tolerance}};
+  return json;
+}
+
+Json pair_json(const PairReport& pair) {
+  Json findings = Json::array(), quantities = Json::array(), cost = Json::array();
+  for (const CompareFinding& finding : pair.findings) findings.push_back({{"kind", finding.kind}, {"text", finding.text}});
+  for (const QuantityVerdict& quantity : pair.quantities) quantities.push_back(quantity_json(quantity));
+  for (const CostRatio& ratio : pair.cost)
+    cost.push_back({{"name", ratio.name},
+                    {"reference", ratio.reference},
+                    {"new", ratio.candidate},
+                    {"ratio", ratio.reference > 0 ? Json(ratio.candidate / ratio.reference) : Json()},
+                    {"limit", number_or_null(ratio.limit)},
+                    {"passed", ratio.passed()}});
+  return {{"name", text_or_null(pair.name)},
+          {"reference", text_or_null(pair.reference)},
+          {"new", text_or_null(pair.candidate)},
+          {"verdict", !pair.refusal.empty() ? "refused"
+                      : pair.passed()       ? "same"
+                                            : "differs"},
+          {"refusal", text_or_null(pair.refusal)},
+          {"findings", std::move(findings)},
+          {"notes", pair.notes},
+          {"hints", pair.hints},
+          {"rows_compared", pair.rows},
+          {"compared_until_s", number_or_null(pair.until_s)},
+          {"quantities", std::move(quantities)},
+          {"cost", std::move(cost)}};
+}
+
+}  // namespace
+}  // namespace compare
+
+std::string comparison_json(const CompareReport& report) {
+  using compare::Json;
+  Json pairs = Json::array();
+  for (const PairReport& pair : report.pairs) pairs.push_back(compare::pair_json(pair));
+  const Json document = {{"$schema", "earthtop-comparison-1.json"},
+                         {"reference", report.reference},
+                         {"new", report.candidate},
+                         {"verdict", report.refused()  ? "refused"
+                                     : report.passed() ? "same"
+                                                       : "differs"},
+                         {"profile", to_string(report.profile)},
+                         {"tolerances_file", compare::text_or_null(report.tolerances_file)},
+                         {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
+                         {"pairs", std::move(pairs)}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace earthtop

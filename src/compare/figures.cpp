@@ -1,0 +1,228 @@
+#include "compare/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compare/tolerances.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+/// Which figures are compared, and as what: the first line that fits. A star stands for one step of the path.
+struct FigureRow {
+  std::string_view path;
+  FigureKind kind;
+  bool of_whole_run;  ///< means nothing where the end of the run is not trusted
+};
+constexpr FigureRow kFigures[] = {
+    {"outcome.status", FigureKind::word, false},
+    {"outcome.reached_s", FigureKind::input, false},
+    {"drift.verdict", FigureKind::word, false},
+    {"drift.verdict_from_s", FigureKind::time, false},
+    {"drift.reliable.until_s", FigureKind::time, false},
+    {"drift.reliable.*", FigureKind::word, true},  // the same rows are compared as rows; skipped below
+    {"drift.axis_final_over_earth_angle", FigureKind::ratio, true},
+    {"drift.axis_final_rad", FigureKind::drift_axis, true},
+    {"drift.axis_max_rad", FigureKind::drift_axis, true},
+    {"drift.tilt_final_rad", FigureKind::drift_axis, true},
+    {"drift.tilt_max_rad", FigureKind::drift_axis, true},
+    {"drift.azimuth_final_rad", FigureKind::drift_azimuth, true},
+    {"drift.azimuth_max_rad", FigureKind::drift_azimuth, true},
+    {"drift.oscillation.azimuth_rad", FigureKind::drift_azimuth, true},
+    {"drift.secular.*", FigureKind::azimuth_rate, true},
+    {"drift.attitude_final_rad", FigureKind::drift_attitude, true},
+    {"drift.spin_final_rad", FigureKind::drift_attitude, true},
+    {"drift.axis_bound_rad", FigureKind::error, true},
+    {"drift.attitude_bound_rad", FigureKind::error, true},
+    {"drift.threshold_rad", FigureKind::input, false},
+    {"drift.threshold_time_s", FigureKind::time, false},
+    {"motion.*.*", FigureKind::attitude, true},
+    {"growth_of_disturbances.*", FigureKind::time, false},
+    {"stops.*.prediction", FigureKind::word, false},
+    {"stops.*.t_s", FigureKind::time, false},
+    {"attitude_bound_rad", FigureKind::error, true},
+    {"invariants.*.largest_change", FigureKind::conserved, true},
+    {"invariants.*.initial", FigureKind::input, false},
+    {"invariants.*.scale", FigureKind::derived, true},
+    {"theory.*.predicted", FigureKind::input, false},
+    {"theory.*.computed", FigureKind::derived, true},
+    {"ledger.observer", FigureKind::word, false},
+    {"ledger.residual*", FigureKind::error, true},
+    {"ledger.*", FigureKind::derived, true},
+    {"effects.modelled.*", FigureKind::word, false},
+    {"sensitivities.inputs.*.*", FigureKind::derived, true},
+    {"uncertainty.largest_from", FigureKind::word, true},
+    {"uncertainty.*", FigureKind::derived, true},
+};
+
+bool fits(std::string_view path, std::string_view pattern) {
+  for (;;) {
+    const std::size_t path_dot = path.find('.'), pattern_dot = pattern.find('.');
+    const std::string_view step = path.substr(0, path_dot), wanted = pattern.substr(0, pattern_dot);
+    const bool open = wanted.ends_with('*');
+    if (open ? !step.starts_with(wanted.substr(0, wanted.size() - 1)) : step != wanted) return false;
+    if (path_dot == path.npos || pattern_dot == pattern.npos) return path_dot == pattern_dot;
+    path.remove_prefix(path_dot + 1);
+    pattern.remove_prefix(pattern_dot + 1);
+  }
+}
+
+using Figures = std::vector<std::pair<std::string, const Json*>>;
+
+/// Leaves by their dotted paths; an element of a list by its name, if it has one.
+void flatten(const Json& json, const std::string& path, Figures& figures) {
+  const std::string start = path.empty() ? "" : path + ".";
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) flatten(value, start + key, figures);
+  } else if (json.is_array()) {
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      const bool named = json[i].is_object() && json[i].contains("name") && json[i].at("name").is_string();
+      flatten(json[i], start + (named ? json[i].at("name").get<std::string>() : fmt::format("{}", i)), figures);
+    }
+  } else {
+    figures.emplace_back(path, &json);
+  }
+}
+
+const FigureRow* row_of(const std::string& path) {
+  const auto* found =
+      std::find_if(std::begin(kFigures), std::end(kFigures), [&](const FigureRow& row) { return fits(path, row.path); });
+  return found == std::end(kFigures) || found->path == "drift.reliable.*" ? nullptr : found;
+}
+
+/// Both error bounds of a figure, in its unit; none where there are none.
+class FigureErrors {
+ public:
+  FigureErrors(const Comparand& a, const Comparand& b) {
+    const auto sum = [&](const std::string& pointer) -> std::optional<double> {
+      const auto x = a.number(pointer), y = b.number(pointer);
+      return x && y ? std::optional(*x + *y) : std::nullopt;
+    };
+    axis_ = sum("/drift/axis_bound_rad");
+    attitude_drift_ = sum("/drift/attitude_bound_rad");
+    attitude_ = sum("/attitude_bound_rad");
+    axis_drift_rad_ = a.number("/drift/axis_max_rad").value_or(0);
+    final_rad_ = a.number("/drift/axis_final_rad").value_or(0);
+    azimuth_rad_ = a.number("/drift/azimuth_max_rad").value_or(0);
+    duration_s_ = a.number("/outcome/reached_s").value_or(0);
+    ratio_ = a.number("/drift/axis_final_over_earth_angle").value_or(0);
+  }
+  double axis_drift_rad() const { return axis_drift_rad_; }
+
+  std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
+    const double steeper = axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1;
+    switch (kind) {
+      case FigureKind::drift_axis: return axis_;
+      case FigureKind::drift_azimuth: return axis_ ? std::optional(*axis_ * steeper) : std::nullopt;
+      // The slope of a straight line through points that are off by no more than e changes by at most 3 e over the duration.
+      case FigureKind::azimuth_rate:
+        return axis_ && duration_s_ > 0 ? std::optional(3 * *axis_ * steeper / duration_s_) : std::nullopt;
+      case FigureKind::drift_attitude: return attitude_drift_;
+      case FigureKind::attitude: return attitude_;
+      case FigureKind::ratio: return axis_ && final_rad_ > 0 ? std::optional(*axis_ / final_rad_ * ratio_) : std::nullopt;
+      case FigureKind::conserved:
+        return attitude_ ? std::optional((*attitude_ + kRounding) * scale_of(path, reference)) : std::nullopt;
+      default: return std::nullopt;
+    }
+  }
+
+ private:
+  static constexpr double kRounding = 1e-12;  // thousands of steps, some roundings each
+
+  /// Of the invariant that the path leads to.
+  static double scale_of(const std::string& path, const Comparand& reference) {
+    for (const Json& invariant : reference.summary.value("invariants", Json::array()))
+      if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return invariant.value("scale", 0.0);
+    return 0;
+  }
+
+  std::optional<double> axis_, attitude_drift_, attitude_;
+  double axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, duration_s_ = 0, ratio_ = 0;
+};
+
+QuantityVerdict failed(const std::string& name, std::string reason) {
+  QuantityVerdict verdict;
+  verdict.name = name;
+  verdict.passed = false;
+  verdict.violations = 1;
+  verdict.reason = std::move(reason);
+  verdict.change = Change::unknown;
+  return verdict;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json& a, const Json& b, const FigureErrors& errors,
+                      const Rule& rule, const Comparand& reference) {
+  if (!a.is_number() || !b.is_number()) {
+    if (a != b) return failed(name, fmt::format("{} in the reference, {} now", text_of(a), text_of(b)));
+    QuantityVerdict same;
+    same.name = name;
+    same.compared = 1;
+    same.origin = "equal";
+    return same;
+  }
+  QuantityVerdict verdict;
+  verdict.name = name;
+  verdict.compared = 1;
+  const auto x = a.get<double>(), y = b.get<double>();
+  const bool folds = row.kind == FigureKind::drift_azimuth || name.ends_with("spin_final_rad");
+  verdict.largest = folds ? std::abs(std::remainder(x - y, 2 * std::numbers::pi)) : std::abs(x - y);
+  verdict.errors = errors.of(row.kind, name, reference);
+  const double size = row.kind == FigureKind::attitude ? 1 : std::abs(x);
+  const Tolerance tolerance = tolerance_of(rule, size, errors.axis_drift_rad(), verdict.errors.value_or(0));
+  verdict.tolerance = tolerance.value;
+  verdict.origin = tolerance.origin;
+  verdict.passed = verdict.largest <= tolerance.value;
+  verdict.violations = verdict.passed ? 0 : 1;
+  if (verdict.largest > 0)
+    verdict.share = tolerance.value > 0 ? verdict.largest / tolerance.value : std::numeric_limits<double>::infinity();
+  if (verdict.largest == 0)
+    verdict.change = Change::none;
+  else if (!verdict.errors)
+    verdict.change = Change::unknown;
+  else
+    verdict.change = verdict.largest <= *verdict.errors ? Change::within_errors : Change::above_errors;
+  return verdict;
+}
+
+}  // namespace
+
+std::optional<FigureKind> figure_kind(const std::string& path) {
+  const FigureRow* row = row_of(path);
+  return row ? std::optional(row->kind) : std::nullopt;
+}
+
+std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate, bool whole_run,
+                                             const CompareOptions& options) {
+  std::vector<QuantityVerdict> verdicts;
+  Figures old_figures, new_figures;
+  flatten(reference.summary, "", old_figures);
+  flatten(candidate.summary, "", new_figures);
+  const FigureErrors errors(reference, candidate);
+  const auto find = [](const Figures& figures, const std::string& path) -> const Json* {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == path; });
+    return found == figures.end() ? nullptr : found->second;
+  };
+  for (const auto& [path, value] : old_figures) {
+    const FigureRow* row = row_of(path);
+    if (!row || (row->of_whole_run && !whole_run && options.tolerances.profile != Profile::bitwise)) continue;
+    const auto rule = rule_of(path, row->kind, options.tolerances);
+    if (!rule || (row->kind == FigureKind::word && options.tolerances.profile == Profile::physics && path != "drift.verdict"))
+      continue;
+    const Json* now = find(new_figures, path);
+    if (!now)
+      verdicts.push_back(failed(path, "is missing in the new summary"));
+    else
+      verdicts.push_back(judge(path, *row, *value, *now, errors, *rule, reference));
+  }
+  if (options.tolerances.profile != Profile::physics && !reference.has_some_rows_only)
+    for (const auto& [path, value] : new_figures)
+      if (row_of(path) && !find(old_figures, path)) verdicts.push_back(failed(path, "is missing in the reference's summary"));
+  return verdicts;
+}
+
+}  // namespace earthtop::compare

@@ -1,0 +1,85 @@
+/// Rows of two files that belong to one time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "compare/row_source.hpp"
+#include "compare/survey.hpp"
+
+namespace earthtop::compare {
+
+/// Counts the rows that pass through it.
+class CountedRows : public RowSource {
+ public:
+  explicit CountedRows(RowSource& rows) : rows_(rows) {}
+  bool next(Row& row) override {
+    if (!rows_.next(row)) return false;
+    ++count_;
+    last_s_ = row.t_s;
+    return true;
+  }
+  std::string_view text(std::size_t column) const override { return rows_.text(column); }
+  bool has_column(std::size_t column) const override { return rows_.has_column(column); }
+  std::string where() const override { return rows_.where(); }
+  std::vector<std::string> other_columns() const override { return rows_.other_columns(); }
+  std::uint64_t count() const { return count_; }
+  double last_s() const { return last_s_; }
+
+ private:
+  RowSource& rows_;
+  std::uint64_t count_ = 0;
+  double last_s_ = 0;
+};
+
+enum class PairKind {
+  same_time,
+  between,  ///< two rows of the reference
+  no_time,  ///< the time is not finite
+  end
+};
+
+/// A row of the candidate with the reference around it: at `same_time` the row itself is reference[1], `between` the inner two
+/// of the four are its neighbours. Valid until the next one is asked for.
+struct PairedRow {
+  PairKind kind = PairKind::end;
+  std::array<const Row*, 4> reference{};
+  const Row* candidate = nullptr;
+};
+
+struct PairingCounts {
+  std::uint64_t missing_inside = 0;   ///< rows of the reference that no row of the candidate has the time of
+  std::uint64_t missing_outside = 0;  ///< those before the candidate's first row or after its last one
+  double first_missing_s = 0;
+  std::uint64_t beyond = 0;  ///< rows of the candidate outside the reference's times
+};
+
+class Pairing {
+ public:
+  /// @param some_rows_only  rows of the candidate between the reference's are passed over
+  Pairing(RowSource& reference, RowSource& candidate, const Survey& known, bool some_rows_only);
+  PairedRow next();
+  const PairingCounts& counts() const { return counts_; }  ///< whole after the end
+
+ private:
+  Row& slot(std::size_t i) { return rows_[(first_ + i) % 4]; }
+  bool read_reference(Row& row);
+  void advance(bool outside);
+  void miss(double t_s, bool outside);
+  PairedRow finish();
+
+  RowSource& reference_;
+  RowSource& candidate_;
+  bool some_rows_only_;
+  double same_s_;  // times that differ by less are one
+  // Rows of the reference: before, at or before the candidate's time, the next one, and one more. Which of them are there:
+  std::array<Row, 4> rows_;
+  std::size_t first_ = 0;
+  bool has_before_ = false, has_here_ = false, has_next_ = false, has_after_ = false;
+  bool matched_ = false;  // the row at or before the candidate's time has been paired
+  bool started_ = false;
+  Row row_;
+  PairingCounts counts_;
+};
+
+}  // namespace earthtop::compare

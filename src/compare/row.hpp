@@ -1,0 +1,76 @@
+/// Rows of a result file, and the physical measures in which two of them are held against each other.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "compare/csv_reader.hpp"
+
+namespace earthtop::compare {
+
+/// A row: its time, and the cells of its table's columns in their order.
+struct Row {
+  static constexpr std::size_t kMostColumns = 32;
+  double t_s = 0;
+  std::array<double, kMostColumns> value{};  // NaN where there is no number
+  std::array<CellKind, kMostColumns> kind{};
+};
+
+enum class MeasureKind {
+  number,
+  angle,      ///< a number modulo 2 pi
+  vector,     ///< three components: length of the difference
+  direction,  ///< three components: angle between them
+  attitude,   ///< quaternion, w first, its sign without meaning: angle of the turn from one to the other
+  flag        ///< 0 or 1
+};
+
+/// Whose error bound a measure shares.
+enum class BoundKind {
+  none,
+  drift_axis,      ///< drift_axis_bound_rad of the row
+  drift_azimuth,   ///< the same, over the sine of the tilt
+  drift_attitude,  ///< drift_attitude_bound_rad of the row
+  attitude,        ///< attitude_bound_rad of the summary
+  rates            ///< the same, times the largest rate
+};
+
+struct Measure {
+  std::string_view name;  ///< with its unit
+  MeasureKind kind;
+  std::size_t column;  ///< the first of its columns
+  std::string_view first_column;
+  BoundKind bound = BoundKind::none;
+  std::string_view effect = "";  ///< the measure whose largest value is the Earth's effect on this one
+
+  std::size_t width() const {
+    if (kind == MeasureKind::attitude) return 4;
+    return kind == MeasureKind::vector || kind == MeasureKind::direction ? 3 : 1;
+  }
+};
+
+/// A result file's columns after the time, and what is measured of them.
+struct Table {
+  std::string_view file;
+  std::span<const std::string_view> columns;
+  std::span<const Measure> measures;
+  std::optional<std::size_t> find(std::string_view column) const;
+};
+const Table& trajectory_table();
+const Table& torques_table();
+
+/// Which cells of a measure are there.
+enum class Presence { whole, empty, not_finite };
+Presence presence(const Measure& measure, const Row& row);
+
+/// Difference of two rows in a measure that both have, in its unit; at least 0. Directions and quaternions should have length
+/// 1: what their lengths differ by counts as well, so that no changed digit hides along them.
+double difference(const Measure& measure, const Row& a, const Row& b);
+
+/// Size of a measure: of a number its absolute value, of a vector its length, of an attitude or a direction 1.
+double size(const Measure& measure, const Row& row);
+
+}  // namespace earthtop::compare

@@ -1,0 +1,195 @@
+#include "compare/row_source.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+[[noreturn]] void refuse_at(const CsvReader& reader, std::string message) {
+  throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(reader.line()), 1, "", std::move(message)}}, reader.file());
+}
+
+/// Rows must come in the order of their times, or nothing can be found among them.
+void require_later(const CsvReader& reader, double t_s, double& last_s) {
+  if (t_s <= last_s) refuse_at(reader, fmt::format("time {} s does not lie after that of the row before, {} s", t_s, last_s));
+  if (std::isfinite(t_s)) last_s = t_s;
+}
+
+class OwnRows : public RowSource {
+ public:
+  OwnRows(const std::string& file, const Table& table) : reader_(file), table_(table) {
+    const std::size_t time = reader_.find("t_s");
+    std::vector<std::size_t> wanted = {time};
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const std::size_t at = reader_.find(table.columns[i]);
+      if (at == reader_.header().size()) continue;
+      columns_.push_back(i);
+      wanted.push_back(at);
+    }
+    if (time == reader_.header().size() || columns_.empty())
+      refuse_at(reader_, fmt::format("none of the columns of {}, or no t_s; of another program's file say with --mapping what "
+                                     "its columns mean",
+                                     table.file));
+    reader_.want(std::move(wanted));
+  }
+
+  bool next(Row& row) override {
+    if (!reader_.next()) return false;
+    const auto numbers = reader_.numbers();
+    const auto kinds = reader_.kinds();
+    row.t_s = numbers[0];
+    require_later(reader_, row.t_s, last_s_);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      row.value[columns_[i]] = numbers[i + 1];
+      row.kind[columns_[i]] = kinds[i + 1];
+    }
+    return true;
+  }
+  std::string_view text(std::size_t column) const override {
+    const auto at = std::find(columns_.begin(), columns_.end(), column);
+    return at == columns_.end() ? std::string_view() : reader_.text(static_cast<std::size_t>(at - columns_.begin()) + 1);
+  }
+  bool has_column(std::size_t column) const override {
+    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+  }
+  std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
+  std::vector<std::string> other_columns() const override {
+    std::vector<std::string> others;
+    for (const std::string& name : reader_.header())
+      if (name != "t_s" && !table_.find(name)) others.push_back(name);
+    return others;
+  }
+
+ private:
+  CsvReader reader_;
+  const Table& table_;
+  std::vector<std::size_t> columns_;  // of the table, that the file has
+  double last_s_ = -std::numeric_limits<double>::infinity();
+};
+
+/// The file's axes as columns: what turns components in the file's frame into components in ours.
+Eigen::Matrix3d matrix_of(const AxisTurn& turn) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    matrix(static_cast<int>(turn.index[static_cast<std::size_t>(i)]), i) = turn.sign[static_cast<std::size_t>(i)];
+  return matrix;
+}
+
+class MappedRows : public RowSource {
+ public:
+  MappedRows(const std::string& file, const Mapping& mapping)
+      : reader_(file, mapping.format), mapping_(mapping), R_LF_(matrix_of(mapping.world)), R_BF_(matrix_of(mapping.body)) {
+    add(mapping.time_column);
+    if (mapping.quaternion) quaternion_ = add_all(*mapping.quaternion, "q_LB_w");
+    if (mapping.rates) rates_ = add_all(*mapping.rates, "w_LB_B_x_rad_s");
+    if (mapping.axis) axis_ = add_all(*mapping.axis, "axis_L_x");
+    reader_.want(wanted_);
+  }
+
+  bool next(Row& row) override {
+    if (!reader_.next()) return false;
+    row.t_s = reader_.numbers()[0] * mapping_.time_unit_s + mapping_.time_offset_s;
+    require_later(reader_, row.t_s, last_s_);
+    row.kind.fill(CellKind::empty);
+    if (quaternion_) put_attitude(row);
+    if (rates_) put_vector(row, *rates_, rates_in_body_axes(row));
+    if (axis_) put_vector(row, *axis_, R_LF_ * vector(*axis_));
+    return true;
+  }
+  std::string_view text(std::size_t) const override { return {}; }
+  bool has_column(std::size_t column) const override {
+    const auto in = [&](const std::optional<Group>& group) {
+      return group && column >= group->first && column < group->first + group->size;
+    };
+    return in(quaternion_) || in(rates_) || in(axis_);
+  }
+  std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
+
+ private:
+  /// Columns that belong together: where their numbers stand among those read, and where they go.
+  struct Group {
+    std::size_t from, first, size;
+  };
+
+  void add(const std::string& column) {
+    const std::size_t at = reader_.find(column);
+    if (at == reader_.header().size()) {
+      std::string there;
+      for (const std::string& name : reader_.header()) there += (there.empty() ? "" : ", ") + name;
+      refuse_at(reader_, fmt::format("no column \"{}\", which {} names; there are {}", column, mapping_.file, there));
+    }
+    wanted_.push_back(at);
+  }
+  template <std::size_t n>
+  Group add_all(const std::array<std::string, n>& columns, std::string_view first) {
+    const Group group = {wanted_.size(), *trajectory_table().find(first), n};
+    for (const std::string& column : columns) add(column);
+    return group;
+  }
+
+  CellKind kind(const Group& group) const {
+    const auto kinds = reader_.kinds().subspan(group.from, group.size);
+    CellKind worst = CellKind::number;
+    for (const CellKind kind : kinds)
+      if (kind != CellKind::number) worst = kind;
+    return worst;
+  }
+  Eigen::Vector3d vector(const Group& group) const {
+    const auto numbers = reader_.numbers().subspan(group.from, group.size);
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+  void put(Row& row, const Group& group, std::span<const double> values) const {
+    for (std::size_t i = 0; i < group.size; ++i) {
+      row.value[group.first + i] = values[i];
+      row.kind[group.first + i] = kind(group);
+    }
+  }
+  void put_vector(Row& row, const Group& group, const Eigen::Vector3d& vector) const {
+    put(row, group, std::array{vector.x(), vector.y(), vector.z()});
+  }
+  /// R_LB = R_LF R_FG R_GB: the file's world axes F, its body axes G.
+  void put_attitude(Row& row) {
+    const auto q = reader_.numbers().subspan(quaternion_->from, 4);
+    Eigen::Quaterniond q_FG(q[0], q[1], q[2], q[3]);
+    if (!mapping_.body_to_world) q_FG = q_FG.conjugate();
+    const Eigen::Quaterniond q_LB = Eigen::Quaterniond(R_LF_) * q_FG * Eigen::Quaterniond(R_BF_).conjugate();
+    put(row, *quaternion_, std::array{q_LB.w(), q_LB.x(), q_LB.y(), q_LB.z()});
+  }
+  Eigen::Vector3d rates_in_body_axes(const Row& row) const {
+    const Eigen::Vector3d given = mapping_.rate_unit_rad_s * vector(*rates_);
+    if (!mapping_.rates_in_world_axes) return R_BF_ * given;
+    const double* q = row.value.data() + quaternion_->first;
+    return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().conjugate() * (R_LF_ * given);
+  }
+
+  CsvReader reader_;
+  Mapping mapping_;
+  Eigen::Matrix3d R_LF_, R_BF_;
+  std::vector<std::size_t> wanted_;
+  std::optional<Group> quaternion_, rates_, axis_;
+  double last_s_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+bool RowSource::has(const Measure& measure) const {
+  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i)
+    if (!has_column(i)) return false;
+  return true;
+}
+
+std::unique_ptr<RowSource> open_own_csv(const std::string& file, const Table& table) {
+  return std::make_unique<OwnRows>(file, table);
+}
+
+std::unique_ptr<RowSource> open_mapped_csv(const std::string& file, const Mapping& mapping) {
+  return std::make_unique<MappedRows>(file, mapping);
+}
+
+}  // namespace earthtop::compare

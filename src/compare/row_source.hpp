@@ -1,0 +1,38 @@
+/// Where rows come from: a result file of earthtop's, a foreign CSV through a mapping, or a compact reference.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/mapping.hpp"
+#include "compare/row.hpp"
+
+namespace earthtop::compare {
+
+class RowSource {
+ public:
+  virtual ~RowSource() = default;
+  RowSource() = default;
+  RowSource(const RowSource&) = delete;
+  RowSource& operator=(const RowSource&) = delete;
+
+  /// @returns false at the end. The time of a row is above that of the row before.
+  /// @throws ScenarioError where the file breaks off, or holds what no row can be
+  virtual bool next(Row& row) = 0;
+  /// A cell of the last row as it stands in the file; empty where there is no such text.
+  virtual std::string_view text(std::size_t column) const = 0;
+  virtual bool has_column(std::size_t column) const = 0;
+  virtual std::string where() const = 0;  ///< file and line of the last row
+  /// What the file has beside the table's columns.
+  virtual std::vector<std::string> other_columns() const { return {}; }
+
+  bool has(const Measure& measure) const;
+};
+
+/// Rows of a file with the table's own column names.
+std::unique_ptr<RowSource> open_own_csv(const std::string& file, const Table& table);
+/// Rows of a trajectory in another program's columns, converted.
+std::unique_ptr<RowSource> open_mapped_csv(const std::string& file, const Mapping& mapping);
+
+}  // namespace earthtop::compare

@@ -1,0 +1,399 @@
+#include "compare/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/interpolate.hpp"
+#include "compare/pairing.hpp"
+#include "compare/survey.hpp"
+#include "earthtop/error.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr std::size_t kMostSeen = 200;
+constexpr std::size_t kMostSpans = 1000;    // of a difference's curve
+constexpr double kMostTurnBetweenRows = 1;  // rad: beyond it a row says little of what lies before the next
+
+/// The largest differences of equally many rows each; where there are too many spans, two become one.
+class CurveBuilder {
+ public:
+  void add(double t_s, double difference, double tolerance) {
+    if (in_span_ == 0) {
+      curve_.t_s.push_back(t_s);
+      curve_.difference.push_back(difference);
+      curve_.tolerance.push_back(tolerance);
+    } else if (difference > curve_.difference.back()) {
+      curve_.t_s.back() = t_s;
+      curve_.difference.back() = difference;
+      curve_.tolerance.back() = tolerance;
+    }
+    if (++in_span_ < rows_a_span_) return;
+    in_span_ = 0;
+    if (curve_.t_s.size() == kMostSpans) halve();
+  }
+  DifferenceCurve take() { return std::move(curve_); }
+
+ private:
+  void halve() {
+    for (std::size_t i = 0; i < kMostSpans / 2; ++i) {
+      const std::size_t larger = curve_.difference[2 * i] >= curve_.difference[2 * i + 1] ? 2 * i : 2 * i + 1;
+      curve_.t_s[i] = curve_.t_s[larger];
+      curve_.difference[i] = curve_.difference[larger];
+      curve_.tolerance[i] = curve_.tolerance[larger];
+    }
+    for (auto* values : {&curve_.t_s, &curve_.difference, &curve_.tolerance}) values->resize(kMostSpans / 2);
+    rows_a_span_ *= 2;
+  }
+  DifferenceCurve curve_;
+  std::size_t rows_a_span_ = 1, in_span_ = 0;
+};
+
+std::string at_time(double t_s) { return fmt::format("t = {} s", t_s); }
+
+/// One measure, row after row.
+class Judge {
+ public:
+  Judge(const Measure& measure, Rule rule, double scale, double effect, bool with_curve)
+      : measure_(measure),
+        rule_(std::move(rule)),
+        scale_(scale),
+        effect_(effect),
+        fixed_(fixed_part(rule_, scale, effect)),
+        with_curve_(with_curve) {
+    verdict_.name = measure.name;
+  }
+
+  const Measure& measure() const { return measure_; }
+  double fixed() const { return fixed_; }
+  void count_interpolation(double error) { verdict_.interpolation_error = error; }
+
+  /// @param errors  sum of both error bounds; negative where they are not known
+  void judge(double t_s, double found, double errors, bool same_text) {
+    ++verdict_.compared;
+    const double tolerance =
+        std::max(fixed_, errors > 0 ? rule_.bounds * errors : 0) + verdict_.interpolation_error.value_or(0);
+    if (found > verdict_.largest || verdict_.compared == 1) {
+      verdict_.largest = found;
+      verdict_.at_s = t_s;
+      largest_errors_ = errors;
+    }
+    const bool passed = found <= tolerance && same_text;
+    const double share = tolerance > 0 ? found / tolerance : passed ? 0 : std::numeric_limits<double>::infinity();
+    verdict_.share = std::max(verdict_.share, share);
+    if (!passed && verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
+    if (!same_text && verdict_.reason.empty()) verdict_.reason = fmt::format("other digits at {}", at_time(t_s));
+    if (found > 0 || !same_text) {
+      moved_ = true;
+      above_ = above_ || (errors >= 0 && found > errors);
+      known_ = known_ && errors >= 0;
+    }
+    if (with_curve_) curve_.add(t_s, found, tolerance);
+  }
+
+  /// A value that only one of the two has, or that is no finite number.
+  void miss(double t_s, std::string reason) {
+    if (verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
+    if (verdict_.reason.empty()) verdict_.reason = std::move(reason);
+  }
+
+  QuantityVerdict take() {
+    verdict_.passed = verdict_.violations == 0;
+    const double errors = std::max(largest_errors_, 0.0);
+    const Tolerance there = tolerance_of(rule_, scale_, effect_, errors);
+    verdict_.tolerance = there.value + verdict_.interpolation_error.value_or(0);
+    verdict_.origin = there.origin;
+    if (verdict_.interpolation_error) verdict_.origin += fmt::format(" + interpolation {:.2g}", *verdict_.interpolation_error);
+    if (verdict_.compared > 0 && largest_errors_ >= 0) verdict_.errors = largest_errors_;
+    if (verdict_.at_s) verdict_.where = at_time(*verdict_.at_s);
+    if (verdict_.first_violation_s) verdict_.first_violation = at_time(*verdict_.first_violation_s);
+    verdict_.change = !moved_ ? Change::none : above_ ? Change::above_errors : known_ ? Change::within_errors : Change::unknown;
+    verdict_.curve = curve_.take();
+    return std::move(verdict_);
+  }
+
+ private:
+  const Measure& measure_;
+  Rule rule_;
+  double scale_, effect_, fixed_;
+  bool with_curve_;
+  QuantityVerdict verdict_;
+  double largest_errors_ = -1;
+  bool moved_ = false, above_ = false, known_ = true;
+  CurveBuilder curve_;
+};
+
+/// Where a table's error bounds stand.
+struct BoundColumns {
+  explicit BoundColumns(const Table& table)
+      : axis(table.find("drift_axis_bound_rad")),
+        attitude(table.find("drift_attitude_bound_rad")),
+        axis_L(table.find("axis_L_x")),
+        ref_axis_L(table.find("ref_axis_L_x")) {}
+  std::optional<std::size_t> axis, attitude, axis_L, ref_axis_L;
+};
+
+double sum_of(const std::optional<std::size_t>& column, const Row& a, const Row& b) {
+  if (!column || a.kind[*column] != CellKind::number || b.kind[*column] != CellKind::number) return -1;
+  return a.value[*column] + b.value[*column];
+}
+
+/// Sum of both error bounds on a measure; negative where they are not known.
+double errors_of(const Measure& measure, const BoundColumns& columns, const RowsContext& context, double rate, const Row& a,
+                 const Row& b) {
+  switch (measure.bound) {
+    case BoundKind::none: return -1;
+    case BoundKind::drift_axis: return sum_of(columns.axis, a, b);
+    case BoundKind::drift_attitude: return sum_of(columns.attitude, a, b);
+    case BoundKind::drift_azimuth: {
+      double sine = 1;
+      for (const auto& axis : {columns.axis_L, columns.ref_axis_L})
+        if (axis) sine = std::min(sine, std::hypot(a.value[*axis], a.value[*axis + 1]));
+      const double sum = sum_of(columns.axis, a, b);
+      return sum < 0 || sine == 0 ? -1 : sum / sine;
+    }
+    case BoundKind::attitude: return context.attitude_errors_known ? context.attitude_errors_rad : -1;
+    case BoundKind::rates: return context.attitude_errors_known ? rate * context.attitude_errors_rad : -1;
+  }
+  return -1;
+}
+
+class Comparison {
+ public:
+  Comparison(const Table& table, const RowsContext& context, const CompareOptions& options)
+      : table_(table), context_(context), options_(options), bounds_(table) {}
+
+  /// One pass over both files. @returns whether it came to its end: not where rows must be interpolated between and `known`
+  /// does not say how well that goes
+  bool pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known);
+  RowsComparison take();
+
+ private:
+  void choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known);
+  void judge(const Row& reference, const Row& candidate, bool between);
+  void require_fine_rows(const Survey& known) const;
+  bool same_text(const Measure& measure) const;
+
+  const Table& table_;
+  const RowsContext& context_;
+  const CompareOptions& options_;
+  BoundColumns bounds_;
+  std::vector<Judge> judges_;
+  RowsComparison result_;
+  double rate_ = 0;
+  std::uint64_t not_finite_times_ = 0, untrusted_ = 0, other_signs_ = 0;
+  const RowSource* reference_text_ = nullptr;
+  const RowSource* candidate_text_ = nullptr;
+};
+
+void Comparison::choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known) {
+  rate_ = known.largest_rate_rad_s;
+  const auto largest_of = [&](std::string_view name) {
+    for (std::size_t i = 0; i < table_.measures.size(); ++i)
+      if (table_.measures[i].name == name) return known.largest[i];
+    return 0.0;
+  };
+  std::string foreign;
+  for (const std::string& column : candidate.other_columns()) foreign += (foreign.empty() ? "" : ", ") + printable(column);
+  std::string not_compared;
+  for (std::size_t i = 0; i < table_.measures.size(); ++i) {
+    const Measure& measure = table_.measures[i];
+    const bool in_reference = reference.has(measure), in_candidate = candidate.has(measure);
+    if (!in_reference && !in_candidate) continue;
+    const double effect = measure.effect == "rates_rad_s" ? known.rate_effect_rad_s : largest_of(measure.effect);
+    const auto rule = rule_of(measure, options_.tolerances, effect);
+    if (in_reference && in_candidate && rule) {
+      judges_.emplace_back(measure, *rule, known.largest[i], effect, options_.with_curves);
+      if (!known.interpolation_error.empty()) judges_.back().count_interpolation(known.interpolation_error[i]);
+    } else if (in_reference && !in_candidate && options_.mapping.empty()) {
+      result_.findings.push_back(
+          {"missing column",
+           fmt::format("{} is missing in the new {}{}", measure.first_column, table_.file,
+                       foreign.empty() ? "" : fmt::format(", which has {} instead: another unit or name?", foreign))});
+    } else {
+      not_compared += (not_compared.empty() ? "" : ", ") + std::string(measure.name);
+    }
+  }
+  if (!not_compared.empty()) result_.notes.push_back(fmt::format("not compared: {}", not_compared));
+  if (judges_.empty()) result_.findings.push_back({"nothing in common", "the two have no quantity in common"});
+}
+
+/// Of one attitude there are two quaternions.
+bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
+  double cosine = 0;
+  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i) cosine += a.value[i] * b.value[i];
+  return cosine < 0;
+}
+
+/// Whether both files have the same digits where doubles cannot tell them apart: of extended precision there are more.
+bool Comparison::same_text(const Measure& measure) const {
+  if (!reference_text_) return true;
+  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i) {
+    const std::string_view a = reference_text_->text(i), b = candidate_text_->text(i);
+    if (!a.empty() && !b.empty() && a != b) return false;
+  }
+  return true;
+}
+
+void Comparison::judge(const Row& reference, const Row& candidate, bool between) {
+  if (context_.until_s && candidate.t_s > *context_.until_s && options_.tolerances.profile != Profile::bitwise) {
+    ++untrusted_;
+    return;
+  }
+  ++result_.rows;
+  if (result_.seen.size() < kMostSeen && !between) result_.seen.push_back({reference, candidate});
+  for (Judge& judge : judges_) {
+    const Measure& measure = judge.measure();
+    const Presence a = presence(measure, reference), b = presence(measure, candidate);
+    const double t_s = candidate.t_s;
+    if (b == Presence::not_finite || a == Presence::not_finite) {
+      judge.miss(t_s, fmt::format("not a finite number in the {} at {}", b == Presence::not_finite ? "new rows" : "reference",
+                                  at_time(t_s)));
+    } else if (a == Presence::whole && b == Presence::whole) {
+      if (measure.kind == MeasureKind::attitude && have_other_signs(measure, reference, candidate)) ++other_signs_;
+      judge.judge(t_s, difference(measure, reference, candidate),
+                  errors_of(measure, bounds_, context_, rate_, reference, candidate), between || same_text(measure));
+    } else if (a != b) {
+      judge.miss(t_s,
+                 fmt::format("empty in the {} alone at {}", b == Presence::empty ? "new rows" : "reference", at_time(t_s)));
+    }
+  }
+}
+
+/// Between rows that are too far apart a curve through them is a guess.
+void Comparison::require_fine_rows(const Survey& known) const {
+  const auto refuse = [&](const std::string& why) {
+    throw ScenarioError(
+        "", fmt::format("the two have rows at different times, and the reference's are too far apart to interpolate "
+                        "between: {}; give both the same times, run the reference with a shorter "
+                        "motion.output_step_s, or allow more (--tolerances)",
+                        why));
+  };
+  const double turn = rate_ * known.largest_step_s;
+  if (turn > kMostTurnBetweenRows) refuse(fmt::format("the body turns by {:.3g} rad from row to row", turn));
+  for (std::size_t i = 0; i < table_.measures.size(); ++i)
+    for (const Judge& judge : judges_) {
+      const bool is_fixed = &judge.measure() == &table_.measures[i] && judge.measure().kind != MeasureKind::flag &&
+                            !judge.measure().name.ends_with("bound_rad");
+      if (is_fixed && known.interpolation_error[i] > judge.fixed())
+        refuse(fmt::format("the error of {} between them may be {:.2g}, above its tolerance {:.2g}", judge.measure().name,
+                           known.interpolation_error[i], judge.fixed()));
+    }
+}
+
+bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known) {
+  choose_measures(reference_rows, candidate_rows, known);
+  if (options_.tolerances.profile == Profile::bitwise) {
+    reference_text_ = &reference_rows;
+    candidate_text_ = &candidate_rows;
+  }
+  const bool interpolates = !known.interpolation_error.empty();
+  if (interpolates) require_fine_rows(known);
+  Pairing pairing(reference_rows, candidate_rows, known, reference.has_some_rows_only);
+  std::uint64_t interpolated = 0, elsewhere = 0;
+  for (;;) {
+    const PairedRow paired = pairing.next();
+    if (paired.kind == PairKind::end) break;
+    if (paired.kind == PairKind::no_time) {
+      if (not_finite_times_++ == 0)
+        result_.findings.push_back({"not finite", fmt::format("{}: the time is no finite number", candidate_rows.where())});
+    } else if (paired.kind == PairKind::same_time) {
+      judge(*paired.reference[1], *paired.candidate, false);
+    } else if (paired.kind == PairKind::between) {
+      if (context_.same_scenario) {
+        if (elsewhere++ == 0)
+          result_.findings.push_back(
+              {"other times", fmt::format("t = {} s is no time of the reference, though both are of the same "
+                                          "scenario",
+                                          paired.candidate->t_s)});
+      } else if (!interpolates) {
+        return false;
+      } else {
+        ++interpolated;
+        judge(interpolate(paired.reference, paired.candidate->t_s), *paired.candidate, true);
+      }
+    }
+  }
+  const PairingCounts& counts = pairing.counts();
+  const std::uint64_t missing = interpolated > 0 ? counts.missing_outside : counts.missing_outside + counts.missing_inside;
+  if (missing > 0 && !options_.may_lack_rows)
+    result_.findings.push_back(
+        {"missing rows", fmt::format("{} of the reference's {} rows are missing in the new result, the first "
+                                     "one at t = {} s",
+                                     missing, known.rows, counts.first_missing_s)});
+  else if (missing > 0)
+    result_.notes.push_back(
+        fmt::format("{} of the reference's {} rows are missing in the new result, which was allowed", missing, known.rows));
+  if (counts.beyond > 0)
+    result_.notes.push_back(fmt::format("{} new rows lie outside the reference's times, {} to {} s: not compared",
+                                        counts.beyond, known.first_s, known.last_s));
+  if (counts.beyond > 0 && context_.same_scenario)
+    result_.findings.push_back({"extra rows", "the new result has rows that the reference of the same scenario lacks"});
+  if (interpolated > 0)
+    result_.notes.push_back(
+        fmt::format("{} rows lie between the reference's: compared with its cubic Hermite interpolation, whose "
+                    "error (of rows twice as far apart) is counted to the tolerances",
+                    interpolated));
+  if (untrusted_ > 0)
+    result_.notes.push_back(
+        fmt::format("{} rows after t = {} s were not compared: a verdict does not trust them", untrusted_, *context_.until_s));
+  if (other_signs_ > 0)
+    result_.notes.push_back(fmt::format("{} quaternions have the other sign: the same attitudes", other_signs_));
+  if (result_.rows == 0) result_.findings.push_back({"nothing in common", "no row of the new result was compared"});
+  return true;
+}
+
+RowsComparison Comparison::take() {
+  for (Judge& judge : judges_) result_.quantities.push_back(judge.take());
+  return std::move(result_);
+}
+
+/// A summary that states other rows than there are belongs to another file, or the file broke off.
+void require_stated(const Comparand& comparand, const Table& table, std::uint64_t rows, double last_s) {
+  if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows) return;
+  throw ScenarioError(
+      std::vector<Diagnostic>{{0, 0, "",
+                               fmt::format("has {} rows, the last at t = {} s, where its summary states {}: truncated or "
+                                           "changed; run the scenario again",
+                                           rows, last_s, *comparand.stated_rows)}},
+      (comparand.path / table.file).string());
+}
+
+RowsComparison compare_tables(const Comparand& reference, const Comparand& candidate, const Table& table,
+                              const std::function<std::unique_ptr<RowSource>()>& open_reference,
+                              const std::function<std::unique_ptr<RowSource>()>& open_candidate, const RowsContext& context,
+                              const CompareOptions& options) {
+  for (const bool interpolates : {false, true}) {
+    const Survey known = survey(*open_reference(), table, interpolates);
+    require_stated(reference, table, known.rows, known.last_s);
+    if (known.rows == 0)
+      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no rows; run the scenario again"}}, reference.path.string());
+    Comparison comparison(table, context, options);
+    const auto reference_rows = open_reference();
+    const auto candidate_rows = open_candidate();
+    CountedRows counted(*candidate_rows);
+    if (!comparison.pass(reference, *reference_rows, counted, known)) continue;
+    require_stated(candidate, table, counted.count(), counted.last_s());
+    if (counted.count() == 0)
+      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no rows; run the scenario again"}}, candidate.path.string());
+    return comparison.take();
+  }
+  throw ScenarioError("", "rows at different times cannot be compared in this table; give both the same times");
+}
+
+}  // namespace
+
+RowsComparison compare_rows(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
+                            const CompareOptions& options) {
+  return compare_tables(reference, candidate, trajectory_table(), reference.open_rows, candidate.open_rows, context, options);
+}
+
+RowsComparison compare_torques(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
+                               const CompareOptions& options) {
+  return compare_tables(reference, candidate, torques_table(), reference.open_torques, candidate.open_torques, context,
+                        options);
+}
+
+}  // namespace earthtop::compare

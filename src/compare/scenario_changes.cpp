@@ -1,0 +1,52 @@
+#include "compare/scenario_changes.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "scenario/node.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr std::size_t kMostKept = 20;
+
+std::string shown(const Json* json) {
+  return json ? scenario::excerpt(json->dump(-1, ' ', false, Json::error_handler_t::replace)) : "nothing";
+}
+
+void collect(const Json* a, const Json* b, const std::string& pointer, std::vector<ScenarioChange>& changes) {
+  if (changes.size() >= kMostKept || (a && b && *a == *b)) return;
+  const bool objects = (!a || a->is_object()) && (!b || b->is_object());
+  if (!objects) {
+    changes.push_back({pointer, shown(a), shown(b)});
+    return;
+  }
+  std::set<std::string> keys;
+  for (const Json* json : {a, b})
+    if (json)
+      for (const auto& [key, value] : json->items()) keys.insert(key);
+  const auto member = [](const Json* json, const std::string& key) {
+    return json && json->contains(key) ? &json->at(key) : nullptr;
+  };
+  for (const std::string& key : keys) collect(member(a, key), member(b, key), pointer + scenario::pointer_step(key), changes);
+}
+
+}  // namespace
+
+std::vector<ScenarioChange> scenario_changes(const Json& reference, const Json& candidate) {
+  std::vector<ScenarioChange> changes;
+  Json a = reference, b = candidate;
+  for (Json* json : {&a, &b})
+    if (json->is_object())
+      for (const char* key : {"name", "title", "purpose", "headline", "criteria"}) json->erase(key);
+  collect(&a, &b, "", changes);
+  return changes;
+}
+
+bool is_below(const std::string& pointer, const std::vector<std::string>& allowed) {
+  return std::any_of(allowed.begin(), allowed.end(), [&](const std::string& top) {
+    return top == "/" || pointer == top || (pointer.starts_with(top) && pointer[top.size()] == '/');
+  });
+}
+
+}  // namespace earthtop::compare

@@ -1,0 +1,22 @@
+/// Where two scenarios differ.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/comparand.hpp"
+
+namespace earthtop::compare {
+
+struct ScenarioChange {
+  std::string pointer;
+  std::string reference, candidate;  ///< as JSON; "nothing" where the key is not there
+};
+
+/// Of two canonical scenarios, without what is only said of them (name, title, purpose, headline, criteria).
+std::vector<ScenarioChange> scenario_changes(const Json& reference, const Json& candidate);
+
+/// Whether a pointer is one of those, or below one of them.
+bool is_below(const std::string& pointer, const std::vector<std::string>& allowed);
+
+}  // namespace earthtop::compare

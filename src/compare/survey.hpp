@@ -1,0 +1,25 @@
+/// What must be known of a reference before a row of it can be judged.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compare/row_source.hpp"
+
+namespace earthtop::compare {
+
+struct Survey {
+  std::uint64_t rows = 0;
+  double first_s = 0, last_s = 0;
+  double least_step_s = 0, largest_step_s = 0;  ///< 0 of a single row
+  std::vector<double> largest;                  ///< size of each measure of the table, over the rows that have it
+  double largest_rate_rad_s = 0;                ///< of both motions
+  double rate_effect_rad_s = 0;                 ///< largest |w_LB - ref_w_LB|
+  /// Of each measure, if asked for: its error midway between rows twice as far apart, as the rows left out there show it.
+  std::vector<double> interpolation_error;
+};
+
+/// Reads all rows. @throws as `RowSource`
+Survey survey(RowSource& rows, const Table& table, bool with_interpolation);
+
+}  // namespace earthtop::compare

@@ -1,0 +1,189 @@
+#include "compare/tolerances.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "scenario/check.hpp"
+#include "scenario/fields.hpp"
+#include "scenario/file.hpp"
+#include "scenario/section.hpp"
+
+namespace earthtop {
+namespace compare {
+namespace {
+
+using namespace scenario;
+
+constexpr double kOfEffect = 1e-3;        // of the Earth's effect: more could hide it
+constexpr double kNoEffect = 1e-6;        // where there is none: rad, or of the quantity's size
+constexpr double kRounding = 1e-12;       // of a quantity's size: thousands of roundings
+constexpr double kRoundingAngle = 1e-13;  // rad
+constexpr double kOrderOfMagnitude = 9;   // ten times as large
+constexpr double kTorque = 1e-9;          // of its largest value: the state's error, many times over
+constexpr double kDerived = 1e-6, kTime = 1e-3;
+
+Rule regression_rule(const Measure& measure) {
+  if (measure.name.ends_with("bound_rad") || measure.name == "residual_N_m") return {0, kOrderOfMagnitude, 0, 0, ""};
+  switch (measure.kind) {
+    case MeasureKind::flag: return {};
+    case MeasureKind::attitude:
+    case MeasureKind::direction: return {kRoundingAngle, 0, 0, 1, ""};
+    case MeasureKind::vector: return {0, measure.bound == BoundKind::none ? kTorque : kRounding, 0, 1, ""};
+    case MeasureKind::number:
+    case MeasureKind::angle: return {0, kRounding, 0, 1, ""};
+  }
+  return {};
+}
+
+std::optional<Rule> physics_rule(const Measure& measure, double effect) {
+  if (measure.name.ends_with("bound_rad") || measure.name == "residual_N_m" || measure.kind == MeasureKind::flag)
+    return std::nullopt;
+  if (measure.effect.empty()) return Rule{0, kOfEffect, 0, 0, ""};
+  if (effect > 0) return Rule{0, 0, kOfEffect, 1, ""};
+  const bool is_angle = measure.kind != MeasureKind::vector;
+  return Rule{is_angle ? kNoEffect : 0, is_angle ? 0 : kNoEffect, 0, 1, ""};
+}
+
+std::optional<Rule> profile_rule(FigureKind kind, Profile profile) {
+  if (profile == Profile::bitwise) return Rule{};
+  const bool regression = profile == Profile::regression;
+  switch (kind) {
+    case FigureKind::word: return Rule{};
+    case FigureKind::drift_axis:
+    case FigureKind::drift_azimuth:
+    case FigureKind::azimuth_rate:
+    case FigureKind::drift_attitude:
+    case FigureKind::ratio: return Rule{0, regression ? kRounding : kOfEffect, 0, 1, ""};
+    case FigureKind::attitude: return Rule{regression ? kRoundingAngle : 0, 0, regression ? 0 : kOfEffect, 1, ""};
+    case FigureKind::time: return Rule{0, regression ? kTime : 50 * kTime, 0, 0, ""};
+    default: break;
+  }
+  if (!regression) return std::nullopt;
+  switch (kind) {
+    case FigureKind::error: return Rule{0, kOrderOfMagnitude, 0, 0, ""};
+    case FigureKind::conserved: return Rule{0, 0, 0, 1, ""};
+    case FigureKind::input: return Rule{0, kRounding, 0, 0, ""};
+    default: return Rule{0, kDerived, 0, 0, ""};
+  }
+}
+
+/// The rule with what a file says of this quantity.
+Rule changed(Rule rule, const std::string& name, const Tolerances& tolerances) {
+  rule.source = fmt::format("profile {}", to_string(tolerances.profile));
+  const auto given = tolerances.rules.find(name);
+  if (given == tolerances.rules.end()) return rule;
+  // A part that the file does not name is none of the tolerance: else nobody could ask for less than the profile.
+  rule = {given->second.absolute.value_or(0), given->second.relative.value_or(0), 0, given->second.bounds.value_or(0),
+          tolerances.file};
+  return rule;
+}
+
+std::optional<double> limit_of(const Node& node, std::string_view key, const std::string& pointer, Findings& findings) {
+  const Node* value = node.find(key);
+  if (!value || value->kind == JsonKind::refused) return std::nullopt;
+  if (value->kind == JsonKind::number && value->number >= 0) return value->number;
+  findings.add(value->place, fmt::format("{}/{}", pointer, key), "must be a number of at least 0");
+  return std::nullopt;
+}
+
+void decode_rules(const Node& quantities, Findings& findings, Tolerances& tolerances) {
+  if (quantities.kind != JsonKind::object)
+    return findings.add(quantities.place, "/quantities", "must be an object of quantities' names and their tolerances");
+  for (const Node& given : quantities.children) {
+    if (is_comment(given.key)) continue;
+    const std::string pointer = "/quantities" + pointer_step(given.key);
+    const bool known = given.key.find('.') != std::string::npos ||
+                       std::any_of(trajectory_table().measures.begin(), trajectory_table().measures.end(),
+                                   [&](const Measure& measure) { return measure.name == given.key; }) ||
+                       std::any_of(torques_table().measures.begin(), torques_table().measures.end(),
+                                   [&](const Measure& measure) { return measure.name == given.key; });
+    if (!known) {
+      std::string names;
+      for (const Measure& measure : trajectory_table().measures) names += fmt::format("{}, ", measure.name);
+      for (const Measure& measure : torques_table().measures) names += fmt::format("{}, ", measure.name);
+      findings.add(given.key_place, pointer,
+                   fmt::format("unknown quantity; there are {}and the dotted paths of summary.json", names));
+      continue;
+    }
+    if (given.kind != JsonKind::object) {
+      findings.add(given.place, pointer, "must be an object with absolute, relative or bounds");
+      continue;
+    }
+    for (const Node& member : given.children)
+      if (!is_comment(member.key) && member.key != "absolute" && member.key != "relative" && member.key != "bounds")
+        findings.add(member.key_place, pointer + pointer_step(member.key),
+                     "unknown key; allowed here: absolute, relative, bounds");
+    tolerances.rules[given.key] = {limit_of(given, "absolute", pointer, findings),
+                                   limit_of(given, "relative", pointer, findings),
+                                   limit_of(given, "bounds", pointer, findings)};
+  }
+}
+
+}  // namespace
+
+double fixed_part(const Rule& rule, double scale, double effect) {
+  return std::max({rule.absolute, rule.relative * scale, rule.effect * effect});
+}
+
+Tolerance tolerance_of(const Rule& rule, double scale, double effect, double errors) {
+  const double by_bounds = rule.bounds * errors, value = std::max(fixed_part(rule, scale, effect), by_bounds);
+  std::string part = "exact";
+  if (value > 0 && value == by_bounds)
+    part = rule.bounds == 1 ? "both error bounds" : fmt::format("{:g} x both error bounds", rule.bounds);
+  else if (value > 0 && value == rule.absolute)
+    part = "absolute";
+  else if (value > 0 && value == rule.relative * scale)
+    part = fmt::format("{:g} x its size {:.3g}", rule.relative, scale);
+  else if (value > 0)
+    part = fmt::format("{:g} x the Earth's effect {:.3g}", rule.effect, effect);
+  return {value, fmt::format("{} ({})", part, rule.source)};
+}
+
+std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, double effect) {
+  std::optional<Rule> rule = Rule{};
+  if (tolerances.profile == Profile::regression) rule = regression_rule(measure);
+  if (tolerances.profile == Profile::physics) rule = physics_rule(measure, effect);
+  const std::string name(measure.name);
+  if (!rule && !tolerances.rules.contains(name)) return std::nullopt;
+  return changed(rule.value_or(Rule{}), name, tolerances);
+}
+
+std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances) {
+  const auto rule = profile_rule(kind, tolerances.profile);
+  if (!rule && !tolerances.rules.contains(name)) return std::nullopt;
+  return changed(rule.value_or(Rule{}), name, tolerances);
+}
+
+}  // namespace compare
+
+std::string_view to_string(Profile profile) {
+  switch (profile) {
+    case Profile::bitwise: return "bitwise";
+    case Profile::regression: return "regression";
+    case Profile::physics: return "physics";
+  }
+  return "unknown";
+}
+
+Tolerances read_tolerances(const std::string& file) {
+  using namespace scenario;
+  const std::string content = read_regular_file(file, file, {"tolerance file", false});
+  std::string_view text = content;
+  Findings findings;
+  const Node root = read_checked(text, file, kTolerances, findings);
+  const Section section(root, findings, kTolerances);
+  Tolerances tolerances;
+  tolerances.file = file;
+  const auto profile = section.word("profile");
+  for (const Profile known : {Profile::bitwise, Profile::regression, Profile::physics})
+    if (profile == to_string(known)) tolerances.profile = known;
+  if (const Node* quantities = section.any("quantities")) compare::decode_rules(*quantities, findings, tolerances);
+  tolerances.steps_ratio = section.section("cost").number("steps_ratio");
+  tolerances.seconds_ratio = section.section("cost").number("seconds_ratio");
+  if (!findings.empty()) throw ScenarioError(findings.errors(text), file);
+  return tolerances;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,111 @@
+// New references, each with the reason for it.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/compact_reference.hpp"
+#include "earthtop/compare/compare.hpp"
+#include "earthtop/error.hpp"
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/results/results.hpp"
+#include "earthtop/study/run_study.hpp"
+#include "results/file_set.hpp"
+
+namespace earthtop {
+namespace compare {
+namespace {
+
+constexpr std::string_view kNotes = "reference.json";  // beside the files of a reference that is a directory
+constexpr const char* kNotesSchema = "earthtop-reference-notes-1.json";
+
+Json history_in(const fs::path& file) {
+  if (!is_there(file)) return Json::array();
+  const Json json = read_json_file(file, "reference");
+  return json.contains("history") && json.at("history").is_array() ? json.at("history") : Json::array();
+}
+
+std::string notes(Json history, const std::string& reason) {
+  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
+  const Json document = {{"$schema", kNotesSchema}, {"history", std::move(history)}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// The file's bytes, a block at a time.
+void copy(const fs::path& file, const FileSet::Sink& sink) {
+  const scenario::Descriptor from = scenario::open_regular_file(file.string(), file.string(), {"result file", false});
+  std::string block(std::size_t{1} << 20, '\0');
+  while (const std::size_t got = scenario::read_some(from, file.string(), block.data(), block.size()))
+    sink(std::string_view(block).substr(0, got));
+}
+
+/// Files of one directory to another, as they are, and the reason beside them. @param names  the last one is the seal
+void replace_files(const fs::path& reference, const fs::path& candidate, std::vector<std::string_view> names,
+                   const std::string& reason) {
+  const Json history = history_in(reference / kNotes);
+  names.insert(names.begin(), kNotes);
+  FileSet files(reference, names);
+  files.add(kNotes, notes(history, reason));
+  for (const std::string_view name : names)
+    if (name != kNotes && is_there(candidate / name))
+      files.add(name, [&](const FileSet::Sink& sink) { copy(candidate / name, sink); });
+  files.commit();
+}
+
+/// A reference that does not agree with itself would never be met.
+void require_sound(const fs::path& candidate) {
+  CompareOptions options;
+  options.tolerances.profile = Profile::bitwise;
+  for (const PairReport& pair : compare_results(candidate, candidate, options).pairs) {
+    if (!pair.refusal.empty()) refuse_path(candidate, pair.refusal);
+    for (const CompareFinding& finding : pair.findings) refuse_path(pair.candidate, finding.text);
+    for (const QuantityVerdict& quantity : pair.quantities)
+      if (!quantity.passed) refuse_path(pair.candidate, fmt::format("{}: {}", quantity.name, quantity.reason));
+  }
+}
+
+std::string update_one(const fs::path& reference, const fs::path& candidate, const std::string& reason) {
+  const ComparandKind kind = kind_of(candidate);
+  if (kind == ComparandKind::store) {
+    std::error_code error;
+    const fs::path from = fs::is_directory(candidate, error) ? candidate : candidate.parent_path();
+    const fs::path to = is_there(reference) && !fs::is_directory(reference, error) ? reference.parent_path() : reference;
+    if (is_there(from / "study.sqlite-wal")) refuse_path(from, "its study is still being written; wait for its end");
+    replace_files(to, from, {"study.csv", "study.json", "study.svg", "study.sqlite"}, reason);
+    return to.string();
+  }
+  if (kind != ComparandKind::results)
+    refuse_path(candidate,
+                "cannot be a reference; give a directory that `earthtop run` has written, a study's, or one of several");
+  if (reference.extension() == ".json") {
+    write_file(reference, compact_reference(open_comparand(candidate, nullptr), history_in(reference), reason));
+    return reference.string();
+  }
+  replace_files(reference, candidate, {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"}, reason);
+  return reference.string();
+}
+
+}  // namespace
+}  // namespace compare
+
+std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
+                                          const std::string& reason) {
+  using namespace compare;
+  if (reason.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw ScenarioError("", "a new reference needs a reason; give one with --reason TEXT");
+  require_sound(candidate);
+  std::vector<std::string> written;
+  if (kind_of(candidate) != ComparandKind::collection) {
+    written.push_back(update_one(reference, candidate, reason));
+    return written;
+  }
+  if (is_there(reference) && kind_of(reference) != ComparandKind::collection)
+    refuse_path(reference, "is one reference, where the new results are several; give a directory");
+  for (const auto& [name, path] : members(candidate)) {
+    fs::path there = reference / name;
+    if (!is_there(there) && kind_of(path) == ComparandKind::results) there += ".json";
+    written.push_back(update_one(there, path, reason));
+  }
+  return written;
+}
+
+}  // namespace earthtop

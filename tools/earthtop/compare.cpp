@@ -1,0 +1,112 @@
+#include "earthtop/compare/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "compare_text.hpp"
+#include "earthtop/results/results.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct CompareArguments {
+  std::string reference, candidate;
+  std::string profile, tolerances, mapping, junit, svg, reason;
+  std::vector<std::string> may_change;
+  double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
+  bool may_lack_rows = false, update = false;
+  bool json = false, quiet = false, all = false;
+};
+
+CompareOptions options_of(const CompareArguments& arguments) {
+  CompareOptions options;
+  if (!arguments.tolerances.empty()) options.tolerances = read_tolerances(arguments.tolerances);
+  for (const Profile profile : {Profile::bitwise, Profile::regression, Profile::physics})
+    if (arguments.profile == to_string(profile)) options.tolerances.profile = profile;
+  if (arguments.steps_ratio > 0) options.tolerances.steps_ratio = arguments.steps_ratio;
+  if (arguments.seconds_ratio > 0) options.tolerances.seconds_ratio = arguments.seconds_ratio;
+  options.mapping = arguments.mapping;
+  options.may_change = arguments.may_change;
+  for (const std::string& pointer : options.may_change)
+    if (!pointer.starts_with('/'))
+      throw ScenarioError(
+          "", fmt::format("--allow-change {}: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it",
+                          printable(pointer)));
+  options.may_lack_rows = arguments.may_lack_rows;
+  options.with_curves = arguments.json || !arguments.svg.empty();
+  return options;
+}
+
+int update_verb(const CompareArguments& arguments) {
+  const std::vector<std::string> written = update_reference(arguments.reference, arguments.candidate, arguments.reason);
+  if (arguments.json)
+    print_json({{"written", written}, {"reason", arguments.reason}});
+  else if (!arguments.quiet)
+    for (const std::string& path : written) print(fmt::format("new reference: {}\n", printable(path)));
+  return kDone;
+}
+
+int compare_verb(const CompareArguments& arguments) {
+  if (arguments.update) return update_verb(arguments);
+  if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
+  const CompareReport report = compare_results(arguments.reference, arguments.candidate, options_of(arguments));
+  if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
+  if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));
+  if (arguments.json)
+    print(comparison_json(report));
+  else if (!arguments.quiet)
+    print(compare_text(report, arguments.all));
+  if (report.refused()) return kRefused;
+  return report.passed() ? kDone : kNegative;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CompareArguments& a = *arguments;
+  CLI::App* compare =
+      app.add_subcommand("compare", "what moved between two results, directories of results, studies or CSV files");
+  compare->add_option("REFERENCE", a.reference, "results, a compact reference, a study store, a CSV, or a directory of several")
+      ->required();
+  compare->add_option("NEW", a.candidate, "what is held against it")->required();
+  compare
+      ->add_option("--profile", a.profile,
+                   "regression (default): both error bounds and rounding; bitwise; physics: a thousandth "
+                   "of the Earth's effect")
+      ->check(CLI::IsMember({"bitwise", "regression", "physics"}))
+      ->type_name("NAME");
+  compare
+      ->add_option("--tolerances", a.tolerances, "a file with tolerances of single quantities (earthtop schema --tolerances)")
+      ->type_name("FILE");
+  compare
+      ->add_option("--mapping", a.mapping,
+                   "a file that says what another program's CSV columns are (earthtop schema --mapping)")
+      ->type_name("FILE");
+  compare->add_option("--allow-change", a.may_change, "a scenario key in which the two may differ, e.g. /numerics; / for all")
+      ->type_name("POINTER")
+      ->allow_extra_args(false);
+  compare->add_flag("--allow-missing", a.may_lack_rows, "rows, points and results that only the reference has are no fault");
+  compare->add_option("--max-steps-ratio", a.steps_ratio, "fail where steps or evaluations grow by more than this")
+      ->check(CLI::PositiveNumber)
+      ->type_name("R");
+  compare->add_option("--max-seconds-ratio", a.seconds_ratio, "fail where the wall time grows by more than this")
+      ->check(CLI::PositiveNumber)
+      ->type_name("R");
+  compare->add_option("--junit", a.junit, "write the verdicts as JUnit XML")->type_name("FILE");
+  compare->add_option("--svg", a.svg, "write a picture of the differences over time")->type_name("FILE");
+  CLI::Option* update = compare->add_flag("--update", a.update, "make NEW the reference; needs --reason");
+  compare->add_option("--reason", a.reason, "of --update: why, kept in the reference")->type_name("TEXT");
+  for (const char* name : {"--junit", "--svg", "--tolerances", "--profile", "--mapping"})
+    update->excludes(compare->get_option(name));
+  compare->add_flag("--all", a.all, "of many results list those that are the same, too");
+  compare->add_flag("--json", a.json, "print one JSON document, errors too");
+  compare->add_flag("--quiet", a.quiet, "print nothing but errors (and what --json asks for)");
+  compare->callback([&action, arguments] { action = [arguments] { return compare_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool

@@ -1,0 +1,111 @@
+#include "compare_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "earthtop/error.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+std::string_view verdict_word(const PairReport& pair) {
+  if (!pair.refusal.empty()) return "REFUSED";
+  return pair.passed() ? "same" : "DIFFERS";
+}
+
+std::string_view change_words(Change change) {
+  switch (change) {
+    case Change::none: return "none";
+    case Change::within_errors: return "within both errors";
+    case Change::above_errors: return "above both errors";
+    case Change::unknown: return "";
+  }
+  return "";
+}
+
+std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
+  const char* verdict = quantity.passed ? "ok" : "FAILED";
+  if (!quantity.reason.empty())
+    return fmt::format("  {:6}  {:<{}}  {}\n", verdict, quantity.name, width, printable(quantity.reason));
+  std::string line =
+      fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, quantity.name, width, quantity.largest,
+                  quantity.tolerance, fmt::format("{:.2g}", quantity.share), change_words(quantity.change), quantity.origin);
+  if (!quantity.where.empty() && quantity.largest > 0) line += "; largest at " + quantity.where;
+  if (!quantity.first_violation.empty())
+    line += fmt::format("; beyond it from {} on, {} times", quantity.first_violation, quantity.violations);
+  return line + '\n';
+}
+
+std::string pair_text(const PairReport& pair, bool everything) {
+  std::string text;
+  if (!pair.name.empty()) text += fmt::format("{}: {}\n", printable(pair.name), verdict_word(pair));
+  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", pair.refusal);
+  for (const CompareFinding& finding : pair.findings)
+    text += fmt::format("  FAILED  {}: {}\n", finding.kind, printable(finding.text));
+  std::size_t width = 8;
+  for (const QuantityVerdict& quantity : pair.quantities)
+    if (everything || !quantity.passed) width = std::max(width, quantity.name.size());
+  bool has_header = false;
+  for (const QuantityVerdict& quantity : pair.quantities) {
+    if (!everything && quantity.passed) continue;
+    if (!has_header)
+      text += fmt::format("          {:<{}}  {:>9}  {:>9}  {:>7}  {:<18}  {}\n", "quantity", width, "largest", "tolerance",
+                          "of it", "change", "tolerance from");
+    has_header = true;
+    text += quantity_line(quantity, width);
+  }
+  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", hint);
+  if (everything || !pair.passed())
+    for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", printable(note));
+  if (everything || !pair.passed())
+    for (const CostRatio& ratio : pair.cost) {
+      text += fmt::format("  {}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED", ratio.name,
+                          ratio.candidate, ratio.reference);
+      if (ratio.reference > 0) text += fmt::format(", {:.3g} times", ratio.candidate / ratio.reference);
+      text += ratio.limit ? fmt::format("; limit {} times\n", *ratio.limit) : "\n";
+    }
+  return text;
+}
+
+/// What the changes amount to.
+std::string_view summary_of_changes(const CompareReport& report) {
+  bool moved = false, above = false, unknown = false;
+  for (const PairReport& pair : report.pairs)
+    for (const QuantityVerdict& quantity : pair.quantities) {
+      moved = moved || quantity.change != Change::none;
+      above = above || quantity.change == Change::above_errors;
+      unknown = unknown || quantity.change == Change::unknown;
+    }
+  if (!moved) return "not a bit has changed";
+  if (above) return "something has changed by more than both error bounds";
+  return unknown ? "where error bounds are known, what has changed is within them"
+                 : "all that has changed is within both error bounds";
+}
+
+}  // namespace
+
+std::string compare_text(const CompareReport& report, bool everything) {
+  std::string text;
+  std::size_t same = 0, refused = 0, rows = 0;
+  for (const PairReport& pair : report.pairs) {
+    if (report.pairs.size() == 1 || everything || !pair.passed())
+      text += pair_text(pair, everything || report.pairs.size() == 1);
+    same += pair.passed() ? 1 : 0;
+    refused += pair.refusal.empty() ? 0 : 1;
+    rows += pair.rows;
+  }
+  const std::string_view profile = to_string(report.profile);
+  const std::string tolerances = report.tolerances_file.empty()
+                                     ? fmt::format("profile {}", profile)
+                                     : fmt::format("{} on profile {}", printable(report.tolerances_file), profile);
+  const std::string_view verdict = report.refused() ? "REFUSED" : report.passed() ? "same" : "DIFFERS";
+  text += fmt::format("{}: {} against {} ({}; {} rows compared", verdict, printable(report.candidate),
+                      printable(report.reference), tolerances, rows);
+  if (report.pairs.size() > 1)
+    text += fmt::format("; {} results: {} same, {} differ, {} refused", report.pairs.size(), same,
+                        report.pairs.size() - same - refused, refused);
+  return text + fmt::format(")\n{}\n", summary_of_changes(report));
+}
+
+}  // namespace earthtop::tool

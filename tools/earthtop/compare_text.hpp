@@ -1,0 +1,13 @@
+/// A comparison as text for a terminal.
+#pragma once
+
+#include <string>
+
+#include "earthtop/compare/compare.hpp"
+
+namespace earthtop::tool {
+
+/// @param everything  list the quantities that passed of many pairs, too
+std::string compare_text(const CompareReport& report, bool everything);
+
+}  // namespace earthtop::tool
