@@ -23,7 +23,6 @@ class KeptRows : public RowSource {
     row = (*rows_)[at_++];
     return true;
   }
-  std::string_view text(std::size_t) const override { return {}; }
   bool has_column(std::size_t column) const override { return columns_[column]; }
   std::string where() const override { return fmt::format("{}, row {}", file_, at_); }
 

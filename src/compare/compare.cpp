@@ -73,6 +73,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   context.until_s = trusted_until(reference, candidate);
   context.same_scenario = report.findings.empty() && reference.summary.is_object() && candidate.summary.is_object() &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
+  context.same_computation = context.same_scenario && !context.until_s;
   if (context.until_s && options.tolerances.profile != Profile::bitwise) report.until_s = context.until_s;
   RowsComparison rows = compare_rows(reference, candidate, context, options);
   report.rows = rows.rows;
@@ -85,7 +86,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   else if (reference.open_torques)
     report.findings.push_back({"missing file", "torques.csv is missing in the new result"});
   if (reference.summary.is_object() && candidate.summary.is_object())
-    for (QuantityVerdict& figure : compare_figures(reference, candidate, !context.until_s, options))
+    for (QuantityVerdict& figure : compare_figures(reference, candidate, context.same_computation, !context.until_s, options))
       report.quantities.push_back(std::move(figure));
   report.cost = compare_cost(reference, candidate, options.tolerances);
 }

@@ -196,8 +196,8 @@ std::optional<FigureKind> figure_kind(const std::string& path) {
   return row ? std::optional(row->kind) : std::nullopt;
 }
 
-std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate, bool whole_run,
-                                             const CompareOptions& options) {
+std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate, bool same_computation,
+                                             bool whole_run, const CompareOptions& options) {
   std::vector<QuantityVerdict> verdicts;
   Figures old_figures, new_figures;
   flatten(reference.summary, "", old_figures);
@@ -210,7 +210,7 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
   for (const auto& [path, value] : old_figures) {
     const FigureRow* row = row_of(path);
     if (!row || (row->of_whole_run && !whole_run && options.tolerances.profile != Profile::bitwise)) continue;
-    const auto rule = rule_of(path, row->kind, options.tolerances);
+    const auto rule = rule_of(path, row->kind, options.tolerances, same_computation);
     if (!rule || (row->kind == FigureKind::word && options.tolerances.profile == Profile::physics && path != "drift.verdict"))
       continue;
     const Json* now = find(new_figures, path);

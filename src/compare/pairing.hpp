@@ -15,21 +15,26 @@ class CountedRows : public RowSource {
   explicit CountedRows(RowSource& rows) : rows_(rows) {}
   bool next(Row& row) override {
     if (!rows_.next(row)) return false;
+    if (count_ > 1 && !gap_after_s_ && row.t_s - last_s_ > kGap * step_s_) gap_after_s_ = last_s_;
+    if (count_ > 0) step_s_ = row.t_s - last_s_;
     ++count_;
     last_s_ = row.t_s;
     return true;
   }
-  std::string_view text(std::size_t column) const override { return rows_.text(column); }
   bool has_column(std::size_t column) const override { return rows_.has_column(column); }
   std::string where() const override { return rows_.where(); }
   std::vector<std::string> other_columns() const override { return rows_.other_columns(); }
   std::uint64_t count() const { return count_; }
   double last_s() const { return last_s_; }
+  /// The first time after which a step is longer than the one before; none where there is no such time.
+  const std::optional<double>& gap_after_s() const { return gap_after_s_; }
 
  private:
+  static constexpr double kGap = 1.5;
   RowSource& rows_;
   std::uint64_t count_ = 0;
-  double last_s_ = 0;
+  double last_s_ = 0, step_s_ = 0;
+  std::optional<double> gap_after_s_;
 };
 
 enum class PairKind {

@@ -17,6 +17,7 @@ struct Row {
   double t_s = 0;
   std::array<double, kMostColumns> value{};  // NaN where there is no number
   std::array<CellKind, kMostColumns> kind{};
+  std::array<std::size_t, kMostColumns> more_digits{};  // a hash of the cell where a double does not hold all of it; else 0
 };
 
 enum class MeasureKind {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "earthtop/error.hpp"
 
@@ -20,6 +21,8 @@ void require_later(const CsvReader& reader, double t_s, double& last_s) {
   if (t_s <= last_s) refuse_at(reader, fmt::format("time {} s does not lie after that of the row before, {} s", t_s, last_s));
   if (std::isfinite(t_s)) last_s = t_s;
 }
+
+constexpr std::size_t kLongestDouble = 24;  // characters of the shortest text that reads back to the same bits
 
 class OwnRows : public RowSource {
  public:
@@ -48,12 +51,10 @@ class OwnRows : public RowSource {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       row.value[columns_[i]] = numbers[i + 1];
       row.kind[columns_[i]] = kinds[i + 1];
+      const std::string_view text = reader_.text(i + 1);
+      row.more_digits[columns_[i]] = text.size() > kLongestDouble ? std::hash<std::string_view>()(text) : 0;
     }
     return true;
-  }
-  std::string_view text(std::size_t column) const override {
-    const auto at = std::find(columns_.begin(), columns_.end(), column);
-    return at == columns_.end() ? std::string_view() : reader_.text(static_cast<std::size_t>(at - columns_.begin()) + 1);
   }
   bool has_column(std::size_t column) const override {
     return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
@@ -89,6 +90,7 @@ class MappedRows : public RowSource {
     if (mapping.quaternion) quaternion_ = add_all(*mapping.quaternion, "q_LB_w");
     if (mapping.rates) rates_ = add_all(*mapping.rates, "w_LB_B_x_rad_s");
     if (mapping.axis) axis_ = add_all(*mapping.axis, "axis_L_x");
+    if (quaternion_ && !axis_) axis_ = Group{0, *trajectory_table().find("axis_L_x"), 3};
     reader_.want(wanted_);
   }
 
@@ -99,10 +101,12 @@ class MappedRows : public RowSource {
     row.kind.fill(CellKind::empty);
     if (quaternion_) put_attitude(row);
     if (rates_) put_vector(row, *rates_, rates_in_body_axes(row));
-    if (axis_) put_vector(row, *axis_, R_LF_ * vector(*axis_));
+    if (axis_ && axis_->from > 0)
+      put_vector(row, *axis_, R_LF_ * vector(*axis_));
+    else if (axis_)
+      put_axis_of(row);
     return true;
   }
-  std::string_view text(std::size_t) const override { return {}; }
   bool has_column(std::size_t column) const override {
     const auto in = [&](const std::optional<Group>& group) {
       return group && column >= group->first && column < group->first + group->size;
@@ -112,7 +116,7 @@ class MappedRows : public RowSource {
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
 
  private:
-  /// Columns that belong together: where their numbers stand among those read, and where they go.
+  /// Columns that belong together: where their numbers stand among those read (0: nowhere, they are computed), and where they go.
   struct Group {
     std::size_t from, first, size;
   };
@@ -160,6 +164,15 @@ class MappedRows : public RowSource {
     if (!mapping_.body_to_world) q_FG = q_FG.conjugate();
     const Eigen::Quaterniond q_LB = Eigen::Quaterniond(R_LF_) * q_FG * Eigen::Quaterniond(R_BF_).conjugate();
     put(row, *quaternion_, std::array{q_LB.w(), q_LB.x(), q_LB.y(), q_LB.z()});
+  }
+  /// Body axis 3 as the attitude has it.
+  void put_axis_of(Row& row) const {
+    const double* q = row.value.data() + quaternion_->first;
+    const Eigen::Vector3d axis_L = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized() * Eigen::Vector3d::UnitZ();
+    for (std::size_t i = 0; i < 3; ++i) {
+      row.value[axis_->first + i] = axis_L[static_cast<Eigen::Index>(i)];
+      row.kind[axis_->first + i] = row.kind[quaternion_->first];
+    }
   }
   Eigen::Vector3d rates_in_body_axes(const Row& row) const {
     const Eigen::Vector3d given = mapping_.rate_unit_rad_s * vector(*rates_);

@@ -20,8 +20,6 @@ class RowSource {
   /// @returns false at the end. The time of a row is above that of the row before.
   /// @throws ScenarioError where the file breaks off, or holds what no row can be
   virtual bool next(Row& row) = 0;
-  /// A cell of the last row as it stands in the file; empty where there is no such text.
-  virtual std::string_view text(std::size_t column) const = 0;
   virtual bool has_column(std::size_t column) const = 0;
   virtual std::string where() const = 0;  ///< file and line of the last row
   /// What the file has beside the table's columns.

@@ -51,7 +51,7 @@ class CurveBuilder {
   std::size_t rows_a_span_ = 1, in_span_ = 0;
 };
 
-std::string at_time(double t_s) { return fmt::format("t = {} s", t_s); }
+std::string at_time(double t_s) { return fmt::format("t = {:.10g} s", t_s); }
 
 /// One measure, row after row.
 class Judge {
@@ -71,7 +71,7 @@ class Judge {
   void count_interpolation(double error) { verdict_.interpolation_error = error; }
 
   /// @param errors  sum of both error bounds; negative where they are not known
-  void judge(double t_s, double found, double errors, bool same_text) {
+  void judge(double t_s, double found, double errors, bool same_digits_too) {
     ++verdict_.compared;
     const double tolerance =
         std::max(fixed_, errors > 0 ? rule_.bounds * errors : 0) + verdict_.interpolation_error.value_or(0);
@@ -80,12 +80,12 @@ class Judge {
       verdict_.at_s = t_s;
       largest_errors_ = errors;
     }
-    const bool passed = found <= tolerance && same_text;
+    const bool passed = found <= tolerance && same_digits_too;
     const double share = tolerance > 0 ? found / tolerance : passed ? 0 : std::numeric_limits<double>::infinity();
     verdict_.share = std::max(verdict_.share, share);
     if (!passed && verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
-    if (!same_text && verdict_.reason.empty()) verdict_.reason = fmt::format("other digits at {}", at_time(t_s));
-    if (found > 0 || !same_text) {
+    if (!same_digits_too && verdict_.reason.empty()) verdict_.reason = fmt::format("other digits at {}", at_time(t_s));
+    if (found > 0 || !same_digits_too) {
       moved_ = true;
       above_ = above_ || (errors >= 0 && found > errors);
       known_ = known_ && errors >= 0;
@@ -174,7 +174,6 @@ class Comparison {
   void choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known);
   void judge(const Row& reference, const Row& candidate, bool between);
   void require_fine_rows(const Survey& known) const;
-  bool same_text(const Measure& measure) const;
 
   const Table& table_;
   const RowsContext& context_;
@@ -184,8 +183,6 @@ class Comparison {
   RowsComparison result_;
   double rate_ = 0;
   std::uint64_t not_finite_times_ = 0, untrusted_ = 0, other_signs_ = 0;
-  const RowSource* reference_text_ = nullptr;
-  const RowSource* candidate_text_ = nullptr;
 };
 
 void Comparison::choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known) {
@@ -203,7 +200,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
     const bool in_reference = reference.has(measure), in_candidate = candidate.has(measure);
     if (!in_reference && !in_candidate) continue;
     const double effect = measure.effect == "rates_rad_s" ? known.rate_effect_rad_s : largest_of(measure.effect);
-    const auto rule = rule_of(measure, options_.tolerances, effect);
+    const auto rule = rule_of(measure, options_.tolerances, context_.same_computation, effect);
     if (in_reference && in_candidate && rule) {
       judges_.emplace_back(measure, *rule, known.largest[i], effect, options_.with_curves);
       if (!known.interpolation_error.empty()) judges_.back().count_interpolation(known.interpolation_error[i]);
@@ -227,14 +224,10 @@ bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   return cosine < 0;
 }
 
-/// Whether both files have the same digits where doubles cannot tell them apart: of extended precision there are more.
-bool Comparison::same_text(const Measure& measure) const {
-  if (!reference_text_) return true;
-  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i) {
-    const std::string_view a = reference_text_->text(i), b = candidate_text_->text(i);
-    if (!a.empty() && !b.empty() && a != b) return false;
-  }
-  return true;
+/// Whether two rows have the same digits beyond those of a double, too: extended precision writes more.
+bool same_digits(const Measure& measure, const Row& a, const Row& b) {
+  const auto first = static_cast<std::ptrdiff_t>(measure.column), last = first + static_cast<std::ptrdiff_t>(measure.width());
+  return std::equal(a.more_digits.begin() + first, a.more_digits.begin() + last, b.more_digits.begin() + first);
 }
 
 void Comparison::judge(const Row& reference, const Row& candidate, bool between) {
@@ -254,7 +247,8 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
     } else if (a == Presence::whole && b == Presence::whole) {
       if (measure.kind == MeasureKind::attitude && have_other_signs(measure, reference, candidate)) ++other_signs_;
       judge.judge(t_s, difference(measure, reference, candidate),
-                  errors_of(measure, bounds_, context_, rate_, reference, candidate), between || same_text(measure));
+                  errors_of(measure, bounds_, context_, rate_, reference, candidate),
+                  options_.tolerances.profile != Profile::bitwise || same_digits(measure, reference, candidate));
     } else if (a != b) {
       judge.miss(t_s,
                  fmt::format("empty in the {} alone at {}", b == Presence::empty ? "new rows" : "reference", at_time(t_s)));
@@ -285,10 +279,6 @@ void Comparison::require_fine_rows(const Survey& known) const {
 
 bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known) {
   choose_measures(reference_rows, candidate_rows, known);
-  if (options_.tolerances.profile == Profile::bitwise) {
-    reference_text_ = &reference_rows;
-    candidate_text_ = &candidate_rows;
-  }
   const bool interpolates = !known.interpolation_error.empty();
   if (interpolates) require_fine_rows(known);
   Pairing pairing(reference_rows, candidate_rows, known, reference.has_some_rows_only);
@@ -351,14 +341,15 @@ RowsComparison Comparison::take() {
 }
 
 /// A summary that states other rows than there are belongs to another file, or the file broke off.
-void require_stated(const Comparand& comparand, const Table& table, std::uint64_t rows, double last_s) {
-  if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows) return;
-  throw ScenarioError(
-      std::vector<Diagnostic>{{0, 0, "",
-                               fmt::format("has {} rows, the last at t = {} s, where its summary states {}: truncated or "
-                                           "changed; run the scenario again",
-                                           rows, last_s, *comparand.stated_rows)}},
-      (comparand.path / table.file).string());
+void require_stated(const Comparand& comparand, const Table& table, const CountedRows& rows) {
+  const auto refuse = [&](std::string message) { refuse_path(comparand.path / table.file, std::move(message)); };
+  if (rows.count() == 0) refuse("has no rows; run the scenario again");
+  if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows.count()) return;
+  const auto& gap = rows.gap_after_s();
+  refuse(fmt::format(
+      "has {} rows where its summary states {}{}: truncated or changed; run the scenario again", rows.count(),
+      *comparand.stated_rows,
+      gap ? fmt::format(", and a gap after t = {:.10g} s", *gap) : fmt::format(", the last at t = {:.10g} s", rows.last_s())));
 }
 
 RowsComparison compare_tables(const Comparand& reference, const Comparand& candidate, const Table& table,
@@ -366,18 +357,16 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
                               const std::function<std::unique_ptr<RowSource>()>& open_candidate, const RowsContext& context,
                               const CompareOptions& options) {
   for (const bool interpolates : {false, true}) {
-    const Survey known = survey(*open_reference(), table, interpolates);
-    require_stated(reference, table, known.rows, known.last_s);
-    if (known.rows == 0)
-      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no rows; run the scenario again"}}, reference.path.string());
+    const auto surveyed = open_reference();
+    CountedRows surveyed_rows(*surveyed);
+    const Survey known = survey(surveyed_rows, table, interpolates);
+    require_stated(reference, table, surveyed_rows);
     Comparison comparison(table, context, options);
     const auto reference_rows = open_reference();
     const auto candidate_rows = open_candidate();
     CountedRows counted(*candidate_rows);
     if (!comparison.pass(reference, *reference_rows, counted, known)) continue;
-    require_stated(candidate, table, counted.count(), counted.last_s());
-    if (counted.count() == 0)
-      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no rows; run the scenario again"}}, candidate.path.string());
+    require_stated(candidate, table, counted);
     return comparison.take();
   }
   throw ScenarioError("", "rows at different times cannot be compared in this table; give both the same times");

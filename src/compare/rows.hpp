@@ -26,6 +26,7 @@ struct RowsContext {
   bool attitude_errors_known = false;
   std::optional<double> until_s;  ///< later rows are not judged
   bool same_scenario = false;     ///< the same times are expected
+  bool same_computation = false;  ///< and the same errors, too: nothing but rounding should differ
 };
 
 /// @throws ScenarioError for rows that break off or are not as many as a summary states, and where the times differ and the

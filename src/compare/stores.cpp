@@ -62,6 +62,7 @@ std::optional<std::size_t> find_path(const Study& study, std::string_view path) 
 std::vector<SharedQuantity> shared_quantities(const Store& reference, const Store& candidate, const CompareOptions& options,
                                               PairReport& report) {
   std::vector<SharedQuantity> shared;
+  const bool same_study = reference.sha256() == candidate.sha256();
   std::string not_compared;
   for (std::size_t i = 0; i < reference.study().quantities.size(); ++i) {
     const StudyQuantity& quantity = reference.study().quantities[i];
@@ -72,7 +73,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
     }
     const bool is_cost = quantity.path.starts_with("solution.") || quantity.path.starts_with("certificate.");
     const FigureKind kind = figure_kind(quantity.path).value_or(FigureKind::derived);
-    const auto rule = is_cost ? std::nullopt : rule_of(quantity.name, kind, options.tolerances);
+    const auto rule = is_cost ? std::nullopt : rule_of(quantity.name, kind, options.tolerances, same_study);
     if (!rule) {
       not_compared += (not_compared.empty() ? "" : ", ") + quantity.name;
       continue;
@@ -81,7 +82,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
     const auto bound = find_path(reference.study(), bound_path(kind)),
                new_bound = find_path(candidate.study(), bound_path(kind));
     if (bound && new_bound) one.bounds = {*bound, *new_bound};
-    const bool by_profile = !options.tolerances.rules.contains(quantity.name);
+    const bool by_profile = !same_study && !options.tolerances.rules.contains(quantity.name);
     if (!one.bounds && by_profile && one.rule.bounds > 0) one.rule.relative = std::max(one.rule.relative, kWithoutBounds);
     one.verdict.name = quantity.name;
     shared.push_back(std::move(one));

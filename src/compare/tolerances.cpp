@@ -23,60 +23,66 @@ constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 9;   // ten times as large
 constexpr double kTorque = 1e-9;          // of its largest value: the state's error, many times over
 constexpr double kDerived = 1e-6, kTime = 1e-3;
+// The same computation, rounded otherwise: of a quantity's size, and of the error bounds, which are larger where rounding has
+// more time to add up.
+constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
 
-Rule regression_rule(const Measure& measure) {
-  if (measure.name.ends_with("bound_rad") || measure.name == "residual_N_m") return {0, kOrderOfMagnitude, 0, 0, ""};
+bool is_error(const Measure& measure) { return measure.name.ends_with("bound_rad") || measure.name == "residual_N_m"; }
+
+std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
+  if (is_error(measure)) return same_computation ? std::optional(Rule{0, kOrderOfMagnitude, 0, 0, ""}) : std::nullopt;
+  if (measure.kind == MeasureKind::flag) return Rule{};
+  if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRounding, 0, kSameOfRateBounds, ""};
+  if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
   switch (measure.kind) {
-    case MeasureKind::flag: return {};
     case MeasureKind::attitude:
-    case MeasureKind::direction: return {kRoundingAngle, 0, 0, 1, ""};
-    case MeasureKind::vector: return {0, measure.bound == BoundKind::none ? kTorque : kRounding, 0, 1, ""};
-    case MeasureKind::number:
-    case MeasureKind::angle: return {0, kRounding, 0, 1, ""};
+    case MeasureKind::direction: return Rule{kRoundingAngle, 0, 0, 1, ""};
+    case MeasureKind::vector: return Rule{0, measure.bound == BoundKind::none ? kTorque : kRounding, 0, 1, ""};
+    default: return Rule{0, kRounding, 0, 1, ""};
   }
-  return {};
 }
 
 std::optional<Rule> physics_rule(const Measure& measure, double effect) {
-  if (measure.name.ends_with("bound_rad") || measure.name == "residual_N_m" || measure.kind == MeasureKind::flag)
-    return std::nullopt;
+  if (is_error(measure) || measure.kind == MeasureKind::flag) return std::nullopt;
   if (measure.effect.empty()) return Rule{0, kOfEffect, 0, 0, ""};
   if (effect > 0) return Rule{0, 0, kOfEffect, 1, ""};
   const bool is_angle = measure.kind != MeasureKind::vector;
   return Rule{is_angle ? kNoEffect : 0, is_angle ? 0 : kNoEffect, 0, 1, ""};
 }
 
-std::optional<Rule> profile_rule(FigureKind kind, Profile profile) {
-  if (profile == Profile::bitwise) return Rule{};
-  const bool regression = profile == Profile::regression;
+std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
+  if (kind == FigureKind::word) return Rule{};
+  if (kind == FigureKind::time) return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
+  if (kind == FigureKind::error) return same_computation ? std::optional(Rule{0, kOrderOfMagnitude, 0, 0, ""}) : std::nullopt;
+  if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
+  if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
+  if (kind == FigureKind::input) return Rule{0, kRounding, 0, 0, ""};
+  if (kind == FigureKind::derived) return Rule{0, kDerived, 0, 0, ""};
+  return Rule{kind == FigureKind::attitude ? kRoundingAngle : 0, kind == FigureKind::attitude ? 0 : kRounding, 0, 1, ""};
+}
+
+std::optional<Rule> physics_rule(FigureKind kind) {
   switch (kind) {
     case FigureKind::word: return Rule{};
     case FigureKind::drift_axis:
     case FigureKind::drift_azimuth:
     case FigureKind::azimuth_rate:
     case FigureKind::drift_attitude:
-    case FigureKind::ratio: return Rule{0, regression ? kRounding : kOfEffect, 0, 1, ""};
-    case FigureKind::attitude: return Rule{regression ? kRoundingAngle : 0, 0, regression ? 0 : kOfEffect, 1, ""};
-    case FigureKind::time: return Rule{0, regression ? kTime : 50 * kTime, 0, 0, ""};
-    default: break;
-  }
-  if (!regression) return std::nullopt;
-  switch (kind) {
-    case FigureKind::error: return Rule{0, kOrderOfMagnitude, 0, 0, ""};
-    case FigureKind::conserved: return Rule{0, 0, 0, 1, ""};
-    case FigureKind::input: return Rule{0, kRounding, 0, 0, ""};
-    default: return Rule{0, kDerived, 0, 0, ""};
+    case FigureKind::ratio: return Rule{0, kOfEffect, 0, 1, ""};
+    case FigureKind::attitude: return Rule{0, 0, kOfEffect, 1, ""};
+    case FigureKind::time: return Rule{0, 50 * kTime, 0, 0, ""};
+    default: return std::nullopt;
   }
 }
 
-/// The rule with what a file says of this quantity.
-Rule changed(Rule rule, const std::string& name, const Tolerances& tolerances) {
-  rule.source = fmt::format("profile {}", to_string(tolerances.profile));
+/// The rule with what a file says of this quantity. A part that the file does not name is none of the tolerance: else nobody
+/// could ask for less than the profile.
+std::optional<Rule> changed(std::optional<Rule> rule, const std::string& name, const Tolerances& tolerances) {
   const auto given = tolerances.rules.find(name);
-  if (given == tolerances.rules.end()) return rule;
-  // A part that the file does not name is none of the tolerance: else nobody could ask for less than the profile.
-  rule = {given->second.absolute.value_or(0), given->second.relative.value_or(0), 0, given->second.bounds.value_or(0),
-          tolerances.file};
+  if (given != tolerances.rules.end())
+    return Rule{given->second.absolute.value_or(0), given->second.relative.value_or(0), 0, given->second.bounds.value_or(0),
+                tolerances.file};
+  if (rule) rule->source = fmt::format("profile {}", to_string(tolerances.profile));
   return rule;
 }
 
@@ -141,19 +147,18 @@ Tolerance tolerance_of(const Rule& rule, double scale, double effect, double err
   return {value, fmt::format("{} ({})", part, rule.source)};
 }
 
-std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, double effect) {
+std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, bool same_computation, double effect) {
   std::optional<Rule> rule = Rule{};
-  if (tolerances.profile == Profile::regression) rule = regression_rule(measure);
+  if (tolerances.profile == Profile::regression) rule = regression_rule(measure, same_computation);
   if (tolerances.profile == Profile::physics) rule = physics_rule(measure, effect);
-  const std::string name(measure.name);
-  if (!rule && !tolerances.rules.contains(name)) return std::nullopt;
-  return changed(rule.value_or(Rule{}), name, tolerances);
+  return changed(rule, std::string(measure.name), tolerances);
 }
 
-std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances) {
-  const auto rule = profile_rule(kind, tolerances.profile);
-  if (!rule && !tolerances.rules.contains(name)) return std::nullopt;
-  return changed(rule.value_or(Rule{}), name, tolerances);
+std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances, bool same_computation) {
+  std::optional<Rule> rule = Rule{};
+  if (tolerances.profile == Profile::regression) rule = regression_rule(kind, same_computation);
+  if (tolerances.profile == Profile::physics) rule = physics_rule(kind);
+  return changed(rule, name, tolerances);
 }
 
 }  // namespace compare

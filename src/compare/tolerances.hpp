@@ -28,8 +28,10 @@ double fixed_part(const Rule& rule, double scale, double effect);
 /// Everything together, in words.
 Tolerance tolerance_of(const Rule& rule, double scale, double effect, double errors);
 
+/// @param same_computation  the same scenario, numerics included, and a motion that does not magnify rounding: then both have
+/// the same errors, and nothing but rounding should differ
 /// @returns none where the profile does not compare it
-std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, double effect);
+std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, bool same_computation, double effect);
 
 /// What a figure of summary.json is, which says how much of it may change.
 enum class FigureKind {
@@ -46,6 +48,6 @@ enum class FigureKind {
   derived,         ///< of several numbers, to some digits
   time             ///< of an event, or of a growth
 };
-std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances);
+std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances, bool same_computation);
 
 }  // namespace earthtop::compare

@@ -24,13 +24,16 @@ std::string_view change_words(Change change) {
   return "";
 }
 
+/// Where a tolerance comes from, but for the profile, which the last line names.
+std::string short_origin(const std::string& origin) { return origin.substr(0, origin.find(" (profile ")); }
+
 std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
   const char* verdict = quantity.passed ? "ok" : "FAILED";
   if (!quantity.reason.empty())
     return fmt::format("  {:6}  {:<{}}  {}\n", verdict, quantity.name, width, printable(quantity.reason));
-  std::string line =
-      fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, quantity.name, width, quantity.largest,
-                  quantity.tolerance, fmt::format("{:.2g}", quantity.share), change_words(quantity.change), quantity.origin);
+  std::string line = fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, quantity.name, width,
+                                 quantity.largest, quantity.tolerance, fmt::format("{:.2g}", quantity.share),
+                                 change_words(quantity.change), short_origin(quantity.origin));
   if (!quantity.where.empty() && quantity.largest > 0) line += "; largest at " + quantity.where;
   if (!quantity.first_violation.empty())
     line += fmt::format("; beyond it from {} on, {} times", quantity.first_violation, quantity.violations);
@@ -77,7 +80,7 @@ std::string_view summary_of_changes(const CompareReport& report) {
       above = above || quantity.change == Change::above_errors;
       unknown = unknown || quantity.change == Change::unknown;
     }
-  if (!moved) return "not a bit has changed";
+  if (!moved) return report.passed() ? "not a bit has changed" : "what both have has not changed by a bit";
   if (above) return "something has changed by more than both error bounds";
   return unknown ? "where error bounds are known, what has changed is within them"
                  : "all that has changed is within both error bounds";
