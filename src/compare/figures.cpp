@@ -21,8 +21,8 @@ constexpr FigureRow kFigures[] = {
     {"outcome.status", FigureKind::word, false},
     {"outcome.reached_s", FigureKind::input, false},
     {"drift.verdict", FigureKind::word, false},
-    {"drift.verdict_from_s", FigureKind::time, false},
-    {"drift.reliable.until_s", FigureKind::time, false},
+    {"drift.verdict_from_s", FigureKind::error, false},  // hangs on the size of the errors
+    {"drift.reliable.until_s", FigureKind::error, false},
     {"drift.reliable.*", FigureKind::word, true},  // the same rows are compared as rows; skipped below
     {"drift.axis_final_over_earth_angle", FigureKind::ratio, true},
     {"drift.axis_final_rad", FigureKind::drift_axis, true},
@@ -40,6 +40,7 @@ constexpr FigureRow kFigures[] = {
     {"drift.threshold_rad", FigureKind::input, false},
     {"drift.threshold_time_s", FigureKind::time, false},
     {"motion.*.*", FigureKind::attitude, true},
+    {"growth_of_disturbances.round_off_grown_s", FigureKind::error, false},
     {"growth_of_disturbances.*", FigureKind::time, false},
     {"stops.*.prediction", FigureKind::word, false},
     {"stops.*.t_s", FigureKind::time, false},
