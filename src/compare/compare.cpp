@@ -12,6 +12,7 @@
 #include "compare/scenario_changes.hpp"
 #include "compare/stores.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -56,6 +57,13 @@ void append(RowsComparison&& rows, PairReport& report) {
   report.notes.insert(report.notes.end(), rows.notes.begin(), rows.notes.end());
 }
 
+/// The fastest rate of the scene's motion; 0 where it is not known.
+double natural_rate(const Comparand& side) {
+  if (!side.summary.is_object() || !side.summary.contains("scenario")) return 0;
+  const ScenarioReport report = examine_scenario({"", side.summary.at("scenario").dump(), false});
+  return report.scenario ? fastest_rate_rad_s(*report.scenario) : 0;
+}
+
 /// Sum of both sides' error bounds on the attitudes, where both are known.
 void find_attitude_errors(const Comparand& reference, const Comparand& candidate, RowsContext& context) {
   context.attitude_errors_known = true;
@@ -70,6 +78,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   compare_scenarios(reference, candidate, options, report);
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
+  context.natural_rate_rad_s = std::max(natural_rate(reference), natural_rate(candidate));
   context.until_s = trusted_until(reference, candidate);
   context.same_scenario = report.findings.empty() && reference.summary.is_object() && candidate.summary.is_object() &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
@@ -85,9 +94,14 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     append(compare_torques(reference, candidate, context, options), report);
   else if (reference.open_torques)
     report.findings.push_back({"missing file", "torques.csv is missing in the new result"});
-  if (reference.summary.is_object() && candidate.summary.is_object())
-    for (QuantityVerdict& figure : compare_figures(reference, candidate, context.same_computation, !context.until_s, options))
+  if (reference.summary.is_object() && candidate.summary.is_object()) {
+    const Json::json_pointer motion("/scenario/motion");
+    const bool same_rows = reference.summary.value(motion, Json()) == candidate.summary.value(motion, Json());
+    for (QuantityVerdict& figure :
+         compare_figures(reference, candidate, {context.same_computation, !context.until_s, same_rows}, options))
       report.quantities.push_back(std::move(figure));
+    if (!same_rows) report.notes.emplace_back("not compared: largest values and means of the rows, which are others now");
+  }
   report.cost = compare_cost(reference, candidate, options.tolerances);
 }
 

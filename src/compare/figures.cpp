@@ -11,52 +11,61 @@
 namespace earthtop::compare {
 namespace {
 
+/// What a figure hangs on.
+enum class Scope {
+  any,
+  end,  ///< the end of the run, and what led there
+  rows  ///< all rows: which ones there are decides a maximum or a mean
+};
+
 /// Which figures are compared, and as what: the first line that fits. A star stands for one step of the path.
 struct FigureRow {
   std::string_view path;
   FigureKind kind;
-  bool of_whole_run;  ///< means nothing where the end of the run is not trusted
+  Scope scope;
 };
 constexpr FigureRow kFigures[] = {
-    {"outcome.status", FigureKind::word, false},
-    {"outcome.reached_s", FigureKind::input, false},
-    {"drift.verdict", FigureKind::word, false},
-    {"drift.verdict_from_s", FigureKind::error, false},  // hangs on the size of the errors
-    {"drift.reliable.until_s", FigureKind::error, false},
-    {"drift.reliable.*", FigureKind::word, true},  // the same rows are compared as rows; skipped below
-    {"drift.axis_final_over_earth_angle", FigureKind::ratio, true},
-    {"drift.axis_final_rad", FigureKind::drift_axis, true},
-    {"drift.axis_max_rad", FigureKind::drift_axis, true},
-    {"drift.tilt_final_rad", FigureKind::drift_axis, true},
-    {"drift.tilt_max_rad", FigureKind::drift_axis, true},
-    {"drift.azimuth_final_rad", FigureKind::drift_azimuth, true},
-    {"drift.azimuth_max_rad", FigureKind::drift_azimuth, true},
-    {"drift.oscillation.azimuth_rad", FigureKind::drift_azimuth, true},
-    {"drift.secular.*", FigureKind::azimuth_rate, true},
-    {"drift.attitude_final_rad", FigureKind::drift_attitude, true},
-    {"drift.spin_final_rad", FigureKind::drift_attitude, true},
-    {"drift.axis_bound_rad", FigureKind::error, true},
-    {"drift.attitude_bound_rad", FigureKind::error, true},
-    {"drift.threshold_rad", FigureKind::input, false},
-    {"drift.threshold_time_s", FigureKind::time, false},
-    {"motion.*.*", FigureKind::attitude, true},
-    {"growth_of_disturbances.round_off_grown_s", FigureKind::error, false},
-    {"growth_of_disturbances.*", FigureKind::time, false},
-    {"stops.*.prediction", FigureKind::word, false},
-    {"stops.*.t_s", FigureKind::time, false},
-    {"attitude_bound_rad", FigureKind::error, true},
-    {"invariants.*.largest_change", FigureKind::conserved, true},
-    {"invariants.*.initial", FigureKind::input, false},
-    {"invariants.*.scale", FigureKind::derived, true},
-    {"theory.*.predicted", FigureKind::input, false},
-    {"theory.*.computed", FigureKind::derived, true},
-    {"ledger.observer", FigureKind::word, false},
-    {"ledger.residual*", FigureKind::error, true},
-    {"ledger.*", FigureKind::derived, true},
-    {"effects.modelled.*", FigureKind::word, false},
-    {"sensitivities.inputs.*.*", FigureKind::derived, true},
-    {"uncertainty.largest_from", FigureKind::word, true},
-    {"uncertainty.*", FigureKind::derived, true},
+    {"outcome.status", FigureKind::word, Scope::any},
+    {"outcome.reached_s", FigureKind::input, Scope::any},
+    {"drift.verdict", FigureKind::word, Scope::any},
+    {"drift.verdict_from_s", FigureKind::error, Scope::any},  // hangs on the size of the errors
+    {"drift.reliable.until_s", FigureKind::error, Scope::any},
+    {"drift.reliable.*", FigureKind::word, Scope::end},  // the same rows are compared as rows; skipped below
+    {"drift.axis_final_over_earth_angle", FigureKind::ratio, Scope::end},
+    {"drift.axis_final_rad", FigureKind::drift_axis, Scope::end},
+    {"drift.axis_max_rad", FigureKind::drift_axis, Scope::rows},
+    {"drift.tilt_final_rad", FigureKind::drift_axis, Scope::end},
+    {"drift.tilt_max_rad", FigureKind::drift_axis, Scope::rows},
+    {"drift.azimuth_final_rad", FigureKind::drift_azimuth, Scope::end},
+    {"drift.azimuth_max_rad", FigureKind::drift_azimuth, Scope::rows},
+    {"drift.oscillation.azimuth_rad", FigureKind::drift_azimuth, Scope::rows},
+    {"drift.secular.*", FigureKind::azimuth_rate, Scope::rows},
+    {"drift.attitude_final_rad", FigureKind::drift_attitude, Scope::end},
+    {"drift.spin_final_rad", FigureKind::drift_attitude, Scope::end},
+    {"drift.axis_bound_rad", FigureKind::error, Scope::rows},
+    {"drift.attitude_bound_rad", FigureKind::error, Scope::rows},
+    {"drift.threshold_rad", FigureKind::input, Scope::any},
+    {"drift.threshold_time_s", FigureKind::time, Scope::any},
+    {"motion.axis_mean_L.*", FigureKind::attitude, Scope::rows},
+    {"motion.reference_axis_mean_L.*", FigureKind::attitude, Scope::rows},
+    {"motion.*.*", FigureKind::attitude, Scope::end},
+    {"growth_of_disturbances.round_off_grown_s", FigureKind::error, Scope::any},
+    {"growth_of_disturbances.*", FigureKind::time, Scope::any},
+    {"stops.*.prediction", FigureKind::word, Scope::any},
+    {"stops.*.t_s", FigureKind::time, Scope::any},
+    {"attitude_bound_rad", FigureKind::error, Scope::rows},
+    {"invariants.*.largest_change", FigureKind::conserved, Scope::rows},
+    {"invariants.*.initial", FigureKind::input, Scope::any},
+    {"invariants.*.scale", FigureKind::derived, Scope::rows},
+    {"theory.*.predicted", FigureKind::input, Scope::any},
+    {"theory.*.computed", FigureKind::derived, Scope::rows},
+    {"ledger.observer", FigureKind::word, Scope::any},
+    {"ledger.residual*", FigureKind::error, Scope::rows},
+    {"ledger.*", FigureKind::derived, Scope::rows},
+    {"effects.modelled.*", FigureKind::word, Scope::any},
+    {"sensitivities.inputs.*.*", FigureKind::derived, Scope::end},
+    {"uncertainty.largest_from", FigureKind::word, Scope::end},
+    {"uncertainty.*", FigureKind::derived, Scope::end},
 };
 
 bool fits(std::string_view path, std::string_view pattern) {
@@ -114,7 +123,9 @@ class FigureErrors {
   double axis_drift_rad() const { return axis_drift_rad_; }
 
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
-    const double steeper = axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1;
+    // An error of the axis is one of its azimuth over the sine of the tilt, which no summary states: the largest azimuth drift
+    // over that of the axis stands for it, and a factor for the rows that are nearer to the vertical.
+    const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
     switch (kind) {
       case FigureKind::drift_axis: return axis_;
       case FigureKind::drift_azimuth: return axis_ ? std::optional(*axis_ * steeper) : std::nullopt;
@@ -131,6 +142,7 @@ class FigureErrors {
   }
 
  private:
+  static constexpr double kNearVertical = 10;
   static constexpr double kRounding = 1e-12;  // thousands of steps, some roundings each
 
   /// Of the invariant that the path leads to.
@@ -197,8 +209,8 @@ std::optional<FigureKind> figure_kind(const std::string& path) {
   return row ? std::optional(row->kind) : std::nullopt;
 }
 
-std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate, bool same_computation,
-                                             bool whole_run, const CompareOptions& options) {
+std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,
+                                             const FigureContext& context, const CompareOptions& options) {
   std::vector<QuantityVerdict> verdicts;
   Figures old_figures, new_figures;
   flatten(reference.summary, "", old_figures);
@@ -210,8 +222,10 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
   };
   for (const auto& [path, value] : old_figures) {
     const FigureRow* row = row_of(path);
-    if (!row || (row->of_whole_run && !whole_run && options.tolerances.profile != Profile::bitwise)) continue;
-    const auto rule = rule_of(path, row->kind, options.tolerances, same_computation);
+    if (!row) continue;
+    const bool end_known = context.whole_run || options.tolerances.profile == Profile::bitwise;
+    if ((row->scope != Scope::any && !end_known) || (row->scope == Scope::rows && !context.same_rows)) continue;
+    const auto rule = rule_of(path, row->kind, options.tolerances, context.same_computation);
     if (!rule || (row->kind == FigureKind::word && options.tolerances.profile == Profile::physics && path != "drift.verdict"))
       continue;
     const Json* now = find(new_figures, path);

@@ -10,9 +10,14 @@ namespace earthtop::compare {
 /// What a dotted path of summary.json leads to; none for what is not compared (how it was computed, words about it).
 std::optional<FigureKind> figure_kind(const std::string& path);
 
-/// @param same_computation  as of `rule_of`   @param whole_run  false where a verdict trusts one of the runs up to some time
-/// only: figures of its end are left out
-std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate, bool same_computation,
-                                             bool whole_run, const CompareOptions& options);
+/// What is known of two runs beside their figures.
+struct FigureContext {
+  bool same_computation = false;  ///< as of `rule_of`
+  bool whole_run = true;          ///< both verdicts trust them to the end; else figures of the end are left out
+  bool same_rows = true;          ///< else largest values and means of the rows are left out
+};
+
+std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,
+                                             const FigureContext& context, const CompareOptions& options);
 
 }  // namespace earthtop::compare

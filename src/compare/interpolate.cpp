@@ -7,12 +7,19 @@
 namespace earthtop::compare {
 namespace {
 
-/// Slope at b of the parabola through three points; of the line where two are one.
+/// Slope at b of the parabola through b and two others.
 double slope(const Row& a, const Row& b, const Row& c, std::size_t i) {
-  const double before = b.t_s - a.t_s, after = c.t_s - b.t_s;
-  if (before == 0) return (c.value[i] - b.value[i]) / after;
-  if (after == 0) return (b.value[i] - a.value[i]) / before;
-  return ((b.value[i] - a.value[i]) / before * after + (c.value[i] - b.value[i]) / after * before) / (before + after);
+  const double to_a = a.t_s - b.t_s, to_c = c.t_s - b.t_s;
+  const double secant_a = (a.value[i] - b.value[i]) / to_a, secant_c = (c.value[i] - b.value[i]) / to_c;
+  return (secant_a * to_c - secant_c * to_a) / (to_c - to_a);
+}
+
+/// At an end of a span whose outer neighbour may be missing (then it is the end itself): through the inner two rows and the one
+/// behind them; where that is missing too, of the straight line.
+double slope_at_end(const Row& outer, const Row& end, const Row& other, const Row& behind, std::size_t i) {
+  if (outer.t_s != end.t_s) return slope(outer, end, other, i);
+  if (behind.t_s != other.t_s) return slope(other, end, behind, i);
+  return (other.value[i] - end.value[i]) / (other.t_s - end.t_s);
 }
 
 double hermite(const Row& a, const Row& b, std::size_t i, double slope_a, double slope_b, double t_s) {
@@ -94,7 +101,7 @@ Row interpolate(const std::array<const Row*, 4>& rows, double t_s) {
     if (between.kind[i] != CellKind::number) continue;
     const Row& left = before.kind[i] == CellKind::number ? before : a;
     const Row& right = after.kind[i] == CellKind::number ? after : b;
-    between.value[i] = hermite(a, b, i, slope(left, a, b, i), slope(a, b, right, i), t_s);
+    between.value[i] = hermite(a, b, i, slope_at_end(left, a, b, right, i), slope_at_end(right, b, a, left, i), t_s);
   }
   for (const Motion& motion : {kRotating, kReference}) interpolate_motion(a, b, motion, t_s, between);
   const std::size_t reliable = *table.find("drift_reliable");

@@ -36,7 +36,7 @@ enum class BoundKind {
   drift_azimuth,   ///< the same, over the sine of the tilt
   drift_attitude,  ///< drift_attitude_bound_rad of the row
   attitude,        ///< attitude_bound_rad of the summary
-  rates            ///< the same, times the largest rate
+  rates            ///< the same, times the motion's fastest rate
 };
 
 struct Measure {

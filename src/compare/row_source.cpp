@@ -116,7 +116,8 @@ class MappedRows : public RowSource {
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
 
  private:
-  /// Columns that belong together: where their numbers stand among those read (0: nowhere, they are computed), and where they go.
+  /// Columns that belong together: where their numbers stand among those read (0: nowhere, they are computed), and where they
+  /// go.
   struct Group {
     std::size_t from, first, size;
   };

@@ -186,7 +186,7 @@ class Comparison {
 };
 
 void Comparison::choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known) {
-  rate_ = known.largest_rate_rad_s;
+  rate_ = std::max(known.largest_rate_rad_s, context_.natural_rate_rad_s);
   const auto largest_of = [&](std::string_view name) {
     for (std::size_t i = 0; i < table_.measures.size(); ++i)
       if (table_.measures[i].name == name) return known.largest[i];
@@ -265,7 +265,7 @@ void Comparison::require_fine_rows(const Survey& known) const {
                         "motion.output_step_s, or allow more (--tolerances)",
                         why));
   };
-  const double turn = rate_ * known.largest_step_s;
+  const double turn = known.largest_rate_rad_s * known.largest_step_s;
   if (turn > kMostTurnBetweenRows) refuse(fmt::format("the body turns by {:.3g} rad from row to row", turn));
   for (std::size_t i = 0; i < table_.measures.size(); ++i)
     for (const Judge& judge : judges_) {

@@ -22,6 +22,37 @@ double rate_effect(const Measure& rates, const Measure& reference_rates, const R
   return std::sqrt(sum);
 }
 
+/// How well rows that are left out follow from those around them.
+class LeaveOneOut {
+ public:
+  LeaveOneOut(const Table& table, std::vector<double>& errors) : table_(table), errors_(errors) {}
+  void add(const Row& row) {
+    last_.push_back(row);
+    if (++rows_ == 5) judge({0, 0, 2, 4}, 1);  // the first span has no row before it
+    if (last_.size() < 7) return;
+    judge({0, 2, 4, 6}, 3);
+    last_.pop_front();
+  }
+  void finish() {
+    if (const std::size_t n = last_.size(); n >= 5) judge({n - 5, n - 3, n - 1, n - 1}, n - 2);
+  }
+
+ private:
+  void judge(const std::array<std::size_t, 4>& around, std::size_t left_out) {
+    const Row between =
+        interpolate({&last_[around[0]], &last_[around[1]], &last_[around[2]], &last_[around[3]]}, last_[left_out].t_s);
+    for (std::size_t i = 0; i < table_.measures.size(); ++i) {
+      const Measure& measure = table_.measures[i];
+      if (presence(measure, last_[left_out]) == Presence::whole && presence(measure, between) == Presence::whole)
+        errors_[i] = std::max(errors_[i], difference(measure, last_[left_out], between));
+    }
+  }
+  const Table& table_;
+  std::vector<double>& errors_;
+  std::deque<Row> last_;
+  std::uint64_t rows_ = 0;
+};
+
 }  // namespace
 
 Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
@@ -30,8 +61,7 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
   found.interpolation_error.assign(with_interpolation ? table.measures.size() : 0, 0);
   const Measure* rates = find_measure(table, "rates_rad_s");
   const Measure* reference_rates = find_measure(table, "ref_rates_rad_s");
-  constexpr std::size_t kLeaveOut = 7;  // of rows 0 to 6, row 3 as 0, 2, 4 and 6 give it
-  std::deque<Row> last;
+  LeaveOneOut left_out(table, found.interpolation_error);
   Row row;
   while (rows.next(row)) {
     if (!std::isfinite(row.t_s)) continue;
@@ -49,17 +79,9 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
         found.largest[i] = std::max(found.largest[i], size(table.measures[i], row));
     if (rates && reference_rates)
       found.rate_effect_rad_s = std::max(found.rate_effect_rad_s, rate_effect(*rates, *reference_rates, row));
-    if (!with_interpolation) continue;
-    last.push_back(row);
-    if (last.size() < kLeaveOut) continue;
-    const Row between = interpolate({&last[0], &last[2], &last[4], &last[6]}, last[3].t_s);
-    for (std::size_t i = 0; i < table.measures.size(); ++i) {
-      const Measure& measure = table.measures[i];
-      if (presence(measure, last[3]) == Presence::whole && presence(measure, between) == Presence::whole)
-        found.interpolation_error[i] = std::max(found.interpolation_error[i], difference(measure, last[3], between));
-    }
-    last.pop_front();
+    if (with_interpolation) left_out.add(row);
   }
+  if (with_interpolation) left_out.finish();
   for (std::size_t i = 0; i < table.measures.size(); ++i)
     if (&table.measures[i] == rates || &table.measures[i] == reference_rates)
       found.largest_rate_rad_s = std::max(found.largest_rate_rad_s, found.largest[i]);

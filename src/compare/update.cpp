@@ -98,8 +98,8 @@ std::vector<std::string> update_reference(const std::filesystem::path& reference
     written.push_back(update_one(reference, candidate, reason));
     return written;
   }
-  const bool holds_many = std::filesystem::is_directory(reference) && !is_there(reference / "summary.json") &&
-                          !is_there(study_store(reference));
+  const bool holds_many =
+      std::filesystem::is_directory(reference) && !is_there(reference / "summary.json") && !is_there(study_store(reference));
   if (is_there(reference) && !holds_many)
     refuse_path(reference, "is one reference, where the new results are several; give a directory");
   for (const auto& [name, path] : members(candidate)) {

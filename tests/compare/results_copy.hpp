@@ -1,0 +1,103 @@
+/// Results of a short run, and copies of them with something changed.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "earthtop/results/results.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace earthtop::testing {
+
+namespace fs = std::filesystem;
+
+inline std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+inline void write_text(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+/// A CSV file as cells.
+struct Csv {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  static std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> cells(1);
+    for (const char c : line)
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    return cells;
+  }
+  explicit Csv(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    header = cells(line);
+    while (std::getline(stream, line)) rows.push_back(cells(line));
+  }
+  std::string text() const {
+    std::ostringstream out;
+    const auto put = [&](const std::vector<std::string>& line) {
+      for (std::size_t i = 0; i < line.size(); ++i) out << (i ? "," : "") << line[i];
+      out << '\n';
+    };
+    put(header);
+    for (const auto& row : rows) put(row);
+    return out.str();
+  }
+  std::size_t column(const std::string& name) const {
+    for (std::size_t i = 0; i < header.size(); ++i)
+      if (header[i] == name) return i;
+    throw std::runtime_error("no column " + name);
+  }
+  double get(std::size_t row, const std::string& name) const { return std::stod(rows[row][column(name)]); }
+  void set(std::size_t row, const std::string& name, double value) {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    rows[row][column(name)] = text.str();
+  }
+};
+
+/// A toy top for six seconds, 61 rows, run once for all tests of a process.
+class ShortRun {
+ public:
+  static const ShortRun& get() {
+    static const ShortRun run;
+    return run;
+  }
+  fs::path path() const { return directory_.path() / "reference"; }
+
+ private:
+  ShortRun() {
+    const Scenario scenario =
+        parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json"), {{"/motion/duration_s", "6"}});
+    write_results(run(scenario), path(), false);
+  }
+  TemporaryDirectory directory_;
+};
+
+/// A copy of the short run's results, changed.
+class ChangedCopy {
+ public:
+  explicit ChangedCopy(const std::function<void(Csv&)>& change) : ChangedCopy() {
+    Csv csv(path() / "trajectory.csv");
+    change(csv);
+    write_text(path() / "trajectory.csv", csv.text());
+  }
+  ChangedCopy() { fs::copy(ShortRun::get().path(), path()); }
+  fs::path path() const { return directory_.path() / "new"; }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+}  // namespace earthtop::testing
