@@ -1,6 +1,7 @@
-/// Results of a short run, and copies of them with something changed.
+/// Results of a short run, copies of them with something changed, and how they are compared.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "earthtop/compare/compare.hpp"
 #include "earthtop/results/results.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -99,5 +101,33 @@ class ChangedCopy {
  private:
   TemporaryDirectory directory_;
 };
+
+/// A row in the middle of the short run, t = 3 s.
+constexpr std::size_t kSome = 30;
+
+inline CompareOptions with_profile(Profile profile) {
+  CompareOptions options;
+  options.tolerances.profile = profile;
+  return options;
+}
+
+/// The short run as the reference of a candidate.
+inline PairReport compared(const fs::path& candidate, const CompareOptions& options = {}) {
+  return compare_results(ShortRun::get().path(), candidate, options).pairs.at(0);
+}
+
+inline const QuantityVerdict& quantity(const PairReport& pair, const std::string& name) {
+  for (const QuantityVerdict& verdict : pair.quantities)
+    if (verdict.name == name) return verdict;
+  throw std::runtime_error("no quantity " + name);
+}
+
+inline bool has_finding(const PairReport& pair, const std::string& kind) {
+  return std::any_of(pair.findings.begin(), pair.findings.end(), [&](const CompareFinding& f) { return f.kind == kind; });
+}
+
+inline bool mentions(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return text.find(part) != text.npos; });
+}
 
 }  // namespace earthtop::testing

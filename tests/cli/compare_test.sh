@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# earthtop compare as its users call it, and the project's own regression suite: every shipped scenario, as it is run by
+# default, against references of another method in extended precision.
+#   tests/cli/compare_test.sh PATH-TO-EARTHTOP
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/expect.sh"
+scenarios=$here/../../scenarios
+references=$here/../data/references
+
+for file in "$scenarios"/*.json; do
+  expect 0 run "$file" --out "runs/$(basename "$file" .json)" --quiet
+done
+expect 0 compare "$references" runs --allow-change /numerics --junit regression.xml --json
+on_stdout '"verdict": "same"'
+grep -q '<testsuites name="earthtop compare" tests="[0-9]*" failures="0" errors="0">' regression.xml || fault "not all passed in regression.xml"
+[ "$(grep -c '<testsuite name' regression.xml)" -eq "$(ls "$scenarios"/*.json | wc -l)" ] || fault "a scenario has no reference"
+
+# References know who made them, how exactly, and why.
+for file in "$references"/*.json; do
+  for key in generator precision digits history; do
+    head -n 10 "$file" | grep -q "\"$key\"" || fault "$file does not say its $key"
+  done
+done
+
+# Without leave another method is another scenario; a program that forgets the Earth is found out.
+expect 1 compare "$references" runs
+on_stdout 'other scenario: /numerics'
+expect 0 run "$scenarios/toy-top.json" --set /earth/rotation_rate_rad_s=0 --out flat --quiet
+expect 1 compare runs/toy-top flat --allow-change /
+on_stdout 'FAILED  drift_axis_rad'
+on_stdout 'above both errors'
+
+# Exit statuses and what is written.
+expect 0 compare runs/toy-top runs/toy-top
+on_stdout 'not a bit has changed'
+expect 0 compare runs/toy-top runs/toy-top --quiet --svg new/differences.svg --junit new/j.xml
+nothing_on_stdout
+grep -q '</svg>' new/differences.svg || fault "no picture"
+expect 0 compare runs/toy-top "$here/../data/simbody/toy-top.csv" --mapping "$here/../data/simbody/mapping.json" \
+  --profile physics --allow-missing
+expect 1 compare runs/toy-top "$here/../data/simbody/toy-top.csv" --mapping "$here/../data/simbody/mapping.json" --profile physics
+on_stdout 'missing rows'
+expect 2 compare runs/toy-top
+expect 2 compare runs/toy-top nowhere --json
+on_stdout '"errors"'
+expect 2 compare runs/toy-top runs
+on_stderr 'different kinds'
+expect 2 compare runs/toy-top runs/toy-top --mapping "$here/../data/simbody/mapping.json"
+expect 2 compare runs/toy-top runs/toy-top --allow-change numerics
+expect 2 compare runs/toy-top runs/toy-top --tolerances "$scenarios/toy-top.json"
+expect 2 compare runs/toy-top runs/toy-top --reason "none"
+mkfifo pipe.csv
+expect 2 compare runs/toy-top pipe.csv
+on_stderr 'is a FIFO'
+mkdir empty
+expect 2 compare runs/toy-top empty
+head -c 1000 runs/toy-top/trajectory.csv >cut.csv
+expect 2 compare runs/toy-top/trajectory.csv cut.csv
+on_stderr 'cut.csv:[0-9]*:1: error: the last line has no end'
+
+# A new reference needs a reason.
+expect 2 compare reference runs/toy-top --update
+on_stderr 'needs a reason'
+[ ! -e reference ] || fault "a reference was written without a reason"
+expect 0 compare reference runs/toy-top --update --reason "a better tide"
+grep -q 'a better tide' reference/reference.json || fault "the reason is not kept"
+expect 0 compare reference runs/toy-top --profile bitwise
+
+# Two hundred results take a second; a machine with other work may be slower.
+mkdir many more
+for i in $(seq 1 200); do
+  mkdir "many/$i" "more/$i"
+  ln runs/toy-top/* "many/$i"
+  ln runs/toy-top/* "more/$i"
+done
+SECONDS=0
+expect 0 compare many more
+on_stdout '200 results: 200 same'
+[ "$SECONDS" -lt 10 ] || fault "200 results took $SECONDS s"
+
+exit "$((faults > 0))"

@@ -1,0 +1,274 @@
+/// Mutations of a result, each with the verdict it must get.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "compare/results_copy.hpp"
+
+namespace earthtop {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::ChangedCopy;
+using testing::compared;
+using testing::Csv;
+using testing::has_finding;
+using testing::kSome;
+using testing::mentions;
+using testing::quantity;
+using testing::read_text;
+using testing::ShortRun;
+using testing::TemporaryDirectory;
+using testing::with_profile;
+using testing::write_text;
+
+/// What is said where an input is refused; empty where it is not.
+std::string refusal_of(const fs::path& candidate, const CompareOptions& options = {}) {
+  try {
+    compared(candidate, options);
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Mutation, NothingChangedIsTheSameInEveryProfile) {
+  const ChangedCopy copy;
+  for (const Profile profile : {Profile::bitwise, Profile::regression, Profile::physics}) {
+    const PairReport pair = compared(copy.path(), with_profile(profile));
+    EXPECT_TRUE(pair.passed()) << to_string(profile);
+    EXPECT_EQ(pair.rows, 61u);
+    for (const QuantityVerdict& verdict : pair.quantities) {
+      EXPECT_EQ(verdict.change, Change::none) << verdict.name;
+      EXPECT_EQ(verdict.largest, 0) << verdict.name;
+    }
+  }
+}
+
+TEST(Mutation, ARowMissingIsRefusedWhereTheSummaryKnowsOfIt) {
+  const ChangedCopy copy([](Csv& csv) { csv.rows.erase(csv.rows.begin() + kSome); });
+  const std::string refusal = refusal_of(copy.path());
+  EXPECT_NE(refusal.find("has 60 rows where its summary states 61"), refusal.npos) << refusal;
+  EXPECT_NE(refusal.find("gap after t = 2.9 s"), refusal.npos) << refusal;
+}
+
+TEST(Mutation, ARowMissingInATableByItselfIsADifference) {
+  const ChangedCopy copy([](Csv& csv) { csv.rows.erase(csv.rows.begin() + kSome); });
+  const auto compare_tables = [&](const CompareOptions& options) {
+    return compare_results(ShortRun::get().path() / "trajectory.csv", copy.path() / "trajectory.csv", options).pairs.at(0);
+  };
+  const PairReport pair = compare_tables({});
+  EXPECT_FALSE(pair.passed());
+  ASSERT_TRUE(has_finding(pair, "missing rows"));
+  EXPECT_NE(pair.findings[0].text.find("t = 3 s"), std::string::npos) << pair.findings[0].text;
+  CompareOptions allowed;
+  allowed.may_lack_rows = true;
+  EXPECT_TRUE(compare_tables(allowed).passed());
+}
+
+TEST(Mutation, AQuaternionOfTheOtherSignIsTheSameAttitude) {
+  const ChangedCopy copy([](Csv& csv) {
+    for (const char* column : {"q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z"}) csv.set(kSome, column, -csv.get(kSome, column));
+  });
+  const PairReport pair = compared(copy.path());
+  EXPECT_TRUE(pair.passed());
+  EXPECT_LT(quantity(pair, "attitude_rad").largest, 1e-15);
+  EXPECT_TRUE(mentions(pair.notes, "1 quaternions have the other sign"));
+}
+
+/// What a simulator with axes North, East, Down would have written: R_NE = [0 1 0; 1 0 0; 0 0 -1].
+void turn_to_ned(Csv& csv) {
+  const double s = std::numbers::sqrt2 / 2;
+  for (std::size_t i = 0; i < csv.rows.size(); ++i)
+    for (const std::string motion : {"", "ref_"}) {
+      const double east = csv.get(i, motion + "axis_L_x"), north = csv.get(i, motion + "axis_L_y");
+      csv.set(i, motion + "axis_L_x", north);
+      csv.set(i, motion + "axis_L_y", east);
+      csv.set(i, motion + "axis_L_z", -csv.get(i, motion + "axis_L_z"));
+      const double w = csv.get(i, motion + "q_LB_w"), x = csv.get(i, motion + "q_LB_x"), y = csv.get(i, motion + "q_LB_y"),
+                   z = csv.get(i, motion + "q_LB_z");
+      csv.set(i, motion + "q_LB_w", -s * (x + y));
+      csv.set(i, motion + "q_LB_x", s * (w + z));
+      csv.set(i, motion + "q_LB_y", s * (w - z));
+      csv.set(i, motion + "q_LB_z", s * (y - x));
+    }
+}
+
+TEST(Mutation, NorthEastDownDiffersAndIsRecognised) {
+  const ChangedCopy copy(turn_to_ned);
+  const PairReport pair = compared(copy.path());
+  EXPECT_FALSE(pair.passed());
+  EXPECT_FALSE(quantity(pair, "attitude_rad").passed);
+  EXPECT_FALSE(quantity(pair, "axis_rad").passed);
+  EXPECT_TRUE(mentions(pair.hints, "attitude_rad: the new result agrees"));
+  EXPECT_TRUE(mentions(pair.hints, "North, East, Down"));
+}
+
+TEST(Mutation, NotANumberDiffersWhereverItStands) {
+  for (const std::string column : {"q_LB_x", "axis_L_z", "drift_axis_rad", "drift_azimuth_rad", "drift_reliable", "t_s"})
+    for (const std::string text : {"nan", "inf", "-NaN", "1e999"}) {
+      const ChangedCopy copy([&](Csv& csv) { csv.rows[kSome][csv.column(column)] = text; });
+      const PairReport pair = compared(copy.path());
+      EXPECT_FALSE(pair.passed()) << column << " " << text;
+      if (column == "drift_axis_rad") {
+        EXPECT_EQ(quantity(pair, column).first_violation_s, 3.0);
+        EXPECT_NE(quantity(pair, column).reason.find("not a finite number in the new rows at t = 3 s"), std::string::npos);
+      }
+    }
+}
+
+TEST(Mutation, NotANumberInBothIsStillNone) {
+  const ChangedCopy copy([](Csv& csv) { csv.rows[kSome][csv.column("drift_axis_rad")] = "nan"; });
+  EXPECT_FALSE(compare_results(copy.path(), copy.path(), {}).passed());
+}
+
+TEST(Mutation, AnEmptyCellDiffers) {
+  const ChangedCopy copy([](Csv& csv) { csv.rows[kSome][csv.column("drift_azimuth_rad")].clear(); });
+  EXPECT_FALSE(compared(copy.path()).passed());
+}
+
+// Every column's number off by 1e-9 of its unit in one row; the bounds' own columns are judged by their order of magnitude.
+TEST(Mutation, OneDigitAt1eMinus9IsFoundInEveryColumn) {
+  const Csv original(ShortRun::get().path() / "trajectory.csv");
+  for (const std::string& column : original.header) {
+    if (column == "t_s" || column == "drift_reliable") continue;
+    const ChangedCopy copy([&](Csv& csv) { csv.set(kSome, column, csv.get(kSome, column) + 1e-9); });
+    const PairReport pair = compared(copy.path());
+    EXPECT_FALSE(pair.passed()) << column;
+    for (const QuantityVerdict& verdict : pair.quantities)
+      if (!verdict.passed) {
+        EXPECT_EQ(verdict.first_violation_s, 3.0) << verdict.name;
+      }
+  }
+}
+
+TEST(Mutation, ANinthDigitOfTheDriftIsFound) {
+  const ChangedCopy copy([](Csv& csv) { csv.set(kSome, "drift_axis_rad", csv.get(kSome, "drift_axis_rad") * (1 + 1e-9)); });
+  const PairReport pair = compared(copy.path());
+  const QuantityVerdict& drift = quantity(pair, "drift_axis_rad");
+  EXPECT_FALSE(drift.passed);
+  EXPECT_EQ(drift.violations, 1u);
+  EXPECT_NEAR(drift.largest / (1e-9 * Csv(copy.path() / "trajectory.csv").get(kSome, "drift_axis_rad")), 1, 1e-3);
+  EXPECT_EQ(drift.where, "t = 3 s");
+  EXPECT_NEAR(drift.share, drift.largest / drift.tolerance, 1e-9 * drift.share);
+}
+
+TEST(Mutation, ANinthDigitOfTheSummaryIsFound) {
+  const ChangedCopy copy;
+  auto summary = nlohmann::ordered_json::parse(read_text(copy.path() / "summary.json"));
+  double& final_rad = summary["/drift/axis_final_rad"_json_pointer].get_ref<double&>();
+  final_rad *= 1 + 1e-9;
+  write_text(copy.path() / "summary.json", summary.dump());
+  const PairReport pair = compared(copy.path());
+  EXPECT_FALSE(pair.passed());
+  EXPECT_FALSE(quantity(pair, "drift.axis_final_rad").passed);
+}
+
+TEST(Mutation, TheLastBitIsFoundBitwise) {
+  const ChangedCopy copy([](Csv& csv) { csv.set(kSome, "axis_L_x", std::nextafter(csv.get(kSome, "axis_L_x"), 2)); });
+  EXPECT_TRUE(compared(copy.path()).passed());
+  EXPECT_FALSE(compared(copy.path(), with_profile(Profile::bitwise)).passed());
+}
+
+TEST(Mutation, ADigitThatNoDoubleHoldsIsFoundBitwise) {
+  const TemporaryDirectory dir;
+  const std::string header = "t_s,drift_axis_rad\n0,0\n1,";
+  write_text(dir.path() / "a.csv", header + "0.1234567890123456789012345678901234\n");
+  write_text(dir.path() / "b.csv", header + "0.1234567890123456789012345678901235\n");
+  const auto compare_in = [&](Profile profile) {
+    return compare_results(dir.path() / "a.csv", dir.path() / "b.csv", with_profile(profile)).passed();
+  };
+  EXPECT_FALSE(compare_in(Profile::bitwise));
+  EXPECT_TRUE(compare_in(Profile::regression));
+}
+
+TEST(Mutation, StatesOneSampleLateDifferAndAreRecognised) {
+  const ChangedCopy copy([](Csv& csv) {
+    for (std::size_t i = csv.rows.size() - 1; i > 0; --i)
+      std::copy(csv.rows[i - 1].begin() + 1, csv.rows[i - 1].end(), csv.rows[i].begin() + 1);
+  });
+  const PairReport pair = compared(copy.path());
+  EXPECT_FALSE(pair.passed());
+  EXPECT_TRUE(mentions(pair.hints, "shifted by a sample"));
+}
+
+TEST(Mutation, TimesOneSampleLateDifferAndAreRecognised) {
+  const ChangedCopy copy([](Csv& csv) {
+    for (std::size_t i = 0; i < csv.rows.size(); ++i) csv.set(i, "t_s", 0.1 * static_cast<double>(i + 1));
+  });
+  const PairReport pair = compared(copy.path());
+  EXPECT_FALSE(pair.passed());
+  EXPECT_TRUE(has_finding(pair, "missing rows"));
+  EXPECT_TRUE(mentions(pair.hints, "shifted by a sample"));
+}
+
+TEST(Mutation, TimesHalfASampleLateAreNoTimesOfTheScenario) {
+  const ChangedCopy copy([](Csv& csv) {
+    for (std::size_t i = 0; i < csv.rows.size(); ++i) csv.set(i, "t_s", 0.1 * (static_cast<double>(i) + 0.5));
+  });
+  EXPECT_TRUE(has_finding(compared(copy.path()), "other times"));
+}
+
+TEST(Mutation, DegreesForRadiansDifferAndAreRecognised) {
+  const ChangedCopy copy([](Csv& csv) {
+    for (std::size_t i = 0; i < csv.rows.size(); ++i)
+      for (const char* column : {"drift_axis_rad", "drift_azimuth_rad"})
+        csv.set(i, column, csv.get(i, column) * 180 / std::numbers::pi);
+  });
+  const PairReport pair = compared(copy.path());
+  EXPECT_FALSE(pair.passed());
+  EXPECT_TRUE(
+      mentions(pair.hints, "drift_axis_rad: new values are 57.2958 times the reference's, as with degrees for radians"));
+}
+
+TEST(Mutation, AColumnOfAnotherUnitIsNotTakenForTheFirst) {
+  const ChangedCopy copy([](Csv& csv) { csv.header[csv.column("drift_axis_rad")] = "drift_axis_deg"; });
+  const PairReport pair = compared(copy.path());
+  ASSERT_TRUE(has_finding(pair, "missing column"));
+  EXPECT_NE(pair.findings[0].text.find("drift_axis_deg"), std::string::npos);
+}
+
+TEST(Mutation, AMissingColumnDiffers) {
+  const ChangedCopy copy([](Csv& csv) {
+    const auto at = static_cast<std::ptrdiff_t>(csv.column("drift_tilt_rad"));
+    csv.header.erase(csv.header.begin() + at);
+    for (auto& row : csv.rows) row.erase(row.begin() + at);
+  });
+  EXPECT_TRUE(has_finding(compared(copy.path()), "missing column"));
+}
+
+TEST(Mutation, ATruncatedFileIsRefused) {
+  const ChangedCopy in_a_line, between_lines;
+  const std::string text = read_text(in_a_line.path() / "trajectory.csv");
+  write_text(in_a_line.path() / "trajectory.csv", text.substr(0, text.size() / 2));
+  EXPECT_NE(refusal_of(in_a_line.path()).find("the last line has no end"), std::string::npos);
+  write_text(between_lines.path() / "trajectory.csv", text.substr(0, text.find('\n', text.size() / 2) + 1));
+  EXPECT_NE(refusal_of(between_lines.path()).find("where its summary states 61"), std::string::npos);
+}
+
+TEST(Mutation, AnEmptyFileIsRefused) {
+  for (const char* file : {"trajectory.csv", "summary.json"}) {
+    const ChangedCopy copy;
+    write_text(copy.path() / file, "");
+    EXPECT_NE(refusal_of(copy.path()).find("is empty"), std::string::npos) << file;
+  }
+  const ChangedCopy header_only([](Csv& csv) { csv.rows.clear(); });
+  EXPECT_NE(refusal_of(header_only.path()).find("has no rows"), std::string::npos);
+}
+
+TEST(Mutation, WhatIsNoNumberIsRefusedWithItsPlace) {
+  const ChangedCopy copy([](Csv& csv) { csv.rows[kSome][csv.column("q_LB_w")] = "0.5x"; });
+  const std::string refusal = refusal_of(copy.path());
+  EXPECT_NE(refusal.find("trajectory.csv:32:3: error: column q_LB_w: \"0.5x\" is no number"), refusal.npos) << refusal;
+}
+
+TEST(Mutation, RowsOutOfOrderAreRefused) {
+  const ChangedCopy copy([](Csv& csv) { std::swap(csv.rows[kSome], csv.rows[kSome + 1]); });
+  EXPECT_NE(refusal_of(copy.path()).find("does not lie after"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace earthtop
