@@ -63,6 +63,10 @@ TEST(ScenarioReference, ReadmeHoldsTheTable) {
       << "put the output of `earthtop schema --markdown` into README.md";
   EXPECT_NE(readme.find(study_reference_markdown()), std::string::npos)
       << "put the output of `earthtop schema --study --markdown` into README.md";
+  EXPECT_NE(readme.find(mapping_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --mapping --markdown` into README.md";
+  EXPECT_NE(readme.find(tolerances_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --tolerances --markdown` into README.md";
 }
 
 }  // namespace

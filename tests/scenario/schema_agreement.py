@@ -310,6 +310,14 @@ def main():
         if studies.is_valid({**study, "axis": []}) or studies.is_valid({**study, "design": {"kind": "grids"}}):
             fault(f"the schema of studies refuses nothing in {file.name}", "")
 
+    mappings = jsonschema.Draft7Validator(json.loads(subprocess.run(
+        [earthtop, "schema", "--mapping"], capture_output=True, check=True, text=True).stdout))
+    mapping = json.loads(pathlib.Path(sys.argv[2], "../tests/data/simbody/mapping.json").read_text())
+    if not mappings.is_valid(mapping):
+        fault(f"the schema refuses the shipped mapping: {next(mappings.iter_errors(mapping)).message}", "")
+    if mappings.is_valid({**mapping, "times": {}}) or mappings.is_valid({**mapping, "time": {}}):
+        fault("the schema of mappings refuses nothing", "")
+
     print(f"{len(sound)} sound scenarios, {MUTANTS} mutants of which {refused} are refused, "
           f"{len(documents) + len(texts)} faults beyond the schema; seed {SEED}: {faults} disagreements")
     return faults != 0
