@@ -39,6 +39,8 @@ class CsvReader {
   std::span<const CellKind> kinds() const { return kinds_; }
   std::string_view text(std::size_t wanted) const { return cells_[wanted_[wanted]]; }  ///< as it stands in the file
   std::uint64_t line() const { return line_; }                                         ///< counted from 1
+  /// Where the cell stands in its line (bytes), counted from 1.
+  std::size_t column(std::size_t wanted) const { return static_cast<std::size_t>(text(wanted).data() - whole_.data()) + 1; }
 
  private:
   bool read_line(std::string_view& line);

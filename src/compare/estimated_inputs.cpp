@@ -1,0 +1,173 @@
+#include "compare/estimated_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "scenario/fields.hpp"
+#include "scenario/overrides.hpp"
+#include "scenario/reader.hpp"
+#include "scenario/suggest.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr std::size_t kMostEstimates = 8;
+constexpr std::string_view kVerticalRate = "omega_sin_latitude_rad_s";
+constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+
+struct NamedInput {
+  std::string_view name, pointer;
+};
+constexpr NamedInput kNamedInputs[] = {{"rotation_rate_rad_s", "/earth/rotation_rate_rad_s"},
+                                       {"latitude_deg", "/site/latitude_deg"},
+                                       {"gravity_m_s2", "/site/gravity_m_s2"},
+                                       {"spin_rad_s", "/release/spin_rad_s"},
+                                       {"tilt_deg", "/release/tilt_deg"}};
+constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/platform/", "/effects/"};
+constexpr std::string_view kAllowedNames =
+    "allowed are omega_sin_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, and JSON "
+    "pointers of numbers of site, earth, body, release, platform or effects, as /release/azimuth_deg";
+
+[[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
+  throw ScenarioError("--estimate " + scenario::excerpt(name, 80), std::string(what));
+}
+
+/// The table's row of a pointer, indices of lists, vectors and matrices taken for what they are.
+const scenario::Field* field_of(std::string_view pointer) {
+  std::string pattern;
+  for (std::size_t at = 1; at <= pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
+    const std::string_view token = pointer.substr(at, end - at);
+    const bool index = !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const scenario::Field* field = scenario::find_field(pattern);
+    using enum scenario::FieldKind;
+    if (index && field && (field->kind == vector3 || field->kind == matrix3 || field->kind == numbers)) return field;
+    pattern += index ? "/*" : fmt::format("/{}", token);
+    at = end + 1;
+  }
+  const scenario::Field* field = scenario::find_field(pattern);
+  return field && field->kind == scenario::FieldKind::number ? field : nullptr;
+}
+
+/// The number at a pointer of a tree; nothing where there is none.
+std::optional<double> number_in(const scenario::Node& root, std::string_view pointer) {
+  const scenario::Node* node = &root;
+  for (std::size_t at = 1; at <= pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
+    const std::string_view token = pointer.substr(at, end - at);
+    if (node->kind == scenario::JsonKind::array) {
+      std::size_t index = 0;
+      const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+      if (error != std::errc() || stop != token.data() + token.size() || index >= node->children.size()) return std::nullopt;
+      node = &node->children[index];
+    } else if (node = node->find(token); !node) {
+      return std::nullopt;
+    }
+    at = end + 1;
+  }
+  if (node->kind != scenario::JsonKind::number) return std::nullopt;
+  return node->number;
+}
+
+/// A tree of a text that was read without complaint before.
+scenario::Node tree_of(std::string_view text, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  scenario::Node root;
+  scenario::Findings none;
+  scenario::read_json(text, "", false, root, none);
+  scenario::apply_overrides(root, overrides, none);
+  return root;
+}
+
+double scale_of(double start, std::string_view unit, std::string_view pointer) {
+  if (unit == "deg") return kDegreesPerRad;
+  if (start != 0) return std::abs(start);
+  return pointer.ends_with("/rotation_rate_rad_s") ? kEarthRateWgs84 : 1;
+}
+
+}  // namespace
+
+EstimatedInputs::EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides,
+                                 const Scenario& base, const std::vector<std::string>& names)
+    : source_(std::move(source)), overrides_(std::move(overrides)), base_(base) {
+  if (names.size() > kMostEstimates)
+    refuse_estimate(names[kMostEstimates], fmt::format("at most {} numbers are estimated at once", kMostEstimates));
+  for (const std::string& name : names) add(name);
+  const auto has = [&](std::string_view pointer) {
+    return std::any_of(list_.begin(), list_.end(), [&](const EstimatedInput& input) { return input.pointer == pointer; });
+  };
+  if (has("") && (has("/earth/rotation_rate_rad_s") || has("/site/latitude_deg")))
+    refuse_estimate(std::string(kVerticalRate), "stands for the rotation rate and the latitude; estimate it, or these");
+}
+
+void EstimatedInputs::add(const std::string& name) {
+  const auto* named = std::find_if(std::begin(kNamedInputs), std::end(kNamedInputs),
+                                   [&](const NamedInput& input) { return input.name == name; });
+  const std::string pointer(named != std::end(kNamedInputs) ? named->pointer : name);
+  for (const EstimatedInput& input : list_)
+    if (input.name == name || input.pointer == pointer) refuse_estimate(name, "is asked for twice");
+  if (name == kVerticalRate) return add_vertical_rate();
+  if (!pointer.starts_with('/')) {
+    std::vector<std::string_view> names = {kVerticalRate};
+    for (const NamedInput& input : kNamedInputs) names.push_back(input.name);
+    const auto meant = scenario::suggest(name, names);
+    refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
+  }
+  const bool in_room = std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
+  const scenario::Field* field = in_room ? field_of(pointer) : nullptr;
+  if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
+  const double start = number_at(pointer, name);
+  // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
+  auto with_start = overrides_;
+  with_start.emplace_back(pointer, fmt::format("{}", start));
+  parse_scenario(source_, with_start);
+  list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
+}
+
+void EstimatedInputs::add_vertical_rate() {
+  if (!base_.site.follows_ellipsoid())
+    refuse_estimate(std::string(kVerticalRate),
+                    "with polar motion or a deflection of the vertical the latitude is not that of the Earth's rate; estimate "
+                    "rotation_rate_rad_s or latitude_deg");
+  const Vec3<double> axis_L = celestial_axis_L<double>(base_.site);
+  northward_rate_rad_s_ = base_.rotation_rate_rad_s * axis_L[1];
+  const double scale = base_.rotation_rate_rad_s != 0 ? std::abs(base_.rotation_rate_rad_s) : kEarthRateWgs84;
+  list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s * axis_L[2], scale});
+}
+
+/// As the scenario's text has it; else the table's default; else the one that was computed.
+double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
+  if (const auto number = number_in(tree_of(source_.text, overrides_), pointer)) return *number;
+  const scenario::Field* field = field_of(pointer);
+  if (field->kind == scenario::FieldKind::number) {
+    double fallback = 0;
+    const std::string_view text = field->fallback;
+    if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;
+    if (const auto number = number_in(tree_of(canonical_json(base_), {}), pointer)) return *number;
+  }
+  refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
+}
+
+std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& values) const {
+  auto overrides = overrides_;
+  std::optional<double> vertical_rate_rad_s;
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (!std::isfinite(values[i])) return std::nullopt;
+    if (list_[i].pointer.empty())
+      vertical_rate_rad_s = values[i];
+    else
+      overrides.emplace_back(list_[i].pointer, fmt::format("{}", values[i]));
+  }
+  std::optional<Scenario> varied = examine_scenario(source_, overrides).scenario;
+  if (varied && vertical_rate_rad_s) {
+    varied->rotation_rate_rad_s = std::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
+    varied->site.latitude_deg = std::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
+  }
+  return varied;
+}
+
+}  // namespace earthtop::compare

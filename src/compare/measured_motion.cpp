@@ -1,0 +1,121 @@
+#include "compare/measured_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "scenario/problem.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+double horizontal_part(const Vec3<double>& n_L) { return std::hypot(n_L[0], n_L[1]); }
+double tilt_of(const Vec3<double>& n_L) { return std::atan2(horizontal_part(n_L), n_L[2]); }
+double azimuth_of(const Vec3<double>& n_L) {
+  return horizontal_part(n_L) > 0 ? std::atan2(n_L[0], n_L[1]) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The nearest of all angles that are a number of turns from this one.
+double folded(double angle) { return std::remainder(angle, kTurn); }
+
+/// The turn from the predicted to the measured axis, as an angle along growing tilt and one along growing azimuth, both at the
+/// measured axis; along North and East where that is vertical. The two unit vectors are m x (p x m)'s components, whose length
+/// is the sine of the angle: nothing cancels for near axes.
+std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) {
+  const double horizontal = horizontal_part(m_L);
+  const double east = horizontal > 0 ? m_L[0] / horizontal : 0, north = horizontal > 0 ? m_L[1] / horizontal : 1;
+  const Vec3<double> down_L(m_L[2] * east, m_L[2] * north, -horizontal), clockwise_L(north, -east, 0);
+  const Vec3<double> cross_L = p_L.cross(m_L);
+  const double sine = norm(cross_L), angle = std::atan2(sine, p_L.dot(m_L));
+  if (!(sine > 0)) return {angle, 0};
+  const Vec3<double> along_L = cross_L.cross(m_L);
+  return {angle * along_L.dot(down_L) / sine, angle * along_L.dot(clockwise_L) / sine};
+}
+
+/// The row's residuals, one or two.
+class RowResiduals {
+ public:
+  RowResiduals(const Measurement& measurement, std::vector<MeasurementResidual>& all) : measurement_(measurement), all_(all) {}
+
+  void add(const MeasuredValue& value, const DriftSample<double>& sample) {
+    const Vec3<double> n_L = rotation_matrix(sample.state.q_LB).col(2);
+    switch (value.quantity) {
+      case MeasuredQuantity::azimuth:
+        require_azimuth(value, horizontal_part(n_L) > 0);
+        return append(value, "azimuth", value.angle_rad, azimuth_of(n_L), folded(value.angle_rad - azimuth_of(n_L)));
+      case MeasuredQuantity::tilt: return append(value, "tilt", value.angle_rad, tilt_of(n_L), value.angle_rad - tilt_of(n_L));
+      case MeasuredQuantity::drift_azimuth:
+        require_azimuth(value, sample.measures.azimuth_defined);
+        return append(value, "drift_azimuth", value.angle_rad, sample.azimuth, folded(value.angle_rad - sample.azimuth));
+      case MeasuredQuantity::drift_tilt:
+        return append(value, "drift_tilt", value.angle_rad, sample.measures.tilt, value.angle_rad - sample.measures.tilt);
+      case MeasuredQuantity::axis: {
+        const Vec3<double> m_L(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
+        const auto [along_tilt, along_azimuth] = turn_to(m_L, n_L);
+        append(value, "axis_tilt", tilt_of(m_L), tilt_of(n_L), along_tilt);
+        return append(value, "axis_azimuth", azimuth_of(m_L), azimuth_of(n_L), along_azimuth);
+      }
+    }
+  }
+
+ private:
+  void require_azimuth(const MeasuredValue& value, bool defined) const {
+    if (defined) return;
+    const std::string message = fmt::format(
+        "at {:g} s the predicted axis is vertical and has no azimuth; leave the cell empty, or measure axis_L_x, _y, _z",
+        value.t_s);
+    throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement_.file);
+  }
+  void append(const MeasuredValue& value, std::string_view quantity, double measured, double predicted, double residual) {
+    all_.push_back({value.t_s, value.line, quantity, measured, predicted, residual, value.standard_error_rad});
+  }
+
+  const Measurement& measurement_;
+  std::vector<MeasurementResidual>& all_;
+};
+
+}  // namespace
+
+std::vector<double> measured_times(const Measurement& measurement) {
+  std::vector<double> times = {0};
+  for (const MeasuredValue& value : measurement.values)
+    if (value.t_s > times.back()) times.push_back(value.t_s);
+  return times;
+}
+
+DriftTrajectory<double> predict(Scenario scenario, const std::vector<double>& times_s, const std::atomic<bool>* stop) {
+  if (times_s.back() > 0) scenario.duration_s = times_s.back();
+  scenario.output_step_s = scenario.duration_s;
+  scenario.threshold_rad.reset();
+  scenario.precision = Precision::bits53;
+  scenario.numerics.relative_tolerance = default_tolerance(Precision::bits53);
+  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
+  require_affordable(scenario);
+  auto problem = make_problem<double>(scenario);
+  problem.times_s = times_s;
+  return integrate_drift(problem, method_choice(scenario).options, stop);
+}
+
+std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const std::vector<DriftSample<double>>& samples) {
+  std::vector<MeasurementResidual> residuals;
+  residuals.reserve(2 * measurement.values.size());
+  RowResiduals rows(measurement, residuals);
+  std::size_t at = 0;
+  for (const MeasuredValue& value : measurement.values) {
+    while (at < samples.size() && samples[at].state.t_s < value.t_s) ++at;
+    if (at == samples.size()) break;
+    rows.add(value, samples[at]);
+  }
+  return residuals;
+}
+
+double period_of(const MeasurementResidual& residual) {
+  return residual.quantity == "azimuth" || residual.quantity == "drift_azimuth" ? kTurn : 0;
+}
+
+}  // namespace earthtop::compare

@@ -1,0 +1,187 @@
+// A measured motion held against a scenario's.
+#include "earthtop/compare/measurement.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "compare/estimated_inputs.hpp"
+#include "compare/gsl_errors.hpp"
+#include "compare/measured_motion.hpp"
+#include "compare/weighted_fit.hpp"
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+namespace compare {
+namespace {
+
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, std::size_t fitted) {
+  const ReturnedGslErrors returned;
+  ChiSquared chi_squared;
+  for (const MeasurementResidual& residual : residuals) chi_squared.value += residual.normalised() * residual.normalised();
+  chi_squared.degrees_of_freedom = static_cast<std::int64_t>(residuals.size()) - static_cast<std::int64_t>(fitted);
+  if (chi_squared.degrees_of_freedom > 0)
+    chi_squared.p_value = gsl_cdf_chisq_Q(chi_squared.value, static_cast<double>(chi_squared.degrees_of_freedom));
+  return chi_squared;
+}
+
+/// A measurement may go on after the scenario's last row: what the scenario reads for a time (a table of a platform's motion)
+/// must reach as far.
+Overrides with_duration(Overrides overrides, const Scenario& scenario, double last_s) {
+  if (last_s <= scenario.duration_s) return overrides;
+  overrides.emplace_back("/motion/duration_s", fmt::format("{}", last_s));
+  overrides.emplace_back("/motion/output_step_s", fmt::format("{}", last_s));
+  return overrides;
+}
+
+void fill_estimates(MeasurementReport& report, const Fit& fit) {
+  const double scatter = report.fitted->degrees_of_freedom > 0
+                             ? std::sqrt(report.fitted->value / static_cast<double>(report.fitted->degrees_of_freedom))
+                             : 1;
+  const auto p = static_cast<Eigen::Index>(report.estimates.size());
+  for (Eigen::Index j = 0; j < p; ++j) {
+    ParameterEstimate& estimate = report.estimates[static_cast<std::size_t>(j)];
+    estimate.estimate = fit.parameters[static_cast<std::size_t>(j)];
+    estimate.standard_error = std::sqrt(fit.covariance(j, j));
+    estimate.standard_error_scaled = *estimate.standard_error * std::max(1.0, scatter);
+    std::vector<double>& row = report.correlation.emplace_back();
+    for (Eigen::Index k = 0; k < p; ++k)
+      row.push_back(j == k ? 1 : fit.covariance(j, k) / std::sqrt(fit.covariance(j, j) * fit.covariance(k, k)));
+  }
+}
+
+void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs) {
+  const std::vector<double> times = measured_times(measurement);
+  if (report.residuals.size() < inputs.list().size())
+    throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones", inputs.list().size(),
+                                                  report.residuals.size()));
+  std::vector<MeasurementResidual> latest;
+  FitProblem problem;
+  for (const EstimatedInput& input : inputs.list()) {
+    problem.start.push_back(input.start);
+    problem.scales.push_back(input.scale);
+    report.estimates.push_back({input.name, input.unit, input.start, {}, {}, {}});
+  }
+  for (const MeasurementResidual& residual : report.residuals) {
+    problem.standard_error.push_back(residual.standard_error_rad);
+    problem.period.push_back(period_of(residual));
+  }
+  problem.stopped = interrupt_requested;
+  problem.residuals_at = [&](const std::vector<double>& values, std::vector<double>& residuals) {
+    const std::optional<Scenario> scenario = inputs.scenario(values);
+    if (!scenario) return false;
+    try {
+      ++report.predictions;
+      const DriftTrajectory<double> motion = predict(*scenario, times, &interrupt_flag());
+      if (motion.status != RunStatus::completed) return false;
+      latest = residuals_of(measurement, motion.samples);
+    } catch (const ScenarioError&) {  // no steady precession for these values, an axis that is vertical, days of work
+      return false;
+    }
+    residuals.clear();
+    for (const MeasurementResidual& residual : latest) residuals.push_back(residual.residual_rad);
+    return true;
+  };
+  const Fit fit = fit_weighted(problem);
+  report.fit = fit.outcome;
+  report.iterations = fit.iterations;
+  report.fit_reason = fit.reason;
+  if (fit.outcome == FitOutcome::not_determined) {
+    std::vector<std::string> names;
+    for (const std::size_t j : fit.undetermined) names.push_back(inputs.list()[j].name);
+    report.fit_reason = names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
+                                          : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));
+  }
+  if (fit.outcome != FitOutcome::converged) return;
+  std::vector<double> residuals;
+  if (!problem.residuals_at(fit.parameters, residuals)) throw std::logic_error("a fit without a prediction");
+  report.residuals = std::move(latest);
+  report.fitted = chi_squared_of(report.residuals, inputs.list().size());
+  fill_estimates(report, fit);
+}
+
+void add_notes(MeasurementReport& report) {
+  const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
+  if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
+    report.notes.emplace_back("the scatter is smaller than the standard errors say: are they too large, or the rows averages?");
+  const bool far = std::any_of(report.residuals.begin(), report.residuals.end(), [](const MeasurementResidual& residual) {
+    return period_of(residual) > 0 && std::abs(residual.residual_rad) > std::numbers::pi / 2;
+  });
+  if (far)
+    report.notes.emplace_back(
+        "an azimuth is more than a quarter turn off: is it counted clockwise from North, and is a fit's start near enough?");
+}
+
+}  // namespace
+}  // namespace compare
+
+std::string_view to_string(FitOutcome outcome) {
+  switch (outcome) {
+    case FitOutcome::not_asked: return "not_asked";
+    case FitOutcome::converged: return "converged";
+    case FitOutcome::not_determined: return "not_determined";
+    case FitOutcome::not_converged: return "not_converged";
+    case FitOutcome::prediction_failed: return "prediction_failed";
+    case FitOutcome::interrupted: return "interrupted";
+  }
+  return "";
+}
+
+bool MeasurementReport::agrees() const {
+  if (status != RunStatus::completed || (fit != FitOutcome::not_asked && fit != FitOutcome::converged)) return false;
+  const ChiSquared& last = fitted ? *fitted : as_given;
+  return last.degrees_of_freedom <= 0 || (last.p_value && *last.p_value >= kLeastPValue);
+}
+
+MeasurementReport compare_with_measurement(const ScenarioSource& source,
+                                           const std::vector<std::pair<std::string, std::string>>& overrides,
+                                           const Measurement& measurement, const std::vector<std::string>& estimates) {
+  using namespace compare;
+  if (measurement.values.empty()) throw ScenarioError("", "no measured value");
+  const Scenario given = parse_scenario(source, overrides);
+  if (given.effects.automatic)
+    throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
+  const auto longer = with_duration(overrides, given, measurement.values.back().t_s);
+  const Scenario scenario = parse_scenario(source, longer);
+  const EstimatedInputs inputs(source, longer, scenario, estimates);
+
+  MeasurementReport report;
+  report.scenario_name = given.name;
+  report.scenario_sha256 = scenario_sha256(given);
+  report.file = measurement.file;
+  report.rows = measurement.rows;
+  std::map<MeasuredQuantity, std::uint64_t> counts;
+  for (const MeasuredValue& value : measurement.values) ++counts[value.quantity];
+  report.quantities.assign(counts.begin(), counts.end());
+
+  const DriftTrajectory<double> motion = predict(scenario, measured_times(measurement), &interrupt_flag());
+  report.predictions = 1;
+  report.status = motion.status;
+  report.reached_s = motion.samples.empty() ? 0 : motion.samples.back().state.t_s;
+  report.residuals = residuals_of(measurement, motion.samples);
+  report.as_given = chi_squared_of(report.residuals, 0);
+  if (!estimates.empty()) {
+    if (motion.status == RunStatus::completed) {
+      fit_estimates(report, measurement, inputs);
+    } else {
+      report.fit = motion.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
+      report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(motion.status));
+    }
+  }
+  for (std::size_t i = 0; i < report.residuals.size(); ++i)
+    if (!report.largest ||
+        std::abs(report.residuals[i].normalised()) > std::abs(report.residuals[*report.largest].normalised()))
+      report.largest = i;
+  add_notes(report);
+  return report;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,129 @@
+#include "compare/measurement_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "scenario/node.hpp"
+#include "scenario/suggest.hpp"
+
+namespace earthtop::compare {
+namespace {
+
+struct AngleUnit {
+  std::string_view name;
+  double rad;
+};
+constexpr AngleUnit kAngleUnits[] = {
+    {"rad", 1}, {"deg", std::numbers::pi / 180}, {"arcsec", std::numbers::pi / (180 * 3600.0)}};
+constexpr MeasuredQuantity kAllMeasured[] = {MeasuredQuantity::azimuth, MeasuredQuantity::tilt, MeasuredQuantity::axis,
+                                             MeasuredQuantity::drift_azimuth, MeasuredQuantity::drift_tilt};
+constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"};
+constexpr std::string_view kAllowedColumns =
+    "allowed are t_s; azimuth, tilt, drift_azimuth and drift_tilt, each as azimuth_rad, azimuth_deg or azimuth_arcsec with "
+    "azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; and names that begin "
+    "with _, which are passed over";
+
+struct Column {
+  std::size_t place;  // in the header
+  double rad;         // unit
+};
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(const std::vector<std::string>& header) : header_(header) {}
+
+  MeasurementColumns read() && {
+    refuse_unknown_columns();
+    if (!columns_.errors.empty()) return std::move(columns_);  // a misspelled column is not missing as well
+    if (const auto time = find("t_s"))
+      want(*time);
+    else
+      columns_.errors.emplace_back("no column t_s; it has the time since the release (s)");
+    for (const MeasuredQuantity quantity : kAllMeasured) read_quantity(quantity);
+    if (columns_.quantities.empty() && columns_.errors.empty())
+      columns_.errors.push_back(fmt::format("no measured quantity; {}", kAllowedColumns));
+    return std::move(columns_);
+  }
+
+ private:
+  void refuse_unknown_columns() {
+    std::vector<std::string> names = {"t_s"};
+    for (const MeasuredQuantity quantity : kAllMeasured)
+      for (const AngleUnit& unit : kAngleUnits) {
+        if (quantity != MeasuredQuantity::axis) names.push_back(fmt::format("{}_{}", to_string(quantity), unit.name));
+        names.push_back(fmt::format("{}_se_{}", to_string(quantity), unit.name));
+      }
+    names.insert(names.end(), std::begin(kAxisColumns), std::end(kAxisColumns));
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    for (const std::string& name : header_) {
+      if (name.starts_with('_') || std::find(names.begin(), names.end(), name) != names.end()) continue;
+      const auto meant = scenario::suggest(name, candidates);
+      columns_.errors.push_back(fmt::format("unknown column \"{}\"; {}{}", scenario::excerpt(name), kAllowedColumns,
+                                            meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+    }
+  }
+
+  void read_quantity(MeasuredQuantity quantity) {
+    const std::string name(to_string(quantity));
+    const bool is_axis = quantity == MeasuredQuantity::axis;
+    const std::optional<Column> error = find_in_a_unit(name + "_se");
+    const std::optional<Column> value = is_axis ? find_axis() : find_in_a_unit(name);
+    if (value && !error)
+      columns_.errors.push_back(fmt::format("{0} has no standard error; give {0}_se_rad, {0}_se_deg or {0}_se_arcsec", name));
+    if (error && !value && !is_axis)
+      columns_.errors.push_back(
+          fmt::format("{0} without a column {1}_rad, {1}_deg or {1}_arcsec", header_[error->place], name));
+    if (error && !value && is_axis)
+      columns_.errors.push_back(header_[error->place] + " without all of axis_L_x, axis_L_y, axis_L_z");
+    if (!value || !error) return;
+    QuantityCells cells{quantity, want(value->place), value->rad, 0, error->rad};
+    if (is_axis)
+      for (const std::string_view column : {kAxisColumns[1], kAxisColumns[2]}) want(*find(column));
+    cells.error = want(error->place);
+    columns_.quantities.push_back(cells);
+  }
+
+  std::optional<std::size_t> find(std::string_view name) const {
+    const auto at = std::find(header_.begin(), header_.end(), name);
+    if (at == header_.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - header_.begin());
+  }
+
+  /// The one column of this quantity; complains where there are two.
+  std::optional<Column> find_in_a_unit(const std::string& quantity) {
+    std::optional<Column> found;
+    for (const AngleUnit& unit : kAngleUnits) {
+      const std::string name = fmt::format("{}_{}", quantity, unit.name);
+      const auto place = find(name);
+      if (!place) continue;
+      if (found)
+        columns_.errors.push_back(
+            fmt::format("columns {} and {} are the same in two units; keep one", header_[found->place], name));
+      found = Column{*place, unit.rad};
+    }
+    return found;
+  }
+
+  std::optional<Column> find_axis() const {
+    for (const std::string_view column : kAxisColumns)
+      if (!find(column)) return std::nullopt;
+    return Column{*find(kAxisColumns[0]), 1};
+  }
+
+  std::size_t want(std::size_t place) {
+    columns_.wanted.push_back(place);
+    return columns_.wanted.size() - 1;
+  }
+
+  const std::vector<std::string>& header_;
+  MeasurementColumns columns_;
+};
+
+}  // namespace
+
+MeasurementColumns measurement_columns(const std::vector<std::string>& header) { return HeaderReader(header).read(); }
+
+}  // namespace earthtop::compare

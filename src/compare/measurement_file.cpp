@@ -1,0 +1,137 @@
+// A measured motion from a CSV file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compare/csv_reader.hpp"
+#include "compare/measurement_columns.hpp"
+#include "earthtop/compare/measurement.hpp"
+#include "scenario/findings.hpp"
+
+namespace earthtop {
+namespace compare {
+namespace {
+
+constexpr std::uint64_t kMostMeasuredRows = 200'000;
+constexpr double kLatestTime_s = 1e9;  // the longest duration of a scenario
+constexpr double kNormSlack = 1e-3;    // of a measured axis
+
+class MeasurementReader {
+ public:
+  explicit MeasurementReader(const std::string& file) : reader_(file) {
+    measurement_.file = file;
+    MeasurementColumns columns = measurement_columns(reader_.header());
+    for (std::string& error : columns.errors) refuse_at(1, std::move(error));
+    throw_findings();
+    reader_.want(std::move(columns.wanted));
+    quantities_ = std::move(columns.quantities);
+  }
+
+  Measurement read() && {
+    while (reader_.next()) {
+      if (++measurement_.rows > kMostMeasuredRows) {
+        refuse(0, fmt::format("more than {} rows; average neighbouring ones", kMostMeasuredRows));
+        break;
+      }
+      read_row();
+    }
+    if (measurement_.values.empty() && count_ == 0)
+      refuse_at(1, "no measured value; a row has a time, a value and its standard error");
+    throw_findings();
+    return std::move(measurement_);
+  }
+
+ private:
+  void read_row() {
+    const double t_s = reader_.numbers()[0];
+    if (reader_.kinds()[0] != CellKind::number || t_s < 0 || t_s > kLatestTime_s) {
+      refuse(0, fmt::format("t_s must be a number from 0, the release, to {:g} (s)", kLatestTime_s));
+      return;
+    }
+    if (t_s < latest_s_) refuse(0, fmt::format("t_s is before the row above ({:g} s); sort the rows by time", latest_s_));
+    latest_s_ = std::max(latest_s_, t_s);
+    for (const QuantityCells& cells : quantities_)
+      if (is_measured(cells)) read_value(cells, t_s);
+  }
+
+  /// Whether the row has the quantity's numbers; complains where it has some of them, or one that is not finite.
+  bool is_measured(const QuantityCells& cells) {
+    const std::size_t numbers = cells.quantity == MeasuredQuantity::axis ? 3 : 1;
+    std::size_t there = 0;
+    for (std::size_t i = cells.value; i < cells.value + numbers; ++i) {
+      if (reader_.kinds()[i] == CellKind::not_finite) {
+        refuse(i, "a measured value is a finite number; leave the cell empty where nothing was measured");
+        return false;
+      }
+      if (reader_.kinds()[i] == CellKind::number) ++there;
+    }
+    if (there > 0 && there < numbers) refuse(cells.value, "one or two of an axis's three components; give all or none");
+    return there == numbers;
+  }
+
+  void read_value(const QuantityCells& cells, double t_s) {
+    const double error_rad = reader_.numbers()[cells.error] * cells.error_rad;
+    if (reader_.kinds()[cells.error] != CellKind::number || !(error_rad > 0) || !std::isfinite(1 / error_rad)) {
+      refuse(cells.error, "a measured value needs a standard error above 0; give it, or leave the value's cell empty");
+      return;
+    }
+    MeasuredValue value{cells.quantity, t_s, 0, {}, error_rad, reader_.line()};
+    if (cells.quantity == MeasuredQuantity::axis) {
+      const auto n = reader_.numbers().subspan(cells.value, 3);
+      const double length = std::hypot(n[0], n[1], n[2]);
+      if (!(std::abs(length - 1) <= kNormSlack)) {
+        refuse(cells.value, fmt::format("an axis is a unit vector; this one has the length {:g}", length));
+        return;
+      }
+      value.axis_L = {n[0] / length, n[1] / length, n[2] / length};
+    } else {
+      value.angle_rad = reader_.numbers()[cells.value] * cells.value_rad;
+      const bool tilts = cells.quantity == MeasuredQuantity::tilt || cells.quantity == MeasuredQuantity::drift_tilt;
+      if (tilts && std::abs(value.angle_rad) > std::numbers::pi) {
+        refuse(cells.value, "a tilt is at most 180 deg; is it in another unit?");
+        return;
+      }
+    }
+    measurement_.values.push_back(value);
+  }
+
+  void refuse(std::size_t wanted, std::string message) { refuse_at(reader_.column(wanted), std::move(message)); }
+  void refuse_at(std::size_t column, std::string message) {
+    if (++count_ > scenario::kMostDiagnostics) return;
+    findings_.push_back({static_cast<int>(reader_.line()), static_cast<int>(column), "", std::move(message)});
+  }
+  void throw_findings() {
+    if (count_ == 0) return;
+    if (count_ > scenario::kMostDiagnostics)
+      findings_.push_back({static_cast<int>(reader_.line()), 1, "",
+                           fmt::format("{} more errors are not shown", count_ - scenario::kMostDiagnostics)});
+    throw ScenarioError(std::move(findings_), reader_.file());
+  }
+
+  CsvReader reader_;
+  Measurement measurement_;
+  std::vector<QuantityCells> quantities_;
+  double latest_s_ = 0;
+  std::vector<Diagnostic> findings_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+}  // namespace compare
+
+std::string_view to_string(MeasuredQuantity quantity) {
+  switch (quantity) {
+    case MeasuredQuantity::azimuth: return "azimuth";
+    case MeasuredQuantity::tilt: return "tilt";
+    case MeasuredQuantity::axis: return "axis";
+    case MeasuredQuantity::drift_azimuth: return "drift_azimuth";
+    case MeasuredQuantity::drift_tilt: return "drift_tilt";
+  }
+  return "";
+}
+
+Measurement read_measurement(const std::string& csv_file) { return compare::MeasurementReader(csv_file).read(); }
+
+}  // namespace earthtop

@@ -1,0 +1,93 @@
+#include "compare/scaled_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace earthtop::compare {
+namespace {
+
+constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // of a parameter's scale
+constexpr double kWantedChange_rad = 1e-4;
+
+}  // namespace
+
+ScaledProblem::ScaledProblem(const FitProblem& problem)
+    : problem_(problem), steps_(problem.start.size(), kFirstStep), residuals_(problem.standard_error.size()) {}
+
+std::vector<double> ScaledProblem::unscaled(const std::vector<double>& u) const {
+  std::vector<double> x(u.size());
+  for (std::size_t j = 0; j < u.size(); ++j) x[j] = problem_.start[j] + (u[j] - 1) * problem_.scales[j];
+  return x;
+}
+
+bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
+  if (problem_.stopped()) throw Stopped();
+  const bool predicted = problem_.residuals_at(unscaled(u), residuals_);
+  if (problem_.stopped()) throw Stopped();  // what was cut short is no missing prediction
+  if (!predicted) return false;
+  f.resize(static_cast<Eigen::Index>(residuals_.size()));
+  for (std::size_t i = 0; i < residuals_.size(); ++i)
+    f[static_cast<Eigen::Index>(i)] = residuals_[i] / problem_.standard_error[i];
+  return f.allFinite();
+}
+
+/// To both sides or, where a range ends or a motion cannot be computed, to one.
+bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative) {
+  Eigen::VectorXd high, low;
+  std::vector<double> above = u, below = u;
+  above[parameter] += steps_[parameter];
+  below[parameter] -= steps_[parameter];
+  const bool has_high = evaluate(above, high), has_low = evaluate(below, low);
+  if (!has_high && !has_low) return false;
+  if (!has_high) above = u;
+  if (!has_low) below = u;
+  if (!has_high && !evaluate(u, high)) return false;
+  if (!has_low && !evaluate(u, low)) return false;
+  derivative = high - low;
+  for (Eigen::Index i = 0; i < derivative.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (problem_.period[row] > 0)
+      derivative[i] = std::remainder(derivative[i], problem_.period[row] / problem_.standard_error[row]);
+  }
+  derivative /= above[parameter] - below[parameter];
+  return true;
+}
+
+bool ScaledProblem::jacobian(const std::vector<double>& u, Eigen::MatrixXd& J) {
+  J.resize(static_cast<Eigen::Index>(residuals()), static_cast<Eigen::Index>(parameters()));
+  Eigen::VectorXd column;
+  for (std::size_t j = 0; j < parameters(); ++j) {
+    if (!differentiate(u, j, column)) return false;
+    J.col(static_cast<Eigen::Index>(j)) = column;
+  }
+  return true;
+}
+
+double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, double step) const {
+  double change = 0;
+  for (Eigen::Index i = 0; i < derivative.size(); ++i)
+    change = std::max(change, std::abs(derivative[i]) * step * problem_.standard_error[static_cast<std::size_t>(i)]);
+  return change;
+}
+
+ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter) {
+  constexpr int kAttempts = 5;
+  double& step = steps_[parameter];
+  for (int attempt = 1;; ++attempt) {
+    Eigen::VectorXd derivative;
+    if (!differentiate(u, parameter, derivative)) {
+      if (step <= kShortestStep || attempt == kAttempts) return StepFound::no_prediction;
+      step = std::max(kShortestStep, step / 1e2);
+      continue;
+    }
+    const double change_rad = largest_change_rad(derivative, step);
+    const bool is_fine = change_rad <= 2 * kWantedChange_rad && change_rad >= kWantedChange_rad / 2;
+    const bool cannot_grow = change_rad < kWantedChange_rad && step >= kLongestStep;
+    if (cannot_grow && change_rad < 10 * kPredictionError_rad) return StepFound::no_influence;
+    if (is_fine || cannot_grow || attempt == kAttempts) return StepFound::yes;
+    const double wanted = change_rad > 0 ? step * kWantedChange_rad / change_rad : kLongestStep;
+    step = std::clamp(wanted, kShortestStep, kLongestStep);
+  }
+}
+
+}  // namespace earthtop::compare

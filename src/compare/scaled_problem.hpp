@@ -1,0 +1,40 @@
+/// A fit's problem as its arithmetic wants it: every number near 1, and derivatives.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "compare/weighted_fit.hpp"
+
+namespace earthtop::compare {
+
+/// The problem in parameters divided by their scales, 1 at the start, and residuals divided by their standard errors.
+class ScaledProblem {
+ public:
+  struct Stopped {};  ///< thrown where the work was asked to stop
+
+  explicit ScaledProblem(const FitProblem& problem);
+
+  std::size_t parameters() const { return problem_.start.size(); }
+  std::size_t residuals() const { return problem_.standard_error.size(); }
+  std::vector<double> unscaled(const std::vector<double>& u) const;
+
+  /// @returns whether there is a prediction
+  bool evaluate(const std::vector<double>& u, Eigen::VectorXd& f);
+  /// Derivatives of residuals (rows) by parameters. @returns whether there are predictions
+  bool jacobian(const std::vector<double>& u, Eigen::MatrixXd& J);
+
+  enum class StepFound { yes, no_influence, no_prediction };
+  /// Sets the step of a parameter's differences.
+  StepFound find_step(const std::vector<double>& u, std::size_t parameter);
+
+ private:
+  bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative);
+  double largest_change_rad(const Eigen::VectorXd& derivative, double step) const;
+
+  const FitProblem& problem_;
+  std::vector<double> steps_;
+  std::vector<double> residuals_;
+};
+
+}  // namespace earthtop::compare
