@@ -37,6 +37,19 @@ std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) 
   return {angle * along_L.dot(down_L) / sine, angle * along_L.dot(clockwise_L) / sine};
 }
 
+/// The scenario to a time, in double, with nothing asked of it but the motion.
+void prepare(Scenario& scenario, double end_s) {
+  if (end_s > 0) scenario.duration_s = end_s;
+  scenario.output_step_s = scenario.duration_s;
+  scenario.threshold_rad.reset();
+  scenario.accuracy_rad.reset();
+  scenario.uncertainty.reset();
+  scenario.ledger.reset();
+  scenario.sensitivities = false;
+  scenario.precision = Precision::bits53;
+  scenario.numerics.relative_tolerance = default_tolerance(Precision::bits53);
+}
+
 /// The row's residuals, one or two.
 class RowResiduals {
  public:
@@ -89,16 +102,21 @@ std::vector<double> measured_times(const Measurement& measurement) {
 }
 
 DriftTrajectory<double> predict(Scenario scenario, const std::vector<double>& times_s, const std::atomic<bool>* stop) {
-  if (times_s.back() > 0) scenario.duration_s = times_s.back();
-  scenario.output_step_s = scenario.duration_s;
-  scenario.threshold_rad.reset();
-  scenario.precision = Precision::bits53;
-  scenario.numerics.relative_tolerance = default_tolerance(Precision::bits53);
+  prepare(scenario, times_s.back());
   if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
   require_affordable(scenario);
   auto problem = make_problem<double>(scenario);
   problem.times_s = times_s;
   return integrate_drift(problem, method_choice(scenario).options, stop);
+}
+
+VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status) {
+  constexpr double kRows = 200;  // at which bounds are looked at
+  prepare(scenario, end_s);
+  scenario.output_step_s = scenario.duration_s / kRows;
+  const RunResult result = run(scenario);
+  status = result.status;
+  return result.verdict;
 }
 
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const std::vector<DriftSample<double>>& samples) {

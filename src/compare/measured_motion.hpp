@@ -16,6 +16,10 @@ std::vector<double> measured_times(const Measurement& measurement);
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
 DriftTrajectory<double> predict(Scenario scenario, const std::vector<double>& times_s, const std::atomic<bool>* stop);
 
+/// The verdict on a run of the scenario to this time, prepared as for `predict`.
+/// @param status  of the run: completed, or why there is no verdict
+VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status);
+
 /// A measurement's residuals against samples at measured_times(), as many rows as there are samples for. Azimuths are folded to
 /// the nearest turn. The components of an axis are along directions that the measured axis alone decides, so that they do not
 /// turn as a prediction is varied.

@@ -15,7 +15,6 @@
 #include "compare/measured_motion.hpp"
 #include "compare/weighted_fit.hpp"
 #include "earthtop/results/provenance.hpp"
-#include "earthtop/run.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -108,6 +107,24 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   fill_estimates(report, fit);
 }
 
+/// Refuses rows that no computation can predict; notes what hangs on digits that are not known.
+void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scenario& scenario) {
+  RunStatus status = RunStatus::completed;
+  const VerdictReport verdict = verdict_at(scenario, measurement.values.back().t_s, status);
+  if (status == RunStatus::interrupted) report.status = status;
+  if (status != RunStatus::completed) return;
+  report.verdict = verdict.verdict;
+  if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
+  if ((verdict.verdict != Verdict::unstable && verdict.verdict != Verdict::chaotic) || !verdict.from_s) return;
+  for (const MeasuredValue& value : measurement.values)
+    if (value.t_s >= *verdict.from_s) {
+      const std::string message = fmt::format(
+          "from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave later rows out",
+          *verdict.from_s, to_string(verdict.verdict), verdict.reason);
+      throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement.file);
+    }
+}
+
 void add_notes(MeasurementReport& report) {
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
   if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
@@ -168,12 +185,13 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   report.reached_s = motion.samples.empty() ? 0 : motion.samples.back().state.t_s;
   report.residuals = residuals_of(measurement, motion.samples);
   report.as_given = chi_squared_of(report.residuals, 0);
+  if (report.status == RunStatus::completed) require_reliable(report, measurement, scenario);
   if (!estimates.empty()) {
-    if (motion.status == RunStatus::completed) {
+    if (report.status == RunStatus::completed) {
       fit_estimates(report, measurement, inputs);
     } else {
-      report.fit = motion.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
-      report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(motion.status));
+      report.fit = report.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
+      report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(report.status));
     }
   }
   for (std::size_t i = 0; i < report.residuals.size(); ++i)

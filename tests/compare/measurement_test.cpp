@@ -482,6 +482,20 @@ TEST_F(MeasurementTest, ReadsWhatIsThere) {
   EXPECT_EQ(m.values[1].quantity, MeasuredQuantity::tilt);
 }
 
+TEST_F(MeasurementTest, RowsBeyondWhatCanBePredictedAreRefused) {
+  const auto source = shipped("hard/h11-chaotic");
+  const Scenario scenario = parse_scenario(source);
+  const std::string csv = "t_s,tilt_deg,tilt_se_deg\n0.5,90,200\n";
+  EXPECT_EQ(compare_with_measurement(source, {}, read(csv), {}).status, RunStatus::completed);
+  try {
+    compare_with_measurement(source, {}, read(csv + fmt::format("{},90,200\n", scenario.duration_s)), {});
+    ADD_FAILURE();
+  } catch (const ScenarioError& error) {
+    EXPECT_EQ(error.diagnostics().at(0).line, 3);
+    EXPECT_NE(std::string(error.what()).find("chaotic"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(MeasurementTest, TheDocumentHasEverything) {
   std::string csv = "t_s,azimuth_rad,azimuth_se_rad\n";
   for (int i = 1; i <= 4; ++i)

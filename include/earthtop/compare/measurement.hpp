@@ -1,8 +1,8 @@
 /// A measured motion held against a scenario: residuals, chi-squared, and what the measurement says of the scenario's numbers.
 ///
 /// The prediction is one integration in double at the measured times, good to some 1e-11 rad; that error is small against any
-/// measurement's, and is not added to it. From the time on at which a run's verdict is `chaotic` or `unstable`, motion and
-/// residuals mean nothing: that is not looked at here.
+/// measurement's, and is not added to it. Where disturbances grow, it means nothing from the time on that a run's verdict
+/// names: later rows are refused.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "earthtop/error.hpp"
+#include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
@@ -103,6 +104,7 @@ struct MeasurementReport {
   std::vector<std::pair<MeasuredQuantity, std::uint64_t>> quantities;  ///< and how many values of each
   RunStatus status = RunStatus::completed;                             ///< of the scenario's own prediction
   double reached_s = 0;                                                ///< time of the last predicted row
+  Verdict verdict = Verdict::reliable;                                 ///< of a run to the last row
   ChiSquared as_given;  ///< of the scenario's own numbers, none of them fitted; of the rows that were reached
   FitOutcome fit = FitOutcome::not_asked;
   std::string fit_reason;            ///< why not converged; empty where it did, or was not asked for
@@ -128,7 +130,8 @@ struct MeasurementReport {
 ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
 ///     gravity stay as they are.
 /// The least sum of squares is looked for from the start on; azimuths that are a turn off may have several.
-/// @throws ScenarioError for a scenario, a name or a row that cannot be compared. Numerical trouble is the report's `status`.
+/// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
+/// until which a run of the scenario is reliable, where it is unstable or chaotic. Numerical trouble is the report's `status`.
 /// While it runs, GSL's error handler, which is one for the process, is off.
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,

@@ -1,0 +1,13 @@
+/// What `earthtop compare` prints of a measurement.
+#pragma once
+
+#include <string>
+
+#include "earthtop/compare/measurement.hpp"
+
+namespace earthtop::tool {
+
+/// Whether measurement and scenario agree, the estimates, the largest residuals. @param color  with terminal colours
+std::string measurement_text(const MeasurementReport& report, bool color);
+
+}  // namespace earthtop::tool
