@@ -55,18 +55,21 @@ class RowResiduals {
  public:
   RowResiduals(const Measurement& measurement, std::vector<MeasurementResidual>& all) : measurement_(measurement), all_(all) {}
 
-  void add(const MeasuredValue& value, const DriftSample<double>& sample) {
-    const Vec3<double> n_L = rotation_matrix(sample.state.q_LB).col(2);
+  void add(const MeasuredValue& value, const PredictedAxis& predicted) {
+    const Vec3<double>& n_L = predicted.n_L;
     switch (value.quantity) {
       case MeasuredQuantity::azimuth:
         require_azimuth(value, horizontal_part(n_L) > 0);
         return append(value, "azimuth", value.angle_rad, azimuth_of(n_L), folded(value.angle_rad - azimuth_of(n_L)));
       case MeasuredQuantity::tilt: return append(value, "tilt", value.angle_rad, tilt_of(n_L), value.angle_rad - tilt_of(n_L));
-      case MeasuredQuantity::drift_azimuth:
-        require_azimuth(value, sample.measures.azimuth_defined);
-        return append(value, "drift_azimuth", value.angle_rad, sample.azimuth, folded(value.angle_rad - sample.azimuth));
+      case MeasuredQuantity::drift_azimuth: {
+        require_azimuth(value, predicted.drift_azimuth_rad.has_value());
+        const double azimuth = predicted.drift_azimuth_rad.value_or(0);
+        return append(value, "drift_azimuth", value.angle_rad, azimuth, folded(value.angle_rad - azimuth));
+      }
       case MeasuredQuantity::drift_tilt:
-        return append(value, "drift_tilt", value.angle_rad, sample.measures.tilt, value.angle_rad - sample.measures.tilt);
+        return append(value, "drift_tilt", value.angle_rad, predicted.drift_tilt_rad,
+                      value.angle_rad - predicted.drift_tilt_rad);
       case MeasuredQuantity::axis: {
         const Vec3<double> m_L(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
         const auto [along_tilt, along_azimuth] = turn_to(m_L, n_L);
@@ -101,13 +104,39 @@ std::vector<double> measured_times(const Measurement& measurement) {
   return times;
 }
 
-DriftTrajectory<double> predict(Scenario scenario, const std::vector<double>& times_s, const std::atomic<bool>* stop) {
+bool has_drifts(const Measurement& measurement) {
+  return std::any_of(measurement.values.begin(), measurement.values.end(), [](const MeasuredValue& value) {
+    return value.quantity == MeasuredQuantity::drift_azimuth || value.quantity == MeasuredQuantity::drift_tilt;
+  });
+}
+
+PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const std::atomic<bool>* stop) {
   prepare(scenario, times_s.back());
   if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
   require_affordable(scenario);
   auto problem = make_problem<double>(scenario);
   problem.times_s = times_s;
-  return integrate_drift(problem, method_choice(scenario).options, stop);
+  const IntegrationOptions options = method_choice(scenario).options;
+  PredictedMotion predicted;
+  predicted.axes.reserve(times_s.size());
+  // A motion that dry friction brings to rest is held at rest where drifts are computed.
+  if (drift || scenario.effects.applied.coulomb_N_m != 0) {
+    const DriftTrajectory<double> motion = integrate_drift(problem, options, stop);
+    predicted.status = motion.status;
+    for (const DriftSample<double>& sample : motion.samples) {
+      PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}};
+      if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
+      predicted.axes.push_back(axis);
+    }
+    return predicted;
+  }
+  const bool axis_alone = symmetry_axis(make_body<double>(scenario.body)) == 2;
+  const MotionTrajectory<double> motion =
+      integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, stop);
+  predicted.status = motion.status;
+  for (const MotionSample<double>& sample : motion.samples)
+    predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}});
+  return predicted;
 }
 
 VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status) {
@@ -119,15 +148,15 @@ VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status) {
   return result.verdict;
 }
 
-std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const std::vector<DriftSample<double>>& samples) {
+std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion) {
   std::vector<MeasurementResidual> residuals;
   residuals.reserve(2 * measurement.values.size());
   RowResiduals rows(measurement, residuals);
   std::size_t at = 0;
   for (const MeasuredValue& value : measurement.values) {
-    while (at < samples.size() && samples[at].state.t_s < value.t_s) ++at;
-    if (at == samples.size()) break;
-    rows.add(value, samples[at]);
+    while (at < motion.axes.size() && motion.axes[at].t_s < value.t_s) ++at;
+    if (at == motion.axes.size()) break;
+    rows.add(value, motion.axes[at]);
   }
   return residuals;
 }

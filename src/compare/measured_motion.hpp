@@ -1,30 +1,47 @@
 /// The motion that a scenario predicts at measured times, and what a measurement differs from it by.
 #pragma once
 
+#include <atomic>
+#include <optional>
 #include <vector>
 
 #include "earthtop/compare/measurement.hpp"
-#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/real.hpp"
 
 namespace earthtop::compare {
 
 /// The measured times, each once, ascending; the release is the first (s).
 std::vector<double> measured_times(const Measurement& measurement);
 
-/// Both predictions of a scenario at these times, in double whatever its precision; its rows and its threshold are not looked
-/// at. @param times_s  ascending, from 0 on, none beyond the scenario's duration   @param stop  set from outside to end early
+/// Body axis 3 at one instant, and how far it has drifted from the non-rotating prediction.
+struct PredictedAxis {
+  double t_s = 0;
+  Vec3<double> n_L = Vec3<double>::Zero();
+  double drift_tilt_rad = 0;                ///< 0 where no drift was asked for
+  std::optional<double> drift_azimuth_rad;  ///< continuous; none where an axis is vertical, or no drift was asked for
+};
+struct PredictedMotion {
+  RunStatus status = RunStatus::completed;
+  std::vector<PredictedAxis> axes;  ///< one for each time that was reached
+};
+
+/// A scenario's motion at these times, in double whatever its precision; its rows and what else it asks for are not looked at.
+/// @param times_s  ascending, from 0 on, none beyond the scenario's duration   @param drift  whether drifts are wanted, which
+/// take the non-rotating prediction as well: threefold work   @param stop  set from outside to end early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
-DriftTrajectory<double> predict(Scenario scenario, const std::vector<double>& times_s, const std::atomic<bool>* stop);
+PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const std::atomic<bool>* stop);
+
+bool has_drifts(const Measurement& measurement);
 
 /// The verdict on a run of the scenario to this time, prepared as for `predict`.
 /// @param status  of the run: completed, or why there is no verdict
 VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status);
 
-/// A measurement's residuals against samples at measured_times(), as many rows as there are samples for. Azimuths are folded to
+/// A measurement's residuals against the motion at measured_times(), as many rows as were reached. Azimuths are folded to
 /// the nearest turn. The components of an axis are along directions that the measured axis alone decides, so that they do not
 /// turn as a prediction is varied.
 /// @throws ScenarioError, at the row's line, for the azimuth of an axis that the prediction has vertical
-std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const std::vector<DriftSample<double>>& samples);
+std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion);
 
 /// What a residual may jump by where an angle goes round (rad); 0 where it cannot.
 double period_of(const MeasurementResidual& residual);

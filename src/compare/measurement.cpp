@@ -59,6 +59,7 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
 
 void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs) {
   const std::vector<double> times = measured_times(measurement);
+  const bool drift = has_drifts(measurement);
   if (report.residuals.size() < inputs.list().size())
     throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones", inputs.list().size(),
                                                   report.residuals.size()));
@@ -79,9 +80,9 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
     if (!scenario) return false;
     try {
       ++report.predictions;
-      const DriftTrajectory<double> motion = predict(*scenario, times, &interrupt_flag());
+      const PredictedMotion motion = predict(*scenario, times, drift, &interrupt_flag());
       if (motion.status != RunStatus::completed) return false;
-      latest = residuals_of(measurement, motion.samples);
+      latest = residuals_of(measurement, motion);
     } catch (const ScenarioError&) {  // no steady precession for these values, an axis that is vertical, days of work
       return false;
     }
@@ -179,11 +180,11 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   for (const MeasuredValue& value : measurement.values) ++counts[value.quantity];
   report.quantities.assign(counts.begin(), counts.end());
 
-  const DriftTrajectory<double> motion = predict(scenario, measured_times(measurement), &interrupt_flag());
+  const PredictedMotion motion = predict(scenario, measured_times(measurement), has_drifts(measurement), &interrupt_flag());
   report.predictions = 1;
   report.status = motion.status;
-  report.reached_s = motion.samples.empty() ? 0 : motion.samples.back().state.t_s;
-  report.residuals = residuals_of(measurement, motion.samples);
+  report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
+  report.residuals = residuals_of(measurement, motion);
   report.as_given = chi_squared_of(report.residuals, 0);
   if (report.status == RunStatus::completed) require_reliable(report, measurement, scenario);
   if (!estimates.empty()) {

@@ -17,7 +17,10 @@ std::string strong(std::string_view text, std::string_view code, bool color) {
 /// "7.2921e-05 ± 2.3e-09": as many digits as the error leaves standing, and one beyond.
 std::string with_standard_error(double value, double error) {
   if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.8g}", value);
-  const double digits = value != 0 ? std::floor(std::log10(std::abs(value))) - std::floor(std::log10(error)) + 1 : 1;
+  const double size = std::abs(value), last = std::floor(std::log10(error)) - 1;  // place of the last digit shown
+  if (size >= 1e-3 && size < 1e6 && last >= -12 && last <= 0)
+    return fmt::format("{:.{}f} ± {:.2g}", value, static_cast<int>(-last), error);
+  const double digits = value != 0 ? std::floor(std::log10(size)) - last : 1;
   return fmt::format("{:.{}e} ± {:.1e}", value, static_cast<int>(std::clamp(digits, 1.0, 16.0)), error);
 }
 
@@ -25,8 +28,8 @@ std::string chi_squared_text(const ChiSquared& chi_squared) {
   std::string text =
       fmt::format("chi-squared {:.6g} of {} degrees of freedom", chi_squared.value, chi_squared.degrees_of_freedom);
   if (chi_squared.p_value)
-    text += *chi_squared.p_value >= 1e-4 ? fmt::format(", chance {:.4f}", *chi_squared.p_value)
-                                         : fmt::format(", chance {:.1e}", *chi_squared.p_value);
+    text += *chi_squared.p_value >= 1e-4 || *chi_squared.p_value == 0 ? fmt::format(", chance {:.4g}", *chi_squared.p_value)
+                                                                      : fmt::format(", chance {:.1e}", *chi_squared.p_value);
   return text;
 }
 
