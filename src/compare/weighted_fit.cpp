@@ -34,7 +34,8 @@ constexpr double kNoPrediction = 1e3;
 struct Callbacks {
   ScaledProblem* problem;
   std::exception_ptr thrown;
-  double worst_norm = 0;  // of residuals so far
+  double worst_norm = 0;      // of residuals so far
+  bool all_predicted = true;  // of the last iteration's trials
 };
 
 std::vector<double> values_of(const gsl_vector* vector) {
@@ -48,6 +49,7 @@ int evaluate_residuals(const gsl_vector* u, void* data, gsl_vector* f) {
   try {
     VectorXd values;
     const bool predicted = callbacks.problem->evaluate(values_of(u), values);
+    callbacks.all_predicted = callbacks.all_predicted && predicted;
     if (predicted) callbacks.worst_norm = std::max(callbacks.worst_norm, values.norm());
     for (std::size_t i = 0; i < f->size; ++i)
       gsl_vector_set(f, i, predicted ? values[static_cast<Index>(i)] : kNoPrediction * (1 + callbacks.worst_norm));
@@ -119,6 +121,14 @@ struct Normal {
   Eigen::JacobiSVD<MatrixXd> svd;
 };
 
+std::string why_not_converged(bool no_progress, bool all_predicted) {
+  if (!no_progress) return "the sum of squares still falls";
+  return all_predicted
+             ? "no step lessens the sum of squares, which is not least in first order either"
+             : "the sum of squares falls towards values without a prediction: beyond a number's range, or without such a "
+               "motion";
+}
+
 Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   Fit fit;
   const std::size_t n = problem.residuals(), p = problem.parameters();
@@ -141,7 +151,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   const std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)> workspace(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p), gsl_multifit_nlinear_free);
   if (!workspace) throw std::bad_alloc();
-  Callbacks callbacks{&problem, nullptr};
+  Callbacks callbacks{&problem, nullptr, 0, true};
   gsl_multifit_nlinear_fdf functions{};
   functions.f = evaluate_residuals;
   functions.df = evaluate_jacobian;
@@ -175,10 +185,10 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       return fit;
     }
     if (status == GSL_ENOPROG || fit.iterations == kMostIterations) {
-      fit.reason = status == GSL_ENOPROG ? "no step lessens the sum of squares, which is not least in first order either"
-                                         : "the sum of squares still falls";
+      fit.reason = why_not_converged(status == GSL_ENOPROG, callbacks.all_predicted);
       return fit;
     }
+    callbacks.all_predicted = true;
     status = gsl_multifit_nlinear_iterate(workspace.get());
   }
 }

@@ -377,6 +377,21 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
   outcome({"rotation_rate_rad_s", "latitude_deg"}, "do not tell apart rotation_rate_rad_s, latitude_deg");
 }
 
+TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {
+  // An Earth that turns about an axis beyond the pole: no latitude has it.
+  const double beyond = 93 * kDegree;
+  std::string csv = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
+  for (int i = 1; i <= 10; ++i) {
+    const Vec3<double> n = free_axis(kEast, kOmega * std::cos(beyond), kOmega * std::sin(beyond), 60 * i);
+    csv += fmt::format("{},{},{},{},1e-5\n", 60 * i, n[0], n[1], n[2]);
+  }
+  const auto report =
+      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {"latitude_deg"});
+  EXPECT_EQ(report.fit, FitOutcome::not_converged);
+  EXPECT_NE(report.fit_reason.find("beyond a number's range"), std::string::npos) << report.fit_reason;
+  EXPECT_FALSE(report.agrees());
+}
+
 TEST_F(MeasurementTest, NamesThatCannotBeEstimatedAreRefused) {
   const Measurement measurement = read("t_s,azimuth_rad,azimuth_se_rad\n10,1.57,1e-3\n20,1.57,1e-3\n");
   const auto refused = [&](const std::vector<std::string>& names, const std::string& words, const Overrides& set = {}) {

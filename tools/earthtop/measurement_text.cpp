@@ -99,8 +99,8 @@ std::string measurement_text(const MeasurementReport& report, bool color) {
                         strong(fmt::format("ended at {:.6g} s: {}", report.reached_s, to_string(report.status)), "31", color));
   text += fmt::format("As given    {}\n", chi_squared_text(report.as_given));
   if (report.fitted)
-    text += fmt::format("Fitted      {}; {} iterations, {} motions\n", chi_squared_text(*report.fitted), report.iterations,
-                        report.predictions);
+    text += fmt::format("Fitted      {}; {} iteration{}, {} motions\n", chi_squared_text(*report.fitted), report.iterations,
+                        report.iterations == 1 ? "" : "s", report.predictions);
   else if (report.fit != FitOutcome::not_asked)
     text += fmt::format("Fit         {}\n",
                         strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
