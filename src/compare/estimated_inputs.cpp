@@ -85,8 +85,9 @@ scenario::Node tree_of(std::string_view text, const std::vector<std::pair<std::s
 
 double scale_of(double start, std::string_view unit, std::string_view pointer) {
   if (unit == "deg") return kDegreesPerRad;
-  if (start != 0) return std::abs(start);
-  return pointer.ends_with("/rotation_rate_rad_s") ? kEarthRateWgs84 : 1;
+  if (unit == "arcsec") return 3600 * kDegreesPerRad;
+  if (pointer.ends_with("/rotation_rate_rad_s")) return std::max(std::abs(start), kEarthRateWgs84);
+  return start != 0 ? std::abs(start) : 1;
 }
 
 }  // namespace
@@ -135,7 +136,7 @@ void EstimatedInputs::add_vertical_rate() {
                     "rotation_rate_rad_s or latitude_deg");
   const Vec3<double> axis_L = celestial_axis_L<double>(base_.site);
   northward_rate_rad_s_ = base_.rotation_rate_rad_s * axis_L[1];
-  const double scale = base_.rotation_rate_rad_s != 0 ? std::abs(base_.rotation_rate_rad_s) : kEarthRateWgs84;
+  const double scale = std::max(std::abs(base_.rotation_rate_rad_s), kEarthRateWgs84);
   list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s * axis_L[2], scale});
 }
 

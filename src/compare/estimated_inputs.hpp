@@ -15,7 +15,8 @@ struct EstimatedInput {
   std::string pointer;  ///< empty of omega_sin_latitude_rad_s
   std::string unit;
   double start = 0;  ///< the scenario's, in `unit`
-  double scale = 1;  ///< the size against which a change is small: its own, a radian of an angle, 1 of what is 0
+  double scale =
+      1;  ///< the size against which a change is small: its own, a radian of an angle, the Earth's of its rate; 1 of what is 0
 };
 
 class EstimatedInputs {

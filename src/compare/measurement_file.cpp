@@ -15,8 +15,9 @@ namespace compare {
 namespace {
 
 constexpr std::uint64_t kMostMeasuredRows = 200'000;
-constexpr double kLatestTime_s = 1e9;  // the longest duration of a scenario
-constexpr double kNormSlack = 1e-3;    // of a measured axis
+constexpr double kLatestTime_s = 1e9;                               // the longest duration of a scenario
+constexpr double kNormSlack = 1e-3;                                 // of a measured axis
+constexpr double kLargestTilt_rad = std::numbers::pi * (1 + 1e-9);  // rounding, and the last digits of a table
 
 class MeasurementReader {
  public:
@@ -89,7 +90,7 @@ class MeasurementReader {
     } else {
       value.angle_rad = reader_.numbers()[cells.value] * cells.value_rad;
       const bool tilts = cells.quantity == MeasuredQuantity::tilt || cells.quantity == MeasuredQuantity::drift_tilt;
-      if (tilts && std::abs(value.angle_rad) > std::numbers::pi) {
+      if (tilts && std::abs(value.angle_rad) > kLargestTilt_rad) {
         refuse(cells.value, "a tilt is at most 180 deg; is it in another unit?");
         return;
       }

@@ -60,7 +60,7 @@ std::string measurement_json(const MeasurementReport& report) {
       {"prediction",
        {{"status", std::string(to_string(report.status))},
         {"reached_s", report.reached_s},
-        {"verdict", std::string(to_string(report.verdict))}}},
+        {"verdict", report.verdict ? Json(std::string(to_string(*report.verdict))) : Json(nullptr)}}},
       {"chi_squared",
        {{"as_given", chi_squared_json(report.as_given)},
         {"fitted", report.fitted ? chi_squared_json(*report.fitted) : Json(nullptr)}}},

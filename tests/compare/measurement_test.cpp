@@ -490,6 +490,7 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
       {header + "10,,1\n", 2, 1, "no measured value"},
       {header, 1, 1, "no measured value"},
       {"t_s,tilt_rad,tilt_se_rad\n0,20,1\n", 2, 3, "at most 180 deg"},
+      {"t_s,tilt_deg,tilt_se_rad\n0,180,1\n1,180.1,1\n", 3, 3, "at most 180 deg"},
       {"t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n0,1,0,0.1,1\n", 2, 3, "this one has the length 1.00499"},
       {"t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n0,1,,0,1\n", 2, 3, "give all or none"},
   };

@@ -104,7 +104,7 @@ struct MeasurementReport {
   std::vector<std::pair<MeasuredQuantity, std::uint64_t>> quantities;  ///< and how many values of each
   RunStatus status = RunStatus::completed;                             ///< of the scenario's own prediction
   double reached_s = 0;                                                ///< time of the last predicted row
-  Verdict verdict = Verdict::reliable;                                 ///< of a run to the last row
+  std::optional<Verdict> verdict;                                      ///< of a run to the last row; none where it ended early
   ChiSquared as_given;  ///< of the scenario's own numbers, none of them fitted; of the rows that were reached
   FitOutcome fit = FitOutcome::not_asked;
   std::string fit_reason;            ///< why not converged; empty where it did, or was not asked for
@@ -126,13 +126,15 @@ struct MeasurementReport {
 /// @param overrides  `--set` pairs
 /// @param estimates  at most 8 names of numbers to be fitted by weighted least squares, starting at the scenario's:
 ///   - a JSON pointer of a number of site, earth, body, release, platform or effects, changed as --set would;
-///   - latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, rotation_rate_rad_s: the pointers of these inputs;
+///   - latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, rotation_rate_rad_s: the pointers of these inputs; where the scenario
+///     gives no gravity, the latitude takes that of the ellipsoid along;
 ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
-///     gravity stay as they are.
-/// The least sum of squares is looked for from the start on; azimuths that are a turn off may have several.
+///     gravity stay as they are; effects that look at the latitude themselves, a tide or a gravity gradient, see it changed.
+/// Errors of measured values are taken for normal and independent of each other. The least sum of squares is looked for from
+/// the start on; azimuths that are a turn off may have several.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
 /// until which a run of the scenario is reliable, where it is unstable or chaotic. Numerical trouble is the report's `status`.
-/// While it runs, GSL's error handler, which is one for the process, is off.
+/// ArithmeticError as `run` does. While it runs, GSL's error handler, which is one for the process, is off.
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
                                            const Measurement& measurement, const std::vector<std::string>& estimates);
