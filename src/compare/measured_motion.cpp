@@ -12,7 +12,7 @@
 namespace earthtop::compare {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWholeTurn = 2 * std::numbers::pi;
 
 double horizontal_part(const Vec3<double>& n_L) { return std::hypot(n_L[0], n_L[1]); }
 double tilt_of(const Vec3<double>& n_L) { return std::atan2(horizontal_part(n_L), n_L[2]); }
@@ -21,7 +21,7 @@ double azimuth_of(const Vec3<double>& n_L) {
 }
 
 /// The nearest of all angles that are a number of turns from this one.
-double folded(double angle) { return std::remainder(angle, kTurn); }
+double folded(double angle) { return std::remainder(angle, kWholeTurn); }
 
 /// The turn from the predicted to the measured axis, as an angle along growing tilt and one along growing azimuth, both at the
 /// measured axis; along North and East where that is vertical. The two unit vectors are m x (p x m)'s components, whose length
@@ -140,9 +140,9 @@ PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, b
 }
 
 VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status) {
-  constexpr double kRows = 200;  // at which bounds are looked at
+  constexpr double kLooks = 200;  // at which bounds are looked at
   prepare(scenario, end_s);
-  scenario.output_step_s = scenario.duration_s / kRows;
+  scenario.output_step_s = scenario.duration_s / kLooks;
   const RunResult result = run(scenario);
   status = result.status;
   return result.verdict;
@@ -162,7 +162,7 @@ std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, co
 }
 
 double period_of(const MeasurementResidual& residual) {
-  return residual.quantity == "azimuth" || residual.quantity == "drift_azimuth" ? kTurn : 0;
+  return residual.quantity == "azimuth" || residual.quantity == "drift_azimuth" ? kWholeTurn : 0;
 }
 
 }  // namespace earthtop::compare
