@@ -24,8 +24,8 @@ double azimuth_of(const Vec3<double>& n_L) {
 double folded(double angle) { return std::remainder(angle, kWholeTurn); }
 
 /// The turn from the predicted to the measured axis, as an angle along growing tilt and one along growing azimuth, both at the
-/// measured axis; along North and East where that is vertical. The two unit vectors are m x (p x m)'s components, whose length
-/// is the sine of the angle: nothing cancels for near axes.
+/// measured axis; along North and East where that is vertical. (p x m) x m points from p to m at m, and is as long as the sine
+/// of the angle between them: nothing cancels for near axes.
 std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) {
   const double horizontal = horizontal_part(m_L);
   const double east = horizontal > 0 ? m_L[0] / horizontal : 0, north = horizontal > 0 ? m_L[1] / horizontal : 1;

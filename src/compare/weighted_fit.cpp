@@ -76,7 +76,7 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
 
 /// Normal equations by way of their triangular factor, each column of the derivatives divided by its length.
 struct Normal {
-  explicit Normal(const gsl_matrix* J, const gsl_vector* f) {
+  Normal(const gsl_matrix* J, const gsl_vector* f) {
     const auto n = static_cast<Index>(J->size1), p = static_cast<Index>(J->size2);
     MatrixXd scaled(n, p);
     VectorXd values(n);
@@ -177,8 +177,6 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
     if (normal.next_step <= kConverged * std::sqrt(scatter)) {
       fit.outcome = FitOutcome::converged;
       fit.parameters = problem.unscaled(values_of(workspace->x));
-      fit.residuals = values_of(workspace->f);
-      for (std::size_t i = 0; i < n; ++i) fit.residuals[i] *= given.standard_error[i];
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
       const MatrixXd covariance = scales.asDiagonal() * normal.covariance() * scales.asDiagonal();
       fit.covariance = (covariance + covariance.transpose()) / 2;  // to the last bit

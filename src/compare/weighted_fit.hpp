@@ -26,7 +26,6 @@ struct Fit {
   std::string reason;
   std::vector<std::size_t> undetermined;  ///< the parameters that the data do not tell, or not tell apart
   std::vector<double> parameters;
-  std::vector<double> residuals;
   Eigen::MatrixXd covariance;  ///< of the parameters, from the stated standard errors
   int iterations = 0;
 };
