@@ -5,21 +5,10 @@
 #include <memory>
 
 #include "bench/peer_system.hpp"
+#include "error/gsl_errors.hpp"
 
 namespace earthtop {
 namespace {
-
-/// Failures are returned, not fatal, as long as this lives.
-class QuietErrors {
- public:
-  QuietErrors() : before_(gsl_set_error_handler_off()) {}
-  ~QuietErrors() { gsl_set_error_handler(before_); }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-
- private:
-  gsl_error_handler_t* before_;
-};
 
 int rates(double, const double* x, double* dxdt, void* system) {
   return static_cast<PeerSystem*>(system)->rates(x, dxdt) ? GSL_SUCCESS : GSL_EBADFUNC;
@@ -29,7 +18,7 @@ int rates(double, const double* x, double* dxdt, void* system) {
 
 MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
                                             const std::atomic<bool>* stop) {
-  const QuietErrors quiet;
+  const ReturnedGslErrors returned;
   PeerSystem top(problem, stop);
   gsl_odeiv2_system system{rates, nullptr, PeerSystem::kSize, &top};
   const gsl_odeiv2_step_type* type = peer == Peer::gsl_msadams ? gsl_odeiv2_step_msadams : gsl_odeiv2_step_rk8pd;

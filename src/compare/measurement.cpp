@@ -11,10 +11,10 @@
 #include <numbers>
 
 #include "compare/estimated_inputs.hpp"
-#include "compare/gsl_errors.hpp"
 #include "compare/measured_motion.hpp"
 #include "compare/weighted_fit.hpp"
 #include "earthtop/results/provenance.hpp"
+#include "error/gsl_errors.hpp"
 
 namespace earthtop {
 namespace compare {

@@ -12,8 +12,8 @@
 #include <memory>
 #include <new>
 
-#include "compare/gsl_errors.hpp"
 #include "compare/scaled_problem.hpp"
+#include "error/gsl_errors.hpp"
 
 namespace earthtop::compare {
 namespace {

@@ -59,6 +59,24 @@ head -c 1000 runs/toy-top/trajectory.csv >cut.csv
 expect 2 compare runs/toy-top/trajectory.csv cut.csv
 on_stderr 'cut.csv:[0-9]*:1: error: the last line has no end'
 
+# A measurement: every tenth row's azimuth, exact to twelve digits where a thousandth of a radian is claimed.
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "t_s,azimuth_rad,azimuth_se_rad" }
+         NR % 10 == 2 { printf "%s,%.12f,0.001\n", $1, atan2($at["axis_L_x"], $at["axis_L_y"]) }' runs/toy-top/trajectory.csv >measured.csv
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s --json
+on_stdout '"converged"'
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s
+on_stdout 'omega_sin_latitude_rad_s  5.1'
+sed 's/,0.001$/,0.000001/' measured.csv >finer.csv
+expect 0 compare "$scenarios/toy-top.json" finer.csv
+expect 1 compare "$scenarios/toy-top.json" finer.csv --set /earth/rotation_rate_rad_s=0
+on_stdout 'Agreement   no'
+expect 2 compare "$scenarios/toy-top.json" measured.csv --profile physics
+expect 2 compare "$scenarios/toy-top.json" measured.csv --estimate nonsense
+sed 's/,0.001$/,0/' measured.csv >no-errors.csv
+expect 2 compare "$scenarios/toy-top.json" no-errors.csv
+on_stderr 'no-errors.csv:2:'
+expect 2 compare runs/toy-top measured.csv --estimate omega_sin_latitude_rad_s
+
 # A new reference needs a reason.
 expect 2 compare reference runs/toy-top --update
 on_stderr 'needs a reason'

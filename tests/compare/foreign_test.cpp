@@ -33,7 +33,7 @@ Quaterniond from_columns(const Vector3d& x, const Vector3d& y, const Vector3d& z
   matrix << x, y, z;
   return Quaterniond(matrix);
 }
-const Vector3d kEast(1, 0, 0), kNorth(0, 1, 0), kUp(0, 0, 1);
+const Vector3d kEastAxis(1, 0, 0), kNorthAxis(0, 1, 0), kUpAxis(0, 0, 1);
 
 /// What another program would write of the short run: its world axes F and body axes G as directions in ours.
 struct Convention {
@@ -83,11 +83,11 @@ PairReport compare_foreign(const Convention& c, const std::string& axes) {
 }
 
 const Quaterniond kSame = Quaterniond::Identity();
-const Quaterniond kNed = from_columns(kNorth, kEast, -kUp), kNwu = from_columns(kNorth, -kEast, kUp),
-                  kYUp = from_columns(kEast, kUp, -kNorth);
+const Quaterniond kNed = from_columns(kNorthAxis, kEastAxis, -kUpAxis), kNwu = from_columns(kNorthAxis, -kEastAxis, kUpAxis),
+                  kYUp = from_columns(kEastAxis, kUpAxis, -kNorthAxis);
 // x forward: the file's x is body axis 3, its y body axis 1, its z body axis 2.
 const Quaterniond kXForward = from_columns(Vector3d(0, 0, 1), Vector3d(1, 0, 0), Vector3d(0, 1, 0));
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kDegreesPerSecond = std::numbers::pi / 180;
 
 TEST(Mapping, EveryConventionIsUndone) {
   const struct {
@@ -100,7 +100,7 @@ TEST(Mapping, EveryConventionIsUndone) {
   for (const auto& world : worlds)
     for (const bool forward : {false, true})
       for (const bool flag : {false, true}) {
-        const Convention c = {world.q_LF, forward ? kXForward : kSame, flag, forward, flag, flag ? 1 : kDegree, ""};
+        const Convention c = {world.q_LF, forward ? kXForward : kSame, flag, forward, flag, flag ? 1 : kDegreesPerSecond, ""};
         const PairReport pair = compare_foreign(c, world.axes + (forward ? R"(, "body_axes": "x-forward")" : ""));
         EXPECT_TRUE(pair.passed()) << world.axes << forward << flag;
         ASSERT_EQ(pair.quantities.size(), 3u);  // attitude, rates, axis
@@ -136,7 +136,7 @@ TEST(Mapping, AWrongConventionDiffersAndTheRightOneIsNamed) {
   other.q_LF = kNed;
   expect_hint(other, plain, "", "North, East, Down");
   other = plain;
-  other.rate_unit = kDegree;
+  other.rate_unit = kDegreesPerSecond;
   expect_hint(other, plain, "", "degrees for radians");
 }
 
@@ -144,7 +144,8 @@ TEST(Mapping, SimbodyAgreesToItsOwnError) {
   const struct {
     const char* name;
     double attitude_rad, rates_rad_s;  // as stated in the files
-  } scenes[] = {{"toy-top", 2 * 4.3e-9, 1.0e-6 * kDegree}, {"heavy-top-benchmark", 2 * 6.9e-11, 6.4e-8 * kDegree}};
+  } scenes[] = {{"toy-top", 2 * 4.3e-9, 1.0e-6 * kDegreesPerSecond},
+                {"heavy-top-benchmark", 2 * 6.9e-11, 6.4e-8 * kDegreesPerSecond}};
   for (const auto& scene : scenes) {
     const TemporaryDirectory dir;
     const Scenario scenario =

@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compare_text.hpp"
+#include "earthtop/compare/measurement.hpp"
 #include "earthtop/results/results.hpp"
+#include "interrupt.hpp"
+#include "measurement_text.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -17,6 +22,7 @@ struct CompareArguments {
   std::string reference, candidate;
   std::string profile, tolerances, mapping, junit, svg, reason;
   std::vector<std::string> may_change;
+  std::vector<std::string> estimates, sets;   // of a measurement
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
   bool json = false, quiet = false, all = false;
@@ -50,8 +56,45 @@ int update_verb(const CompareArguments& arguments) {
   return kDone;
 }
 
+/// Whether a path leads to a scenario, which measurements are held against, and to no compact reference.
+bool is_scenario(const std::string& path) {
+  std::error_code error;
+  if (path == "-") return true;
+  if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) return false;
+  const auto json = nlohmann::json::parse(read_scenario_source(path).text, nullptr, false);
+  return !json.is_object() || json.value("$schema", "") != "earthtop-reference-1.json";
+}
+
+int measurement_verb(const CompareArguments& arguments) {
+  const bool other_options = !arguments.profile.empty() || !arguments.tolerances.empty() || !arguments.mapping.empty() ||
+                             !arguments.junit.empty() || !arguments.svg.empty() || !arguments.may_change.empty() ||
+                             arguments.steps_ratio > 0 || arguments.seconds_ratio > 0 || arguments.may_lack_rows;
+  if (other_options)
+    throw ScenarioError(
+        "",
+        "a measurement is held against a scenario by its own standard errors: of the options it takes --estimate, "
+        "--set, --json and --quiet only");
+  const ScenarioSource source = read_scenario_source(arguments.reference);
+  const Measurement measurement = read_measurement(arguments.candidate);
+  install_stop_handlers();
+  const MeasurementReport report =
+      compare_with_measurement(source, split_sets(arguments.sets), measurement, arguments.estimates);
+  if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
+    return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
+                         interrupted_status());
+  if (arguments.json)
+    print(measurement_json(report));
+  else if (!arguments.quiet)
+    print(measurement_text(report, wants_color()));
+  if (report.status != RunStatus::completed) return kNumericalFailure;
+  return report.agrees() ? kDone : kNegative;
+}
+
 int compare_verb(const CompareArguments& arguments) {
   if (arguments.update) return update_verb(arguments);
+  if (is_scenario(arguments.reference)) return measurement_verb(arguments);
+  if (!arguments.estimates.empty() || !arguments.sets.empty())
+    throw ScenarioError("", "--estimate and --set belong to a measurement: REFERENCE is a scenario then, and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   const CompareReport report = compare_results(arguments.reference, arguments.candidate, options_of(arguments));
   if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
@@ -71,9 +114,22 @@ void add_compare(CLI::App& app, Action& action) {
   CompareArguments& a = *arguments;
   CLI::App* compare =
       app.add_subcommand("compare", "what moved between two results, directories of results, studies or CSV files");
-  compare->add_option("REFERENCE", a.reference, "results, a compact reference, a study store, a CSV, or a directory of several")
+  compare
+      ->add_option(
+          "REFERENCE", a.reference,
+          "results, a compact reference, a study store, a CSV, or a directory of several; or a scenario, for a measurement")
       ->required();
-  compare->add_option("NEW", a.candidate, "what is held against it")->required();
+  compare
+      ->add_option("NEW", a.candidate,
+                   "what is held against it; with a scenario, a CSV with measured values and standard errors")
+      ->required();
+  compare
+      ->add_option("--estimate", a.estimates,
+                   "of a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or "
+                   "/release/spin_rad_s; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_set_option(*compare, a.sets);
   compare
       ->add_option("--profile", a.profile,
                    "regression (default): both error bounds and rounding; bitwise; physics: a thousandth "

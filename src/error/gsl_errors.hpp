@@ -1,8 +1,9 @@
+/// GSL calls `abort` where something is wrong, unless told otherwise.
 #pragma once
 
 #include <gsl/gsl_errno.h>
 
-namespace earthtop::compare {
+namespace earthtop {
 
 /// GSL's errors are returned, not fatal, as long as this lives.
 class ReturnedGslErrors {
@@ -16,4 +17,4 @@ class ReturnedGslErrors {
   gsl_error_handler_t* before_;
 };
 
-}  // namespace earthtop::compare
+}  // namespace earthtop
