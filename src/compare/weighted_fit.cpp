@@ -1,11 +1,12 @@
 #include "compare/weighted_fit.hpp"
 
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_vector.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -74,51 +75,70 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
   }
 }
 
-/// Normal equations by way of their triangular factor, each column of the derivatives divided by its length.
-struct Normal {
-  Normal(const gsl_matrix* J, const gsl_vector* f) {
-    const auto n = static_cast<Index>(J->size1), p = static_cast<Index>(J->size2);
-    MatrixXd scaled(n, p);
-    VectorXd values(n);
-    for (Index i = 0; i < n; ++i) {
-      values[i] = gsl_vector_get(f, static_cast<std::size_t>(i));
-      for (Index j = 0; j < p; ++j) scaled(i, j) = gsl_matrix_get(J, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+struct FreeMatrix {
+  void operator()(gsl_matrix* matrix) const { gsl_matrix_free(matrix); }
+};
+struct FreeVector {
+  void operator()(gsl_vector* vector) const { gsl_vector_free(vector); }
+};
+
+/// The derivatives' singular values, each column divided by its length.
+class Influences {
+ public:
+  /// @param J  derivatives of residuals (rows, at least as many as columns) by parameters   @param f  residuals
+  Influences(const gsl_matrix* J, const gsl_vector* f)
+      : lengths_(static_cast<Index>(J->size2)), V_(gsl_matrix_alloc(J->size2, J->size2)), S_(gsl_vector_alloc(J->size2)) {
+    const std::unique_ptr<gsl_matrix, FreeMatrix> U(gsl_matrix_alloc(J->size1, J->size2));
+    gsl_matrix_memcpy(U.get(), J);
+    for (std::size_t j = 0; j < J->size2; ++j) {
+      gsl_vector_view column = gsl_matrix_column(U.get(), j);
+      const double length = gsl_blas_dnrm2(&column.vector);
+      lengths_[static_cast<Index>(j)] = length;
+      if (length > 0) gsl_vector_scale(&column.vector, 1 / length);
     }
-    lengths = scaled.colwise().norm().transpose();
-    has_all_influences = lengths.minCoeff() > 0 && lengths.allFinite();
-    if (!has_all_influences) return;
-    scaled.array().rowwise() /= lengths.transpose().array();
-    const Eigen::HouseholderQR<MatrixXd> qr(scaled);
-    const MatrixXd R = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
-    const VectorXd projected = qr.householderQ().transpose() * values;
-    next_step = projected.head(p).norm();
-    svd.compute(R, Eigen::ComputeFullV);
-    chi_squared = values.squaredNorm();
+    gsl_blas_ddot(f, f, &chi_squared_);
+    has_all_ = lengths_.minCoeff() > 0 && lengths_.allFinite();
+    if (!has_all_) return;
+    gsl_linalg_SV_decomp_jacobi(U.get(), V_.get(), S_.get());
+    const std::unique_ptr<gsl_vector, FreeVector> projected(gsl_vector_alloc(J->size2));
+    gsl_blas_dgemv(CblasTrans, 1, U.get(), f, 0, projected.get());
+    next_step_ = gsl_blas_dnrm2(projected.get());
   }
 
-  bool is_determined() const {
-    return has_all_influences && svd.singularValues().minCoeff() > kLeastInfluence * svd.singularValues().maxCoeff();
+  double chi_squared() const { return chi_squared_; }
+  /// What the next full step would take of the sum of squares, as a root: in standard errors.
+  double next_step() const { return next_step_; }
+
+  bool determine_all() const {
+    return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > kLeastInfluence * gsl_vector_get(S_.get(), 0);
   }
   /// The parameters in the direction that the data tell least of.
   std::vector<std::size_t> least_told() const {
     std::vector<std::size_t> parameters;
-    const Index p = lengths.size();
-    for (Index j = 0; j < p; ++j)
-      if (has_all_influences ? std::abs(svd.matrixV()(j, p - 1)) > 0.1 : !(lengths[j] > 0))
-        parameters.push_back(static_cast<std::size_t>(j));
+    const std::size_t p = S_->size;
+    for (std::size_t j = 0; j < p; ++j)
+      if (has_all_ ? std::abs(gsl_matrix_get(V_.get(), j, p - 1)) > 0.1 : !(lengths_[static_cast<Index>(j)] > 0))
+        parameters.push_back(j);
     return parameters;
   }
+  /// Of the parameters: (J^T J)^-1.
   MatrixXd covariance() const {
-    const MatrixXd half = svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
-    const VectorXd inverse = lengths.cwiseInverse();
-    return inverse.asDiagonal() * (half * half.transpose()) * inverse.asDiagonal();
+    const auto p = static_cast<Index>(S_->size);
+    MatrixXd half(p, p);
+    for (Index i = 0; i < p; ++i)
+      for (Index j = 0; j < p; ++j) {
+        const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
+        half(i, j) = gsl_matrix_get(V_.get(), row, column) / gsl_vector_get(S_.get(), column) / lengths_[i];
+      }
+    return half * half.transpose();
   }
 
-  VectorXd lengths;
-  bool has_all_influences = false;
-  double next_step = 0;  // what it would take of the sum of squares, as a root: in standard errors
-  double chi_squared = 0;
-  Eigen::JacobiSVD<MatrixXd> svd;
+ private:
+  VectorXd lengths_;
+  std::unique_ptr<gsl_matrix, FreeMatrix> V_;
+  std::unique_ptr<gsl_vector, FreeVector> S_;
+  bool has_all_ = false;
+  double next_step_ = 0, chi_squared_ = 0;
 };
 
 std::string why_not_converged(bool no_progress, bool all_predicted) {
@@ -167,18 +187,18 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       fit.reason = "on the way to the least sum of squares there is no prediction";
       return fit;
     }
-    const Normal normal(workspace->J, workspace->f);
-    if (!normal.is_determined()) {
+    const Influences influences(workspace->J, workspace->f);
+    if (!influences.determine_all()) {
       fit.outcome = FitOutcome::not_determined;
-      fit.undetermined = normal.least_told();
+      fit.undetermined = influences.least_told();
       return fit;
     }
-    const double scatter = n > p ? std::max(1.0, normal.chi_squared / static_cast<double>(n - p)) : 1.0;
-    if (normal.next_step <= kConverged * std::sqrt(scatter)) {
+    const double scatter = n > p ? std::max(1.0, influences.chi_squared() / static_cast<double>(n - p)) : 1.0;
+    if (influences.next_step() <= kConverged * std::sqrt(scatter)) {
       fit.outcome = FitOutcome::converged;
       fit.parameters = problem.unscaled(values_of(workspace->x));
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
-      const MatrixXd covariance = scales.asDiagonal() * normal.covariance() * scales.asDiagonal();
+      const MatrixXd covariance = scales.asDiagonal() * influences.covariance() * scales.asDiagonal();
       fit.covariance = (covariance + covariance.transpose()) / 2;  // to the last bit
       return fit;
     }
