@@ -145,6 +145,17 @@ TEST(Mutation, OneDigitAt1eMinus9IsFoundInEveryColumn) {
   }
 }
 
+// Neither an axis nor a quaternion may grow along itself, where no angle would tell.
+TEST(Mutation, ALengthThatIsNotOneIsFound) {
+  for (const std::vector<std::string>& columns : {std::vector<std::string>{"axis_L_x", "axis_L_y", "axis_L_z"},
+                                                  std::vector<std::string>{"q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z"}}) {
+    const ChangedCopy copy([&](Csv& csv) {
+      for (const std::string& column : columns) csv.set(kSome, column, csv.get(kSome, column) * (1 + 1e-9));
+    });
+    EXPECT_FALSE(compared(copy.path()).passed()) << columns.front();
+  }
+}
+
 TEST(Mutation, ANinthDigitOfTheDriftIsFound) {
   const ChangedCopy copy([](Csv& csv) { csv.set(kSome, "drift_axis_rad", csv.get(kSome, "drift_axis_rad") * (1 + 1e-9)); });
   const PairReport pair = compared(copy.path());
