@@ -95,6 +95,14 @@ Comparand open_compact_reference(const fs::path& file) {
   for (const char* key : {"summary", "columns", "rows", "generator"})
     if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference anew", key));
   reference.summary = json.at("summary");
+  if (!reference.summary.is_object() || reference.word("/provenance/scenario_sha256").empty())
+    refuse_path(file, "its summary has no scenario hash; write the reference anew");
+  for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
+    if (!reference.summary.contains(key))
+      refuse_path(file, fmt::format("its summary has no \"{}\"; write the reference anew", key));
+  if (!json.at("columns").is_array() || json.at("columns").empty() || json.at("columns").at(0) != "t_s" ||
+      !json.at("rows").is_array())
+    refuse_path(file, "its columns do not begin with t_s, or it has no rows; write the reference anew");
   reference.has_some_rows_only = true;
   reference.generator = json.at("generator").is_string() ? json.at("generator").get<std::string>() : "";
   const Table& table = trajectory_table();
@@ -103,7 +111,8 @@ Comparand open_compact_reference(const fs::path& file) {
   for (std::size_t i = 1; i < json.at("columns").size(); ++i) {
     const Json& name = json.at("columns").at(i);
     const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
-    if (!place) refuse_path(file, fmt::format("its column {} is none of trajectory.csv", name.dump()));
+    if (!place || columns[*place])
+      refuse_path(file, fmt::format("its column {} is none of trajectory.csv, or stands twice", name.dump()));
     places.push_back(*place);
     columns[*place] = true;
   }
@@ -113,7 +122,8 @@ Comparand open_compact_reference(const fs::path& file) {
     if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_path(file, "its rows are not in order");
   }
   reference.stated_rows = rows->size();
-  if (rows->empty()) refuse_path(file, "has no rows; write the reference anew");
+  if (rows->empty() || json.value("row_count", std::size_t{0}) != rows->size())
+    refuse_path(file, "has other rows than it states (row_count); write the reference anew");
   reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
   return reference;
 }
@@ -127,11 +137,12 @@ std::string compact_reference(const Comparand& results, Json history, const std:
   const std::uint64_t last = std::max<std::uint64_t>(results.stated_rows.value_or(1), 1) - 1;
   std::string rows_text;
   Row row;
-  std::uint64_t number = 0, kept = 0;
+  std::uint64_t number = 0, kept = 0, kept_rows = 0;
   for (; rows->next(row); ++number) {
     if (number != (kept * last + (kRows - 1) / 2) / (kRows - 1)) continue;  // equally spaced, the ends included
     while (number == (kept * last + (kRows - 1) / 2) / (kRows - 1) && kept < kRows) ++kept;
     rows_text += (rows_text.empty() ? "" : ",\n") + row_text(row, places);
+    ++kept_rows;
   }
   if (number != last + 1) refuse_path(results.path, fmt::format("has {} rows where its summary states {}", number, last + 1));
 
@@ -147,6 +158,7 @@ std::string compact_reference(const Comparand& results, Json history, const std:
                {"digits", known_digits(results)},
                {"history", std::move(history)},
                {"summary", kept_of(results.summary)},
+               {"row_count", kept_rows},
                {"columns", std::move(columns)}};
   std::string text = head.dump(1);
   text.resize(text.rfind('\n'));  // the closing brace comes after the rows

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
@@ -14,11 +15,20 @@ namespace {
 
 constexpr const char* kSummarySchema = "earthtop-summary-1.json";
 
-/// Compact references and results, stores and CSV files are told apart by what they are called.
+bool is_compact_reference(const fs::path& file) {
+  if (file.extension() != ".json") return false;
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(std::size_t{1} << 10, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find(kReferenceSchema) != head.npos;
+}
+
+/// What is named like a result, a store or a reference; results without their summary, too, which are refused by name.
 bool may_be_member(const fs::directory_entry& entry) {
   std::error_code error;
-  if (entry.is_directory(error)) return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path()));
-  return entry.path().extension() == ".json" && entry.is_regular_file(error);
+  if (!entry.is_directory(error)) return entry.is_regular_file(error) && is_compact_reference(entry.path());
+  return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path())) ||
+         is_there(entry.path() / "trajectory.csv");
 }
 
 Comparand open_results(const fs::path& directory) {
@@ -29,7 +39,8 @@ Comparand open_results(const fs::path& directory) {
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
-  if (!rows) refuse_path(file, "does not state its rows (/outcome/rows); write the results anew");
+  if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
+    refuse_path(file, "does not state its rows (/outcome/rows), a whole number; write the results anew");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
   if (is_there(directory / "timing.json")) results.timing = read_json_file(directory / "timing.json", "timing");
   const std::string trajectory = (directory / "trajectory.csv").string(), torques = (directory / "torques.csv").string();

@@ -18,37 +18,65 @@ namespace earthtop {
 namespace compare {
 namespace {
 
+constexpr std::size_t kMostListed = 20;
+constexpr double kSameTrust = 0.9, kOtherTrust = 0.1;
+
+std::string listed(const std::vector<ScenarioChange>& changes) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(changes.size(), kMostListed); ++i)
+    text += fmt::format("{}{}: {} in the reference, {} now", i == 0 ? "" : "; ", changes[i].pointer, changes[i].reference,
+                        changes[i].candidate);
+  return changes.size() > kMostListed ? text + fmt::format("; and {} more", changes.size() - kMostListed) : text;
+}
+
 /// Another scenario is told of, whatever else agrees.
 void compare_scenarios(const Comparand& reference, const Comparand& candidate, const CompareOptions& options,
                        PairReport& report) {
   if (!reference.summary.is_object() || !candidate.summary.is_object()) return;
   const std::string before = reference.word("/provenance/scenario_sha256"), now = candidate.word("/provenance/scenario_sha256");
-  if (before == now && !before.empty()) return;
-  const auto scenario_of = [](const Comparand& side) { return side.summary.value("scenario", Json()); };
-  std::string allowed, forbidden;
-  for (const ScenarioChange& change : scenario_changes(scenario_of(reference), scenario_of(candidate))) {
-    std::string& list = is_below(change.pointer, options.may_change) ? allowed : forbidden;
-    list += fmt::format("{}{}: {} in the reference, {} now", list.empty() ? "" : "; ", change.pointer, change.reference,
-                        change.candidate);
+  const bool same_hash = before == now && !before.empty();
+  std::vector<ScenarioChange> allowed, forbidden;
+  for (ScenarioChange& change :
+       scenario_changes(reference.summary.value("scenario", Json()), candidate.summary.value("scenario", Json())))
+    (!same_hash && is_below(change.pointer, options.may_change) ? allowed : forbidden).push_back(std::move(change));
+  if (same_hash && !forbidden.empty()) {
+    report.findings.push_back({"other scenario", "the scenarios are not those of their hash: " + listed(forbidden)});
+    return;
   }
-  // A hash that differs though no key does is of words about the scene, or of a changed file.
-  if (allowed.empty() && forbidden.empty() && reference.has_some_rows_only) return;
-  if (allowed.empty() && forbidden.empty() && !is_below("/title", options.may_change))
-    forbidden = fmt::format("scenario hash {:.12} in the reference, {:.12} now: name, title, purpose, headline or criteria",
-                            before, now);
-  if (!forbidden.empty()) report.findings.push_back({"other scenario", forbidden});
-  if (!allowed.empty()) report.notes.push_back("other scenario, as allowed: " + allowed);
+  if (same_hash) return;
+  if (before.empty() || now.empty())
+    report.findings.push_back(
+        {"other scenario", fmt::format("the {} has no scenario hash", before.empty() ? "reference" : "new result")});
+  // A hash that differs though no key does is of words about the scene, which a compact reference does not keep.
+  const bool only_words = allowed.empty() && forbidden.empty() && !reference.has_some_rows_only;
+  if (only_words && !is_below("/title", options.may_change))
+    report.findings.push_back(
+        {"other scenario", fmt::format("scenario hash {:.12} in the reference, {:.12} now: name, title, purpose, "
+                                       "headline or criteria",
+                                       before, now)});
+  if (!forbidden.empty()) report.findings.push_back({"other scenario", listed(forbidden)});
+  if (!allowed.empty()) report.notes.push_back("other scenario, as allowed: " + listed(allowed));
 }
 
-/// The time up to which both verdicts trust their run; none where they trust it to the end.
-std::optional<double> trusted_until(const Comparand& reference, const Comparand& candidate) {
-  std::optional<double> until;
-  for (const Comparand* side : {&reference, &candidate}) {
-    const std::string verdict = side->word("/drift/verdict");
-    if (verdict == "reliable" || verdict == "noise_floor" || verdict.empty()) continue;
-    if (const auto time = side->number("/drift/reliable/until_s")) until = std::min(until.value_or(*time), *time);
-  }
-  return until;
+/// The time until which a side's verdict trusts its run; none where it trusts it to the end.
+std::optional<double> trusted_until(const Comparand& side) {
+  const std::string verdict = side.word("/drift/verdict");
+  if (verdict == "reliable" || verdict == "noise_floor" || verdict.empty()) return std::nullopt;
+  return side.number("/drift/reliable/until_s");
+}
+
+/// The earlier of both sides' times. How early the new result may be, it does not say alone.
+std::optional<double> trusted_until(const Comparand& reference, const Comparand& candidate, bool same_scenario,
+                                    PairReport& report) {
+  const auto before = trusted_until(reference), now = trusted_until(candidate);
+  if (!before && !now) return std::nullopt;
+  const double end = reference.number("/outcome/reached_s").value_or(0);
+  const double trusted_before = before.value_or(end), trusted_now = now.value_or(end);
+  const double least = same_scenario ? kSameTrust : kOtherTrust;  // other numerics have other errors to grow from
+  if (!(trusted_now >= least * trusted_before) || !(trusted_before >= least * trusted_now))
+    report.findings.push_back({"other verdict", fmt::format("trusted until t = {:.6g} s in the reference, until {:.6g} s now",
+                                                            trusted_before, trusted_now)});
+  return std::min(trusted_before, trusted_now);
 }
 
 void append(RowsComparison&& rows, PairReport& report) {
@@ -79,9 +107,10 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
   context.natural_rate_rad_s = std::max(natural_rate(reference), natural_rate(candidate));
-  context.until_s = trusted_until(reference, candidate);
-  context.same_scenario = report.findings.empty() && reference.summary.is_object() && candidate.summary.is_object() &&
+  context.both_runs = reference.summary.is_object() && candidate.summary.is_object();
+  context.same_scenario = report.findings.empty() && context.both_runs &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
+  if (context.both_runs) context.until_s = trusted_until(reference, candidate, context.same_scenario, report);
   context.same_computation = context.same_scenario && !context.until_s;
   if (context.until_s && options.tolerances.profile != Profile::bitwise) report.until_s = context.until_s;
   RowsComparison rows = compare_rows(reference, candidate, context, options);
@@ -94,7 +123,9 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     append(compare_torques(reference, candidate, context, options), report);
   else if (reference.open_torques)
     report.findings.push_back({"missing file", "torques.csv is missing in the new result"});
-  if (reference.summary.is_object() && candidate.summary.is_object()) {
+  else if (candidate.open_torques && context.both_runs && !reference.has_some_rows_only)
+    report.findings.push_back({"extra file", "torques.csv is missing in the reference"});
+  if (context.both_runs) {
     const Json::json_pointer motion("/scenario/motion");
     const bool same_rows = reference.summary.value(motion, Json()) == candidate.summary.value(motion, Json());
     for (QuantityVerdict& figure :
@@ -102,11 +133,12 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
       report.quantities.push_back(std::move(figure));
     if (!same_rows) report.notes.emplace_back("not compared: largest values and means of the rows, which are others now");
   }
-  report.cost = compare_cost(reference, candidate, options.tolerances);
+  report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
 }
 
+/// @throws ScenarioError also where a summary holds something else than summaries do
 PairReport compare_pair(const fs::path& reference, const fs::path& candidate, const std::string& name, const Mapping* mapping,
-                        const CompareOptions& options) {
+                        const CompareOptions& options) try {
   PairReport report;
   report.name = name;
   report.reference = reference.string();
@@ -118,6 +150,9 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
                         fmt::format("{} and {} are of different kinds: give two results, two directories of results, or two "
                                     "study stores",
                                     printable(report.reference), printable(report.candidate)));
+  const bool has_limit = options.tolerances.steps_ratio || options.tolerances.seconds_ratio;
+  if (has_limit && (old_kind == ComparandKind::store || old_kind == ComparandKind::csv || new_kind == ComparandKind::csv))
+    throw ScenarioError("", "a limit on the cost needs results of `run` on both sides, which state theirs");
   if (old_kind == ComparandKind::store)
     compare_stores(reference, candidate, options, report);
   else if (mapping && old_kind != ComparandKind::csv && new_kind != ComparandKind::csv)
@@ -125,12 +160,24 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
   else
     compare_runs(open_comparand(reference, mapping), open_comparand(candidate, mapping), options, report);
   return report;
+} catch (const Json::exception& error) {
+  throw ScenarioError("", fmt::format("{} or {}: a JSON file in it is not as this program writes it; write it anew ({})",
+                                      printable(reference.string()), printable(candidate.string()), error.what()));
+}
+
+void require_distinct(const fs::path& directory, const std::vector<std::pair<std::string, fs::path>>& list) {
+  for (std::size_t i = 1; i < list.size(); ++i)
+    if (list[i].first == list[i - 1].first)
+      refuse_path(directory, fmt::format("holds \"{}\" twice, as {} and as {}; take one away", list[i].first,
+                                         list[i - 1].second.filename().string(), list[i].second.filename().string()));
 }
 
 /// Everything in two directories, by name.
 void compare_collections(const fs::path& reference, const fs::path& candidate, const Mapping* mapping,
                          const CompareOptions& options, CompareReport& report) {
   const auto old_members = members(reference), new_members = members(candidate);
+  require_distinct(reference, old_members);
+  require_distinct(candidate, new_members);
   const auto find = [](const auto& list, const std::string& name) {
     return std::find_if(list.begin(), list.end(), [&](const auto& member) { return member.first == name; });
   };
@@ -162,6 +209,19 @@ void compare_collections(const fs::path& reference, const fs::path& candidate, c
     pair.candidate = path.string();
     pair.findings.push_back({"extra result", "the reference has no result of this name; --update adds it"});
     report.pairs.push_back(std::move(pair));
+  }
+}
+
+/// A tolerance that nothing took is a name that nobody has.
+void note_unused_tolerances(const Tolerances& tolerances, CompareReport& report) {
+  for (const auto& [name, rule] : tolerances.rules) {
+    const bool used = std::any_of(report.pairs.begin(), report.pairs.end(), [&](const PairReport& pair) {
+      return std::any_of(pair.quantities.begin(), pair.quantities.end(),
+                         [&](const QuantityVerdict& q) { return q.name == name; });
+    });
+    if (!used && !report.pairs.empty() && !report.refused())
+      report.pairs.front().findings.push_back(
+          {"unused tolerance", fmt::format("{}: no quantity of this name was compared", name)});
   }
 }
 
@@ -207,6 +267,7 @@ CompareReport compare_results(const std::filesystem::path& reference, const std:
     compare_collections(reference, candidate, given, options, report);
   else
     report.pairs.push_back(compare_pair(reference, candidate, "", given, options));
+  note_unused_tolerances(options.tolerances, report);
   return report;
 }
 

@@ -1,5 +1,7 @@
 #include "compare/cost.hpp"
 
+#include <fmt/format.h>
+
 namespace earthtop::compare {
 namespace {
 
@@ -14,17 +16,26 @@ std::optional<double> sum_of(const Comparand& comparand, std::initializer_list<c
 }
 
 std::optional<double> seconds_of(const Comparand& comparand) {
-  if (!comparand.timing.is_object()) return std::nullopt;
-  return comparand.timing.value("solution_s", 0.0) + comparand.timing.value("certificate_s", 0.0);
+  const Json& timing = comparand.timing;
+  double sum = 0;
+  for (const char* part : {"solution_s", "certificate_s"}) {
+    if (!timing.is_object() || !timing.contains(part) || !timing.at(part).is_number()) return std::nullopt;
+    sum += timing.at(part).get<double>();
+  }
+  return sum;
 }
 
 }  // namespace
 
-std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand& candidate, const Tolerances& tolerances) {
+std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand& candidate, const Tolerances& tolerances,
+                                    std::vector<CompareFinding>& findings) {
   std::vector<CostRatio> ratios;
   const auto add = [&](const char* name, const std::optional<double>& before, const std::optional<double>& now,
                        const std::optional<double>& limit) {
-    if (before && now) ratios.push_back({name, *before, *now, limit});
+    if (before && now)
+      ratios.push_back({name, *before, *now, limit});
+    else if (limit)
+      findings.push_back({"cost", fmt::format("a limit was asked for, but {} are not known of both results", name)});
   };
   const auto steps = {"/solution/steps_accepted", "/solution/steps_rejected", "/certificate/steps_accepted",
                       "/certificate/steps_rejected"};

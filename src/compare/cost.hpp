@@ -8,7 +8,9 @@
 
 namespace earthtop::compare {
 
-/// Steps, evaluations and seconds of solution and certificate together, as far as both state them.
-std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand& candidate, const Tolerances& tolerances);
+/// Steps, evaluations and seconds of solution and certificate together, as far as both state them; a limit on what is not
+/// stated is a finding.
+std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand& candidate, const Tolerances& tolerances,
+                                    std::vector<CompareFinding>& findings);
 
 }  // namespace earthtop::compare

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <unordered_set>
 
 #include "earthtop/error.hpp"
 #include "scenario/node.hpp"
@@ -30,7 +31,7 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
   number = std::numeric_limits<double>::quiet_NaN();
   kind = CellKind::empty;
   if (cell.empty()) return true;
-  if (cell.front() == '+') cell.remove_prefix(1);
+  if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
   double parsed = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), parsed);
   if (end != cell.data() + cell.size()) return false;
@@ -49,9 +50,10 @@ CsvReader::CsvReader(std::string file, CsvFormat format)
   if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   split(line);
   for (const std::string_view cell : cells_) header_.emplace_back(cell);
-  for (std::size_t i = 0; i < header_.size(); ++i)
-    if (find(header_[i]) != i && !header_[i].empty())
-      refuse(fmt::format("column \"{}\" stands twice in the header", scenario::excerpt(header_[i])));
+  std::unordered_set<std::string_view> names;
+  for (const std::string& name : header_)
+    if (!name.empty() && !names.insert(name).second)
+      refuse(fmt::format("column \"{}\" stands twice in the header", scenario::excerpt(name)));
 }
 
 std::size_t CsvReader::find(std::string_view column) const {

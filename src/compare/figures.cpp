@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "compare/tolerances.hpp"
@@ -34,8 +35,8 @@ constexpr FigureRow kFigures[] = {
     {"drift.axis_final_over_earth_angle", FigureKind::ratio, Scope::end},
     {"drift.axis_final_rad", FigureKind::drift_axis, Scope::end},
     {"drift.axis_max_rad", FigureKind::drift_axis, Scope::rows},
-    {"drift.tilt_final_rad", FigureKind::drift_axis, Scope::end},
-    {"drift.tilt_max_rad", FigureKind::drift_axis, Scope::rows},
+    {"drift.tilt_final_rad", FigureKind::drift_tilt, Scope::end},
+    {"drift.tilt_max_rad", FigureKind::drift_tilt, Scope::rows},
     {"drift.azimuth_final_rad", FigureKind::drift_azimuth, Scope::end},
     {"drift.azimuth_max_rad", FigureKind::drift_azimuth, Scope::rows},
     {"drift.oscillation.azimuth_rad", FigureKind::drift_azimuth, Scope::rows},
@@ -126,12 +127,15 @@ class FigureErrors {
     // An error of the axis is one of its azimuth over the sine of the tilt, which no summary states: the largest azimuth drift
     // over that of the axis stands for it, and a factor for the rows that are nearer to the vertical.
     const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
+    // The directions along which a drift is split turn by the attitudes' errors, there too.
+    const double turned = axis_drift_rad_ * attitude_.value_or(0);
     switch (kind) {
       case FigureKind::drift_axis: return axis_;
-      case FigureKind::drift_azimuth: return axis_ ? std::optional(*axis_ * steeper) : std::nullopt;
+      case FigureKind::drift_tilt: return axis_ ? std::optional(*axis_ + turned * steeper) : std::nullopt;
+      case FigureKind::drift_azimuth: return axis_ ? std::optional((*axis_ + turned * steeper) * steeper) : std::nullopt;
       // The slope of a straight line through points that are off by no more than e changes by at most 3 e over the duration.
       case FigureKind::azimuth_rate:
-        return axis_ && duration_s_ > 0 ? std::optional(3 * *axis_ * steeper / duration_s_) : std::nullopt;
+        return axis_ && duration_s_ > 0 ? std::optional(3 * (*axis_ + turned * steeper) * steeper / duration_s_) : std::nullopt;
       case FigureKind::drift_attitude: return attitude_drift_;
       case FigureKind::attitude: return attitude_;
       case FigureKind::ratio: return axis_ && final_rad_ > 0 ? std::optional(*axis_ / final_rad_ * ratio_) : std::nullopt;
@@ -148,7 +152,7 @@ class FigureErrors {
   /// Of the invariant that the path leads to.
   static double scale_of(const std::string& path, const Comparand& reference) {
     for (const Json& invariant : reference.summary.value("invariants", Json::array()))
-      if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return invariant.value("scale", 0.0);
+      if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return std::abs(invariant.value("scale", 0.0));
     return 0;
   }
 
@@ -166,10 +170,15 @@ QuantityVerdict failed(const std::string& name, std::string reason) {
   return verdict;
 }
 
+constexpr double kAnySize = std::numeric_limits<double>::max();  // the scale of an invariant is in its errors already
+
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json& a, const Json& b, const FigureErrors& errors,
                       const Rule& rule, const Comparand& reference) {
+  const bool always_there = row.kind == FigureKind::drift_axis || row.kind == FigureKind::drift_attitude ||
+                            row.kind == FigureKind::attitude || row.kind == FigureKind::conserved;
+  if (always_there && (a.is_null() || b.is_null())) return failed(name, "no finite number");
   if (!a.is_number() || !b.is_number()) {
     if (a != b) return failed(name, fmt::format("{} in the reference, {} now", text_of(a), text_of(b)));
     QuantityVerdict same;
@@ -185,8 +194,17 @@ QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json&
   const bool folds = row.kind == FigureKind::drift_azimuth || name.ends_with("spin_final_rad");
   verdict.largest = folds ? std::abs(std::remainder(x - y, 2 * std::numbers::pi)) : std::abs(x - y);
   verdict.errors = errors.of(row.kind, name, reference);
-  const double size = row.kind == FigureKind::attitude ? 1 : std::abs(x);
-  const Tolerance tolerance = tolerance_of(rule, size, errors.axis_drift_rad(), verdict.errors.value_or(0));
+  const double folded = folds ? std::abs(std::remainder(x, 2 * std::numbers::pi)) : std::abs(x);
+  const double size = row.kind == FigureKind::attitude ? 1 : folded;
+  const bool is_drift = row.kind == FigureKind::drift_tilt || row.kind == FigureKind::drift_azimuth ||
+                        row.kind == FigureKind::attitude || row.kind == FigureKind::drift_axis ||
+                        row.kind == FigureKind::drift_attitude;
+  const double effect = is_drift                            ? std::max(folded, errors.axis_drift_rad())
+                        : row.kind == FigureKind::conserved ? kAnySize
+                                                            : folded;
+  Tolerance tolerance = tolerance_of(rule, size, effect, verdict.errors.value_or(0));
+  if (rule.times > 0 && !are_of_one_size(x, y, rule.times, 0)) tolerance.value = 0;
+  if (rule.times > 0 && tolerance.value > 0) tolerance.value = std::max(tolerance.value, verdict.largest);
   verdict.tolerance = tolerance.value;
   verdict.origin = tolerance.origin;
   verdict.passed = verdict.largest <= tolerance.value;
@@ -226,8 +244,8 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
     const bool end_known = context.whole_run || options.tolerances.profile == Profile::bitwise;
     if ((row->scope != Scope::any && !end_known) || (row->scope == Scope::rows && !context.same_rows)) continue;
     const auto rule = rule_of(path, row->kind, options.tolerances, context.same_computation);
-    if (!rule || (row->kind == FigureKind::word && options.tolerances.profile == Profile::physics && path != "drift.verdict"))
-      continue;
+    const bool counts_in_physics = row->kind != FigureKind::word || path == "drift.verdict" || path == "outcome.status";
+    if (!rule || (options.tolerances.profile == Profile::physics && !counts_in_physics)) continue;
     const Json* now = find(new_figures, path);
     if (!now)
       verdicts.push_back(failed(path, "is missing in the new summary"));

@@ -62,7 +62,7 @@ constexpr Measure kTrajectoryMeasures[] = {
     of_motion("ref_axis_rad", direction, "ref_axis_L_x", BoundKind::attitude, "drift_axis_rad"),
     of_motion("drift_axis_rad", number, "drift_axis_rad", BoundKind::drift_axis, "drift_axis_rad"),
     of_motion("drift_azimuth_rad", angle, "drift_azimuth_rad", BoundKind::drift_azimuth, "drift_azimuth_rad"),
-    of_motion("drift_tilt_rad", number, "drift_tilt_rad", BoundKind::drift_axis, "drift_axis_rad"),
+    of_motion("drift_tilt_rad", number, "drift_tilt_rad", BoundKind::drift_tilt, "drift_axis_rad"),
     of_motion("drift_attitude_rad", number, "drift_attitude_rad", BoundKind::drift_attitude, "drift_attitude_rad"),
     of_motion("drift_spin_rad", angle, "drift_spin_rad", BoundKind::drift_attitude, "drift_attitude_rad"),
     of_motion("drift_axis_bound_rad", number, "drift_axis_bound_rad"),
@@ -78,7 +78,10 @@ constexpr Measure kTorqueMeasures[] = {
 double length(const double* v, std::size_t n) {
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) sum += v[i] * v[i];
-  return std::sqrt(sum);
+  if (std::isfinite(sum)) return std::sqrt(sum);
+  double largest = 0;  // whose square no double holds
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(v[i]));
+  return largest;
 }
 
 /// Sine and cosine as a cross and a dot product: nothing cancels where the angle is small.
@@ -140,6 +143,7 @@ double difference(const Measure& measure, const Row& row_a, const Row& row_b) {
 
 double size(const Measure& measure, const Row& row) {
   if (measure.kind == attitude || measure.kind == direction) return 1;
+  if (measure.kind == angle) return std::abs(std::remainder(row.value[measure.column], 2 * std::numbers::pi));
   return length(row.value.data() + measure.column, measure.width());
 }
 

@@ -33,7 +33,8 @@ enum class MeasureKind {
 enum class BoundKind {
   none,
   drift_axis,      ///< drift_axis_bound_rad of the row
-  drift_azimuth,   ///< the same, over the sine of the tilt
+  drift_tilt,      ///< the same, and what an error of both axes makes of the drift's direction
+  drift_azimuth,   ///< that over the sine of the tilt
   drift_attitude,  ///< drift_attitude_bound_rad of the row
   attitude,        ///< attitude_bound_rad of the summary
   rates            ///< the same, times the motion's fastest rate
@@ -71,7 +72,8 @@ Presence presence(const Measure& measure, const Row& row);
 /// 1: what their lengths differ by counts as well, so that no changed digit hides along them.
 double difference(const Measure& measure, const Row& a, const Row& b);
 
-/// Size of a measure: of a number its absolute value, of a vector its length, of an attitude or a direction 1.
+/// Size of a measure: of a number its absolute value, of an angle the same within half a turn, of a vector its length, of an
+/// attitude or a direction 1.
 double size(const Measure& measure, const Row& row);
 
 }  // namespace earthtop::compare

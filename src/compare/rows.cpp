@@ -62,6 +62,7 @@ class Judge {
         scale_(scale),
         effect_(effect),
         fixed_(fixed_part(rule_, scale, effect)),
+        most_for_bounds_(largest_for_bounds(scale, effect)),
         with_curve_(with_curve) {
     verdict_.name = measure.name;
   }
@@ -71,10 +72,15 @@ class Judge {
   void count_interpolation(double error) { verdict_.interpolation_error = error; }
 
   /// @param errors  sum of both error bounds; negative where they are not known
-  void judge(double t_s, double found, double errors, bool same_digits_too) {
+  void judge(double t_s, const Row& reference, const Row& candidate, double errors, bool same_digits_too) {
     ++verdict_.compared;
-    const double tolerance =
-        std::max(fixed_, errors > 0 ? rule_.bounds * errors : 0) + verdict_.interpolation_error.value_or(0);
+    const double found = difference(measure_, reference, candidate);
+    double tolerance = std::max(fixed_, errors > 0 ? std::min(rule_.bounds * errors, most_for_bounds_) : 0) +
+                       verdict_.interpolation_error.value_or(0);
+    if (rule_.times > 0) {
+      const double a = reference.value[measure_.column], b = candidate.value[measure_.column];
+      tolerance = are_of_one_size(a, b, rule_.times, scale_) ? std::max(rule_.times * std::abs(a), found) : 0;
+    }
     if (found > verdict_.largest || verdict_.compared == 1) {
       verdict_.largest = found;
       verdict_.at_s = t_s;
@@ -117,7 +123,7 @@ class Judge {
  private:
   const Measure& measure_;
   Rule rule_;
-  double scale_, effect_, fixed_;
+  double scale_, effect_, fixed_, most_for_bounds_;
   bool with_curve_;
   QuantityVerdict verdict_;
   double largest_errors_ = -1;
@@ -131,8 +137,9 @@ struct BoundColumns {
       : axis(table.find("drift_axis_bound_rad")),
         attitude(table.find("drift_attitude_bound_rad")),
         axis_L(table.find("axis_L_x")),
-        ref_axis_L(table.find("ref_axis_L_x")) {}
-  std::optional<std::size_t> axis, attitude, axis_L, ref_axis_L;
+        ref_axis_L(table.find("ref_axis_L_x")),
+        drift(table.find("drift_axis_rad")) {}
+  std::optional<std::size_t> axis, attitude, axis_L, ref_axis_L, drift;
 };
 
 double sum_of(const std::optional<std::size_t>& column, const Row& a, const Row& b) {
@@ -147,12 +154,19 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
     case BoundKind::none: return -1;
     case BoundKind::drift_axis: return sum_of(columns.axis, a, b);
     case BoundKind::drift_attitude: return sum_of(columns.attitude, a, b);
+    case BoundKind::drift_tilt:
     case BoundKind::drift_azimuth: {
       double sine = 1;
       for (const auto& axis : {columns.axis_L, columns.ref_axis_L})
         if (axis) sine = std::min(sine, std::hypot(a.value[*axis], a.value[*axis + 1]));
       const double sum = sum_of(columns.axis, a, b);
-      return sum < 0 || sine == 0 ? -1 : sum / sine;
+      if (sum < 0 || sine == 0) return -1;
+      // Where both axes are off by e, azimuths there are off by e / sin(tilt), and the drift is split into its parts along
+      // directions that are turned by as much.
+      const double turned = columns.drift && context.attitude_errors_known
+                                ? std::abs(a.value[*columns.drift]) * context.attitude_errors_rad / sine
+                                : 0;
+      return measure.bound == BoundKind::drift_tilt ? sum + turned : (sum + turned) / sine;
     }
     case BoundKind::attitude: return context.attitude_errors_known ? context.attitude_errors_rad : -1;
     case BoundKind::rates: return context.attitude_errors_known ? rate * context.attitude_errors_rad : -1;
@@ -209,6 +223,9 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
           {"missing column",
            fmt::format("{} is missing in the new {}{}", measure.first_column, table_.file,
                        foreign.empty() ? "" : fmt::format(", which has {} instead: another unit or name?", foreign))});
+    } else if (!in_reference && in_candidate && context_.both_runs) {
+      result_.findings.push_back(
+          {"missing column", fmt::format("{} is missing in the {} of the reference", measure.first_column, table_.file)});
     } else {
       not_compared += (not_compared.empty() ? "" : ", ") + std::string(measure.name);
     }
@@ -224,10 +241,12 @@ bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   return cosine < 0;
 }
 
-/// Whether two rows have the same digits beyond those of a double, too: extended precision writes more.
+/// Whether two rows have the same digits, those beyond a double's included; of a quaternion's signs either is right.
 bool same_digits(const Measure& measure, const Row& a, const Row& b) {
-  const auto first = static_cast<std::ptrdiff_t>(measure.column), last = first + static_cast<std::ptrdiff_t>(measure.width());
-  return std::equal(a.more_digits.begin() + first, a.more_digits.begin() + last, b.more_digits.begin() + first);
+  const double sign = measure.kind == MeasureKind::attitude && have_other_signs(measure, a, b) ? -1 : 1;
+  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i)
+    if (a.value[i] != sign * b.value[i] || (sign > 0 && a.more_digits[i] != b.more_digits[i])) return false;
+  return true;
 }
 
 void Comparison::judge(const Row& reference, const Row& candidate, bool between) {
@@ -246,8 +265,7 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
                                   at_time(t_s)));
     } else if (a == Presence::whole && b == Presence::whole) {
       if (measure.kind == MeasureKind::attitude && have_other_signs(measure, reference, candidate)) ++other_signs_;
-      judge.judge(t_s, difference(measure, reference, candidate),
-                  errors_of(measure, bounds_, context_, rate_, reference, candidate),
+      judge.judge(t_s, reference, candidate, errors_of(measure, bounds_, context_, rate_, reference, candidate),
                   options_.tolerances.profile != Profile::bitwise || same_digits(measure, reference, candidate));
     } else if (a != b) {
       judge.miss(t_s,
@@ -281,6 +299,9 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   choose_measures(reference_rows, candidate_rows, known);
   const bool interpolates = !known.interpolation_error.empty();
   if (interpolates) require_fine_rows(known);
+  if (known.not_finite_times > 0)
+    result_.findings.push_back(
+        {"not finite", fmt::format("{} times of the reference are no finite numbers", known.not_finite_times)});
   Pairing pairing(reference_rows, candidate_rows, known, reference.has_some_rows_only);
   std::uint64_t interpolated = 0, elsewhere = 0;
   for (;;) {

@@ -26,6 +26,7 @@ struct RowsContext {
   bool attitude_errors_known = false;
   double natural_rate_rad_s = 0;  ///< at which an error of the attitude may turn into one of the rates
   std::optional<double> until_s;  ///< later rows are not judged
+  bool both_runs = false;         ///< each has all columns, or something is wrong
   bool same_scenario = false;     ///< the same times are expected
   bool same_computation = false;  ///< and the same errors, too: nothing but rounding should differ
 };

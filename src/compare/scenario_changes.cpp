@@ -8,14 +8,12 @@
 namespace earthtop::compare {
 namespace {
 
-constexpr std::size_t kMostKept = 20;
-
 std::string shown(const Json* json) {
   return json ? scenario::excerpt(json->dump(-1, ' ', false, Json::error_handler_t::replace)) : "nothing";
 }
 
 void collect(const Json* a, const Json* b, const std::string& pointer, std::vector<ScenarioChange>& changes) {
-  if (changes.size() >= kMostKept || (a && b && *a == *b)) return;
+  if (a && b && *a == *b) return;
   const bool objects = (!a || a->is_object()) && (!b || b->is_object());
   if (!objects) {
     changes.push_back({pointer, shown(a), shown(b)});

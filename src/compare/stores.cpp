@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "compare/figures.hpp"
+#include "compare/scenario_changes.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "study/store.hpp"
 
@@ -106,10 +108,13 @@ void judge(SharedQuantity& quantity, const PointResult& a, const PointResult& b,
   ++verdict.compared;
   bool passed = before == now;
   if (x && y) {
-    const double found = std::abs(*x - *y);
+    const double turn = 2 * std::numbers::pi;
+    const double found =
+        quantity.kind == FigureKind::drift_azimuth ? std::abs(std::remainder(*x - *y, turn)) : std::abs(*x - *y);
     const auto errors = errors_of(quantity, a, b);
     const Tolerance tolerance = tolerance_of(quantity.rule, quantity.scale, quantity.scale, errors.value_or(0));
-    passed = found <= tolerance.value;
+    passed = quantity.rule.times > 0 ? are_of_one_size(*x, *y, quantity.rule.times, quantity.scale)
+                                     : found <= tolerance.value && std::isfinite(*x);
     const double share = tolerance.value > 0 ? found / tolerance.value : passed ? 0 : std::numeric_limits<double>::infinity();
     verdict.share = std::max(verdict.share, share);
     if (found > verdict.largest || verdict.origin.empty()) {
@@ -131,8 +136,9 @@ void judge(SharedQuantity& quantity, const PointResult& a, const PointResult& b,
 
 void compare_points(Store& reference, Store& candidate, std::vector<SharedQuantity>& quantities, const CompareOptions& options,
                     PairReport& report) {
-  std::uint64_t missing = 0, extra = 0, moved = 0;
-  std::string first_missing, first_extra, first_moved;
+  const bool same_study = reference.sha256() == candidate.sha256();
+  std::uint64_t missing = 0, extra = 0, moved = 0, other_scenarios = 0;
+  std::string first_missing, first_extra, first_moved, first_other;
   std::map<std::string, std::uint64_t> statuses;
   Store::Points old_points = reference.points(), new_points = candidate.points();
   PointResult a, b;
@@ -146,6 +152,8 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
       has_b = new_points.next(b);
     } else {
       if (a.axis_values != b.axis_values && moved++ == 0) first_moved = name_of(b, candidate.study());
+      if (same_study && a.scenario_sha256 != b.scenario_sha256 && other_scenarios++ == 0)
+        first_other = name_of(b, candidate.study());
       if (a.status != b.status) ++statuses[fmt::format("{} in the reference, {} now", a.status, b.status)];
       ++report.rows;
       if (!a.failed() && !b.failed())
@@ -165,6 +173,9 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
   if (moved > 0)
     report.findings.push_back(
         {"other points", fmt::format("{} points have other values of the axes, the first one {}", moved, first_moved)});
+  if (other_scenarios > 0)
+    report.findings.push_back(
+        {"other scenario", fmt::format("{} points are of other scenarios, the first one {}", other_scenarios, first_other)});
   for (const auto& [what, count] : statuses)
     report.findings.push_back({"other status", fmt::format("{} points: {}", count, what)});
 }
@@ -177,8 +188,9 @@ void compare_stores(const std::filesystem::path& reference_path, const std::file
   if (reference.sha256() != candidate.sha256()) {
     const std::string what =
         fmt::format("study {} in the reference, {} now", reference.sha256().substr(0, 12), candidate.sha256().substr(0, 12));
-    if (options.may_change.empty())
-      report.findings.push_back({"other study", what + "; axes, design, quantities or base are not the same"});
+    if (!is_below("/", options.may_change))
+      report.findings.push_back(
+          {"other study", what + "; axes, design, quantities or base are not the same (--allow-change / allows it)"});
     else
       report.notes.push_back(what + ", which was allowed");
   }

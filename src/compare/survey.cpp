@@ -64,7 +64,10 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
   LeaveOneOut left_out(table, found.interpolation_error);
   Row row;
   while (rows.next(row)) {
-    if (!std::isfinite(row.t_s)) continue;
+    if (!std::isfinite(row.t_s)) {
+      ++found.not_finite_times;
+      continue;
+    }
     if (found.rows == 0) {
       found.first_s = row.t_s;
     } else {

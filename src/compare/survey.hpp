@@ -9,7 +9,8 @@
 namespace earthtop::compare {
 
 struct Survey {
-  std::uint64_t rows = 0;
+  std::uint64_t rows = 0;  ///< with a finite time
+  std::uint64_t not_finite_times = 0;
   double first_s = 0, last_s = 0;
   double least_step_s = 0, largest_step_s = 0;  ///< 0 of a single row
   std::vector<double> largest;                  ///< size of each measure of the table, over the rows that have it

@@ -20,9 +20,10 @@ constexpr double kOfEffect = 1e-3;        // of the Earth's effect: more could h
 constexpr double kNoEffect = 1e-6;        // where there is none: rad, or of the quantity's size
 constexpr double kRounding = 1e-12;       // of a quantity's size: thousands of roundings
 constexpr double kRoundingAngle = 1e-13;  // rad
-constexpr double kOrderOfMagnitude = 9;   // ten times as large
+constexpr double kOrderOfMagnitude = 10;  // of errors: up or down
 constexpr double kTorque = 1e-9;          // of its largest value: the state's error, many times over
 constexpr double kDerived = 1e-6, kTime = 1e-3;
+constexpr double kOfSize = 0.1, kSmall = 0.01;
 // The same computation, rounded otherwise: of a quantity's size, and of the error bounds, which are larger where rounding has
 // more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
@@ -30,7 +31,7 @@ constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001,
 bool is_error(const Measure& measure) { return measure.name.ends_with("bound_rad") || measure.name == "residual_N_m"; }
 
 std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
-  if (is_error(measure)) return same_computation ? std::optional(Rule{0, kOrderOfMagnitude, 0, 0, ""}) : std::nullopt;
+  if (is_error(measure)) return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (measure.kind == MeasureKind::flag) return Rule{};
   if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRounding, 0, kSameOfRateBounds, ""};
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
@@ -53,7 +54,8 @@ std::optional<Rule> physics_rule(const Measure& measure, double effect) {
 std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
   if (kind == FigureKind::word) return Rule{};
   if (kind == FigureKind::time) return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
-  if (kind == FigureKind::error) return same_computation ? std::optional(Rule{0, kOrderOfMagnitude, 0, 0, ""}) : std::nullopt;
+  if (kind == FigureKind::error)
+    return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
   if (kind == FigureKind::input) return Rule{0, kRounding, 0, 0, ""};
@@ -65,6 +67,7 @@ std::optional<Rule> physics_rule(FigureKind kind) {
   switch (kind) {
     case FigureKind::word: return Rule{};
     case FigureKind::drift_axis:
+    case FigureKind::drift_tilt:
     case FigureKind::drift_azimuth:
     case FigureKind::azimuth_rate:
     case FigureKind::drift_attitude:
@@ -80,8 +83,12 @@ std::optional<Rule> physics_rule(FigureKind kind) {
 std::optional<Rule> changed(std::optional<Rule> rule, const std::string& name, const Tolerances& tolerances) {
   const auto given = tolerances.rules.find(name);
   if (given != tolerances.rules.end())
-    return Rule{given->second.absolute.value_or(0), given->second.relative.value_or(0), 0, given->second.bounds.value_or(0),
-                tolerances.file};
+    return Rule{given->second.absolute.value_or(0),
+                given->second.relative.value_or(0),
+                0,
+                given->second.bounds.value_or(0),
+                tolerances.file,
+                0};
   if (rule) rule->source = fmt::format("profile {}", to_string(tolerances.profile));
   return rule;
 }
@@ -133,10 +140,25 @@ double fixed_part(const Rule& rule, double scale, double effect) {
   return std::max({rule.absolute, rule.relative * scale, rule.effect * effect});
 }
 
+double largest_for_bounds(double scale, double effect) {
+  if (effect > 0) return effect;
+  return kOfSize * (scale > 0 ? scale : 1);
+}
+
+bool are_of_one_size(double a, double b, double times, double largest) {
+  if (a == b) return true;
+  if (!(a >= 0) || !(b >= 0)) return false;
+  return std::max(a, b) <= times * std::min(a, b) || std::max(a, b) <= kSmall * largest;
+}
+
 Tolerance tolerance_of(const Rule& rule, double scale, double effect, double errors) {
-  const double by_bounds = rule.bounds * errors, value = std::max(fixed_part(rule, scale, effect), by_bounds);
+  if (rule.times > 0) return {rule.times * scale, fmt::format("a factor of {:g} ({})", rule.times, rule.source)};
+  const double most = largest_for_bounds(scale, effect);
+  const double by_bounds = std::min(rule.bounds * errors, most), value = std::max(fixed_part(rule, scale, effect), by_bounds);
   std::string part = "exact";
-  if (value > 0 && value == by_bounds)
+  if (value > 0 && value == by_bounds && by_bounds == most)
+    part = "the largest that error bounds may allow here";
+  else if (value > 0 && value == by_bounds)
     part = rule.bounds == 1 ? "both error bounds" : fmt::format("{:g} x both error bounds", rule.bounds);
   else if (value > 0 && value == rule.absolute)
     part = "absolute";

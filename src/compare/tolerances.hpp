@@ -15,7 +15,11 @@ namespace earthtop::compare {
 struct Rule {
   double absolute = 0, relative = 0, effect = 0, bounds = 0;
   std::string source;  ///< "profile regression", or the file
+  double times = 0;    ///< instead, where above 0: so many times larger or smaller at most
 };
+
+/// Whether two errors are of one size: neither is so many times the other, or both are small beside the largest one.
+bool are_of_one_size(double a, double b, double times, double largest);
 
 /// A tolerance with the part that it is.
 struct Tolerance {
@@ -25,6 +29,9 @@ struct Tolerance {
 
 /// The part that does not change from row to row.
 double fixed_part(const Rule& rule, double scale, double effect);
+/// The most that error bounds may allow, however large they are said to be: the Earth's effect, or where there is none a tenth
+/// of the quantity's size. Beyond it nothing would be compared.
+double largest_for_bounds(double scale, double effect);
 /// Everything together, in words.
 Tolerance tolerance_of(const Rule& rule, double scale, double effect, double errors);
 
@@ -37,7 +44,8 @@ std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances
 enum class FigureKind {
   word,            ///< equal or not
   drift_axis,      ///< has the error bound of the axis drift
-  drift_azimuth,   ///< the same, at the axis's distance from the vertical
+  drift_tilt,      ///< the same, and what the attitudes' errors make of the drift's direction
+  drift_azimuth,   ///< that at the axis's distance from the vertical
   azimuth_rate,    ///< the same, over the duration
   drift_attitude,  ///< has the error bound of the attitude drift
   attitude,        ///< has the error bound of the attitudes

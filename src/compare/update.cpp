@@ -21,6 +21,9 @@ constexpr const char* kNotesSchema = "earthtop-reference-notes-1.json";
 Json history_in(const fs::path& file) {
   if (!is_there(file)) return Json::array();
   const Json json = read_json_file(file, "reference");
+  const std::string schema = json.value("$schema", Json()).is_string() ? json.at("$schema").get<std::string>() : "";
+  if (schema != kReferenceSchema && schema != kNotesSchema)
+    refuse_path(file, "is there already, and is no reference; choose another place");
   return json.contains("history") && json.at("history").is_array() ? json.at("history") : Json::array();
 }
 
@@ -51,7 +54,7 @@ void replace_files(const fs::path& reference, const fs::path& candidate, std::ve
   files.commit();
 }
 
-/// A reference that does not agree with itself would never be met.
+/// A reference that does not agree with itself would never be met; nor is half a run one.
 void require_sound(const fs::path& candidate) {
   CompareOptions options;
   options.tolerances.profile = Profile::bitwise;
@@ -60,7 +63,27 @@ void require_sound(const fs::path& candidate) {
     for (const CompareFinding& finding : pair.findings) refuse_path(pair.candidate, finding.text);
     for (const QuantityVerdict& quantity : pair.quantities)
       if (!quantity.passed) refuse_path(pair.candidate, fmt::format("{}: {}", quantity.name, quantity.reason));
+    if (kind_of(pair.candidate) != ComparandKind::results) continue;
+    const Comparand results = open_comparand(pair.candidate, nullptr);
+    if (results.word("/outcome/status") != "completed")
+      refuse_path(pair.candidate, "its run was not completed; no reference is made of it");
+    for (const char* key : {"scenario", "drift", "motion", "invariants", "solution", "provenance"})
+      if (!results.summary.contains(key) || results.summary.at(key).is_null())
+        refuse_path(pair.candidate, fmt::format("its summary has no \"{}\"; run the scenario again", key));
+    const auto rows = results.open_rows();
+    for (std::size_t i = 0; i < trajectory_table().columns.size(); ++i)
+      if (!rows->has_column(i))
+        refuse_path(pair.candidate,
+                    fmt::format("its trajectory.csv has no {}; run the scenario again", trajectory_table().columns[i]));
   }
+}
+
+/// A directory that may become a reference of a kind: empty, missing, or of that kind already.
+void require_kind(const fs::path& reference, ComparandKind kind) {
+  std::error_code error;
+  if (is_there(reference) && !fs::is_directory(reference, error)) refuse_path(reference, "is a file; give a directory");
+  const bool other = kind == ComparandKind::store ? is_there(reference / "summary.json") : is_there(study_store(reference));
+  if (other) refuse_path(reference, "is a reference of another kind; choose another place");
 }
 
 std::string update_one(const fs::path& reference, const fs::path& candidate, const std::string& reason) {
@@ -68,8 +91,14 @@ std::string update_one(const fs::path& reference, const fs::path& candidate, con
   if (kind == ComparandKind::store) {
     std::error_code error;
     const fs::path from = fs::is_directory(candidate, error) ? candidate : candidate.parent_path();
-    const fs::path to = is_there(reference) && !fs::is_directory(reference, error) ? reference.parent_path() : reference;
-    if (is_there(from / "study.sqlite-wal")) refuse_path(from, "its study is still being written; wait for its end");
+    const fs::path to = reference.filename() == study_store({}).filename() ? reference.parent_path() : reference;
+    if (!fs::is_directory(candidate, error) && candidate.filename() != study_store({}).filename())
+      refuse_path(candidate, "give the study's directory, or its study.sqlite");
+    require_kind(to, kind);
+    for (const fs::path& side : {from, to})
+      for (const char* log : {"study.sqlite-wal", "study.sqlite-shm"})
+        if (is_there(side / log))
+          refuse_path(side, fmt::format("{} in it says that its store is in use; wait for the end", log));
     replace_files(to, from, {"study.csv", "study.json", "study.svg", "study.sqlite"}, reason);
     return to.string();
   }
@@ -80,6 +109,7 @@ std::string update_one(const fs::path& reference, const fs::path& candidate, con
     write_file(reference, compact_reference(open_comparand(candidate, nullptr), history_in(reference), reason));
     return reference.string();
   }
+  require_kind(reference, kind);
   replace_files(reference, candidate, {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"}, reason);
   return reference.string();
 }

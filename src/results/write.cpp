@@ -95,8 +95,9 @@ void check_output_directory(const fs::path& dir, const Scenario& scenario, bool 
 
 void write_file(const fs::path& file, std::string_view content) {
   std::error_code error;
-  if (!file.has_filename() || fs::is_directory(fs::symlink_status(file, error)))
-    refuse(file, "is a directory, or no file's name; give a file");
+  const fs::file_status status = fs::symlink_status(file, error);
+  if (!file.has_filename() || (fs::exists(status) && !fs::is_regular_file(status)))
+    refuse(file, "is no file's name, or something else than a file is there; give a file");
   const std::string name = file.filename().string();
   const std::string_view names[] = {name};
   FileSet files(file.has_parent_path() ? file.parent_path() : fs::path("."), names);

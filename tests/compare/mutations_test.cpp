@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -279,6 +280,124 @@ TEST(Mutation, WhatIsNoNumberIsRefusedWithItsPlace) {
 TEST(Mutation, RowsOutOfOrderAreRefused) {
   const ChangedCopy copy([](Csv& csv) { std::swap(csv.rows[kSome], csv.rows[kSome + 1]); });
   EXPECT_NE(refusal_of(copy.path()).find("does not lie after"), std::string::npos);
+}
+
+using SummaryChange = std::function<void(nlohmann::ordered_json&)>;
+
+void change_summary(const ChangedCopy& copy, const SummaryChange& change) {
+  auto summary = nlohmann::ordered_json::parse(read_text(copy.path() / "summary.json"));
+  change(summary);
+  write_text(copy.path() / "summary.json", summary.dump());
+}
+
+// What a summary says of itself must not decide how much of it is compared, in either role.
+TEST(Mutation, ASummaryCannotTalkItsWayThrough) {
+  const SummaryChange changes[] = {
+      [](auto& s) { s["attitude_bound_rad"] = 1e3; },
+      [](auto& s) { s["drift"]["axis_bound_rad"] = 1e-30; },
+      [](auto& s) { s["drift"]["axis_bound_rad"] = -1; },
+      [](auto& s) { s["drift"]["axis_final_rad"] = nullptr; },
+      [](auto& s) { s["drift"]["azimuth_final_rad"] = 1e300; },
+      [](auto& s) { s["drift"]["verdict"] = "chaotic"; },
+      [](auto& s) { s["drift"].erase("tilt_max_rad"); },
+      [](auto& s) { s["outcome"]["status"] = "step_underflow"; },
+      [](auto& s) { s["scenario"]["site"]["latitude_deg"] = 12; },
+      [](auto& s) { s["scenario"] = "x"; },
+      [](auto& s) { s["provenance"].erase("scenario_sha256"); },
+      [](auto& s) { s["invariants"][0]["scale"] = "x"; },
+      [](auto& s) { s["outcome"]["rows"] = 61.5; },
+  };
+  for (std::size_t i = 0; i < std::size(changes); ++i) {
+    const ChangedCopy copy;
+    change_summary(copy, changes[i]);
+    const auto passes = [](const fs::path& a, const fs::path& b) {
+      try {
+        return compare_results(a, b, {}).passed();
+      } catch (const ScenarioError&) {
+        return false;
+      }
+    };
+    EXPECT_FALSE(passes(ShortRun::get().path(), copy.path())) << i;
+    EXPECT_FALSE(passes(copy.path(), ShortRun::get().path())) << i;
+  }
+}
+
+// However large bounds are said to be: a motion that stands still is not the top's.
+TEST(Mutation, InflatedBoundsDoNotHideTheMotion) {
+  const ChangedCopy copy;
+  change_summary(copy, [](auto& s) {
+    s["attitude_bound_rad"] = 1e3;
+    s["scenario"]["numerics"]["method"] = "rkf78";
+    s["provenance"]["scenario_sha256"] = "another";
+  });
+  Csv csv(copy.path() / "trajectory.csv");
+  for (std::size_t i = 2; i < csv.rows.size(); ++i)
+    for (const char* column : {"q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z", "axis_L_x", "axis_L_y", "axis_L_z"})
+      csv.set(i, column, csv.get(1, column));
+  write_text(copy.path() / "trajectory.csv", csv.text());
+  for (const Profile profile : {Profile::regression, Profile::physics}) {
+    CompareOptions options = with_profile(profile);
+    options.may_change = {"/numerics"};
+    const PairReport pair = compared(copy.path(), options);
+    EXPECT_FALSE(quantity(pair, "attitude_rad").passed) << to_string(profile);
+    EXPECT_FALSE(quantity(pair, "axis_rad").passed) << to_string(profile);
+  }
+}
+
+TEST(Mutation, AnAbsurdCellOfTheReferenceHidesNothing) {
+  for (const char* column : {"drift_axis_rad", "w_LB_B_x_rad_s", "drift_azimuth_rad", "drift_axis_bound_rad"})
+    for (const double absurd : {1e200, 1e308, -1e200}) {
+      const ChangedCopy reference([&](Csv& csv) { csv.set(kSome, column, absurd); });
+      EXPECT_FALSE(compare_results(reference.path(), ShortRun::get().path(), {}).passed()) << column << absurd;
+    }
+}
+
+TEST(Mutation, AColumnThatTheReferenceLacksDiffers) {
+  const ChangedCopy reference([](Csv& csv) { csv.header[csv.column("q_LB_z")] = "q_z"; });
+  EXPECT_TRUE(has_finding(compare_results(reference.path(), ShortRun::get().path(), {}).pairs.at(0), "missing column"));
+}
+
+TEST(Mutation, ATimeOfTheReferenceThatIsNoNumberDiffers) {
+  for (const std::size_t row : {std::size_t{0}, kSome, std::size_t{60}}) {
+    const ChangedCopy reference([&](Csv& csv) { csv.rows[row][0] = "nan"; });
+    EXPECT_TRUE(has_finding(compare_results(reference.path(), ShortRun::get().path(), {}).pairs.at(0), "not finite")) << row;
+  }
+}
+
+TEST(Mutation, EveryLastBitIsFoundBitwise) {
+  const Csv original(ShortRun::get().path() / "trajectory.csv");
+  for (const std::string& column : original.header) {
+    if (column == "t_s" || column == "drift_reliable") continue;
+    for (std::size_t row = 7; row < 60; row += 13) {
+      const ChangedCopy copy([&](Csv& csv) { csv.set(row, column, std::nextafter(csv.get(row, column), 1e9)); });
+      EXPECT_FALSE(compared(copy.path(), with_profile(Profile::bitwise)).passed()) << column << row;
+    }
+  }
+}
+
+TEST(Mutation, ACompactReferenceWithPartsRemovedIsRefused) {
+  const TemporaryDirectory dir;
+  const fs::path file = dir.path() / "toy.json";
+  update_reference(file, ShortRun::get().path(), "for a test");
+  const auto whole = nlohmann::ordered_json::parse(read_text(file));
+  const SummaryChange changes[] = {
+      [](auto& r) { r["summary"] = nullptr; },
+      [](auto& r) { r["summary"].erase("drift"); },
+      [](auto& r) { r["summary"]["provenance"].erase("scenario_sha256"); },
+      [](auto& r) { r["rows"].erase(3); },
+      [](auto& r) { r["columns"][2] = r["columns"][1]; },
+      [](auto& r) { r["columns"][0] = "time"; },
+      [](auto& r) {
+        r["columns"] = {{"a", 1}};
+      },
+      [](auto& r) { r["rows"][2].erase(0); },
+  };
+  for (const SummaryChange& change : changes) {
+    auto changed = whole;
+    change(changed);
+    write_text(file, changed.dump());
+    EXPECT_THROW(compare_results(file, ShortRun::get().path(), {}), ScenarioError);
+  }
 }
 
 }  // namespace

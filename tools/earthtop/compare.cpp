@@ -62,7 +62,24 @@ bool is_scenario(const std::string& path) {
   if (path == "-") return true;
   if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) return false;
   const auto json = nlohmann::json::parse(read_scenario_source(path).text, nullptr, false);
-  return !json.is_object() || json.value("$schema", "") != "earthtop-reference-1.json";
+  return json.is_object() && (json.contains("body") || json.contains("release") || json.contains("motion"));
+}
+
+/// What is written must not be what is read.
+void require_apart(const CompareArguments& arguments) {
+  namespace fs = std::filesystem;
+  if (!arguments.junit.empty() && arguments.junit == arguments.svg)
+    throw ScenarioError("", "--junit and --svg name the same file; give two");
+  for (const std::string& output : {arguments.junit, arguments.svg}) {
+    if (output.empty()) continue;
+    const std::string place = fs::weakly_canonical(output).string();
+    for (const std::string& input : {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances}) {
+      if (input.empty()) continue;
+      const std::string read = fs::weakly_canonical(input).string();
+      if (place == read || place.starts_with(read + "/"))
+        throw ScenarioError("", fmt::format("{} is, or is in, what is compared; write to another place", printable(output)));
+    }
+  }
 }
 
 int measurement_verb(const CompareArguments& arguments) {
@@ -96,6 +113,7 @@ int compare_verb(const CompareArguments& arguments) {
   if (!arguments.estimates.empty() || !arguments.sets.empty())
     throw ScenarioError("", "--estimate and --set belong to a measurement: REFERENCE is a scenario then, and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
+  require_apart(arguments);
   const CompareReport report = compare_results(arguments.reference, arguments.candidate, options_of(arguments));
   if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));
@@ -148,10 +166,10 @@ void add_compare(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   compare->add_flag("--allow-missing", a.may_lack_rows, "rows, points and results that only the reference has are no fault");
   compare->add_option("--max-steps-ratio", a.steps_ratio, "fail where steps or evaluations grow by more than this")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-9, 1e9))
       ->type_name("R");
   compare->add_option("--max-seconds-ratio", a.seconds_ratio, "fail where the wall time grows by more than this")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-9, 1e9))
       ->type_name("R");
   compare->add_option("--junit", a.junit, "write the verdicts as JUnit XML")->type_name("FILE");
   compare->add_option("--svg", a.svg, "write a picture of the differences over time")->type_name("FILE");

@@ -82,8 +82,9 @@ std::string_view summary_of_changes(const CompareReport& report) {
     }
   if (!moved) return report.passed() ? "not a bit has changed" : "what both have has not changed by a bit";
   if (above) return "something has changed by more than both error bounds";
-  return unknown ? "where error bounds are known, what has changed is within them"
-                 : "all that has changed is within both error bounds";
+  if (!unknown) return "all that has changed is within both error bounds";
+  return report.passed() ? "where error bounds are known, what has changed is within them; the rest is within its tolerance"
+                         : "what has changed by more than its tolerance has no error bounds";
 }
 
 }  // namespace
