@@ -170,7 +170,7 @@ QuantityVerdict failed(const std::string& name, std::string reason) {
   return verdict;
 }
 
-constexpr double kAnySize = std::numeric_limits<double>::max();  // the scale of an invariant is in its errors already
+constexpr double kAnySize = std::numeric_limits<double>::max();  // what limits the errors of other figures is in them already
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -199,9 +199,7 @@ QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json&
   const bool is_drift = row.kind == FigureKind::drift_tilt || row.kind == FigureKind::drift_azimuth ||
                         row.kind == FigureKind::attitude || row.kind == FigureKind::drift_axis ||
                         row.kind == FigureKind::drift_attitude;
-  const double effect = is_drift                            ? std::max(folded, errors.axis_drift_rad())
-                        : row.kind == FigureKind::conserved ? kAnySize
-                                                            : folded;
+  const double effect = is_drift ? std::max(folded, errors.axis_drift_rad()) : kAnySize;
   Tolerance tolerance = tolerance_of(rule, size, effect, verdict.errors.value_or(0));
   if (rule.times > 0 && !are_of_one_size(x, y, rule.times, 0)) tolerance.value = 0;
   if (rule.times > 0 && tolerance.value > 0) tolerance.value = std::max(tolerance.value, verdict.largest);

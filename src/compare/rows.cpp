@@ -160,13 +160,15 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
       for (const auto& axis : {columns.axis_L, columns.ref_axis_L})
         if (axis) sine = std::min(sine, std::hypot(a.value[*axis], a.value[*axis + 1]));
       const double sum = sum_of(columns.axis, a, b);
-      if (sum < 0 || sine == 0) return -1;
+      const bool is_tilt = measure.bound == BoundKind::drift_tilt;
+      if (sum < 0 || sine == 0) return is_tilt ? sum : -1;
       // Where both axes are off by e, azimuths there are off by e / sin(tilt), and the drift is split into its parts along
-      // directions that are turned by as much.
-      const double turned = columns.drift && context.attitude_errors_known
-                                ? std::abs(a.value[*columns.drift]) * context.attitude_errors_rad / sine
-                                : 0;
-      return measure.bound == BoundKind::drift_tilt ? sum + turned : (sum + turned) / sine;
+      // directions that are turned by as much; but no tilt is off by more than its axis.
+      const double turned =
+          columns.drift && context.attitude_errors_known
+              ? std::min(context.attitude_errors_rad, std::abs(a.value[*columns.drift]) * context.attitude_errors_rad / sine)
+              : 0;
+      return is_tilt ? sum + turned : (sum + turned) / sine;
     }
     case BoundKind::attitude: return context.attitude_errors_known ? context.attitude_errors_rad : -1;
     case BoundKind::rates: return context.attitude_errors_known ? rate * context.attitude_errors_rad : -1;
