@@ -156,7 +156,7 @@ void draw_line(std::string& out, const Line& line, const Mapping& x, const Mappi
     if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) draw_marker(out, line, x(line.x[i]), y(line.y[i]));
 }
 
-void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, std::size_t index) {
+void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, const std::string& id) {
   Range range;
   for (const Line& line : panel.lines)
     for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
@@ -176,23 +176,32 @@ void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const 
   if (panel.y.scale == AxisScale::linear && y.axis.low < 0 && y.axis.high > 0)
     draw_rule(out, "et-frame", kLeft, y(0), kLeft + kPlotWidth, y(0));
   fmt::format_to(Out(out),
-                 "<clipPath id=\"et-clip{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
-                 "<g clip-path=\"url(#et-clip{})\">\n",
-                 index, kLeft, top - 2, kPlotWidth + 2, panel.height + 4, index);
+                 "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
+                 "<g clip-path=\"url(#{})\">\n",
+                 id, kLeft, top - 2, kPlotWidth + 2, panel.height + 4, id);
   for (const Line& line : panel.lines) draw_line(out, line, x, y);
   out += "</g>\n";
   draw_rule(out, "et-frame", kLeft, floor, kLeft + kPlotWidth, floor);
 }
 
-}  // namespace
-
-std::string svg(const Figure& figure) {
+Mapping map_x(const Figure& figure) {
   Range range;
   for (const Panel& panel : figure.panels)
     for (const Line& line : panel.lines)
       for (const double value : line.x)
         if (drawable(value, figure.x.scale)) range.include(value);
-  const Mapping x = map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
+  return map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
+}
+
+}  // namespace
+
+PlotFrame frame_of(const Figure& figure) {
+  const Mapping x = map_x(figure);
+  return {kWidth, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
+}
+
+std::string svg(const Figure& figure) {
+  const Mapping x = map_x(figure);
 
   double bottom = kTop - kPanelGap + 18;
   for (const Panel& panel : figure.panels) bottom += Legend(panel).height() + panel.height + kPanelGap;
@@ -210,7 +219,7 @@ std::string svg(const Figure& figure) {
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const Panel& panel = figure.panels[i];
     top += Legend(panel).height();
-    draw_panel(out, panel, figure.x, x, top, i);
+    draw_panel(out, panel, figure.x, x, top, fmt::format("{}-clip{}", figure.id, i));
     top += panel.height + kPanelGap;
   }
   for (const Tick& tick : x.axis.ticks) draw_text(out, x(tick.value), bottom, "middle", "", tick.label);

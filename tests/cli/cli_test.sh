@@ -22,14 +22,6 @@ for arguments in "" frobnicate run "run top.json --frobnicate" "run top.json --o
   nothing_on_stdout
   on_stderr "error: "
 done
-for verb in report; do
-  expect 2 "$verb" something
-  on_stderr "not available"
-  nothing_on_stdout
-done
-expect 2 report something --json
-on_stdout '"errors"'
-on_stdout 'not available'
 expect 0 --help
 on_stdout 'run'
 expect 0 run --help

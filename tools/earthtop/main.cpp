@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -16,9 +15,6 @@
 
 namespace earthtop::tool {
 namespace {
-
-/// Verbs that have a name already, and nothing behind it.
-constexpr std::array<std::string_view, 1> kNotAvailable = {"report"};
 
 bool wants_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) { return std::string_view(argument) == "--json"; });
@@ -42,8 +38,8 @@ int parse_and_do(int argc, char** argv) {
   app.add_flag("--json", version_json, "with --version: as one JSON document");
 
   Action action;
-  for (const auto& add_verb : {add_run, add_check, add_explain, add_verify, add_bench, add_study, add_compare, add_schema,
-                               add_example, add_completion, add_version})
+  for (const auto& add_verb : {add_run, add_check, add_explain, add_verify, add_bench, add_study, add_compare, add_report,
+                               add_schema, add_example, add_completion, add_version})
     add_verb(app, action);
 
   try {
@@ -63,8 +59,6 @@ int parse_and_do(int argc, char** argv) {
 
 int guarded_main(int argc, char** argv) {
   const bool json = wants_json(argc, argv);
-  if (argc > 1 && std::find(kNotAvailable.begin(), kNotAvailable.end(), argv[1]) != kNotAvailable.end())
-    return usage_error(fmt::format("{}: not available in this version", argv[1]), json);
   try {
     require_ieee_arithmetic();
     return parse_and_do(argc, argv);

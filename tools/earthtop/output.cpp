@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
+#include "progress_line.hpp"
 
 namespace earthtop::tool {
 
@@ -38,13 +39,7 @@ void message(std::string_view line) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-bool wants_color() {
-  const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  if (no_color != nullptr && *no_color != '\0') return false;
-  if (terminal != nullptr && std::strcmp(terminal, "dumb") == 0) return false;
-  return ::isatty(STDOUT_FILENO) == 1;
-}
+bool wants_color() { return is_lively_terminal(STDOUT_FILENO); }
 
 void report_warnings(const std::string& file, const std::vector<Diagnostic>& warnings) {
   for (const Diagnostic& warning : warnings) message(format_diagnostic(file, warning, "warning"));

@@ -1,7 +1,10 @@
 #include "earthtop/run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +12,7 @@
 #include "earthtop/results/results.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "summary_text.hpp"
 #include "verbs.hpp"
 
@@ -57,13 +61,34 @@ RequestedScene read_scenario(const RunArguments& arguments) {
   return {*std::move(report.scenario), is_changed};
 }
 
+RunResult run_watched(const Scenario& scenario, const RunArguments& arguments) {
+  const ElapsedLine line(!arguments.quiet && !arguments.json, estimated_seconds(scenario));
+  return run(scenario);
+}
+
+/// The drift over time in one line of a terminal.
+std::string sparkline(const RunResult& result) {
+  constexpr std::size_t kColumns = 48;
+  constexpr std::array<const char*, 8> kLevels = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  double largest = 0;
+  for (const DriftRow& row : result.rows) largest = std::max(largest, row.drift_axis_rad);
+  if (!(largest > 0) || result.rows.size() < 2) return "";
+  std::string line = "Drift       0 s ";
+  const std::size_t columns = std::min(kColumns, result.rows.size());
+  for (std::size_t i = 0; i < columns; ++i) {
+    const DriftRow& row = result.rows[i * (result.rows.size() - 1) / (columns - 1)];
+    line += kLevels[static_cast<std::size_t>(std::clamp(row.drift_axis_rad / largest * 8, 0.0, 7.0))];
+  }
+  return line + fmt::format(" {:g} s, the largest {:.3g} rad\n", result.rows.back().t_s, largest);
+}
+
 int run_verb(const RunArguments& arguments) try {
   const auto [scenario, is_changed] = read_scenario(arguments);
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scenario, arguments.force);
 
   install_stop_handlers();
-  const RunResult result = run(scenario);
+  const RunResult result = run_watched(scenario, arguments);
   if (result.status == RunStatus::interrupted)
     return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, scenario.duration_s));
   write_results(result, dir, arguments.force);
@@ -71,7 +96,8 @@ int run_verb(const RunArguments& arguments) try {
     if (arguments.json)
       print(summary_json(result));
     else if (!arguments.quiet)
-      print(summary_text(result, dir.string(), is_changed, wants_color()));
+      print(summary_text(result, dir.string(), is_changed, wants_color()) +
+            (is_lively_terminal(STDOUT_FILENO) ? sparkline(result) : ""));
   } catch (const WriteError& error) {
     throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
   }

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +11,7 @@
 #include "earthtop/study/run_study.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "study_text.hpp"
 #include "verbs.hpp"
 
@@ -50,33 +49,6 @@ fs::path store_of(const std::string& given) {
   std::error_code error;
   return fs::is_directory(given, error) ? study_store(given) : fs::path(given);
 }
-
-/// A line that is written over itself, on a terminal only.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr) {}
-  ~ProgressLine() { clear(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(const StudyProgress& progress) {
-    if (!shown_) return;
-    const std::string line = progress_text(progress);
-    const std::size_t width = line.size();
-    write("\r" + line + std::string(width_ > width ? width_ - width : 0, ' '));
-    width_ = width;
-  }
-  void clear() {
-    if (shown_ && width_ > 0) write("\r" + std::string(width_, ' ') + "\r");
-    width_ = 0;
-  }
-
- private:
-  static void write(const std::string& text) {
-    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody looks
-  }
-  bool shown_;
-  std::size_t width_ = 0;
-};
 
 int dry_run(const Study& study, const StudyArguments& arguments) {
   require_affordable(study);
@@ -150,7 +122,7 @@ int study_verb(const StudyArguments& arguments) {
         message(fmt::format("resuming: {} of {} points are there already", progress.before, progress.wanted));
       }
       told = true;
-      line.show(progress);
+      line.show(progress_text(progress));
     };
     report = run_study(study, options);
   }

@@ -46,7 +46,16 @@ struct Figure {
   std::string subtitle;
   Axis x;
   std::vector<Panel> panels;
+  std::string id = "et";  ///< what the names within the document begin with: pictures of one page need different ones
 };
+
+/// Where a figure's x axis lies in its picture (px), and what its ends are.
+struct PlotFrame {
+  double width = 0, left = 0, right = 0;
+  double x_low = 0, x_high = 1;
+  AxisScale x_scale = AxisScale::linear;
+};
+PlotFrame frame_of(const Figure& figure);
 
 /// The figure as one SVG document. Any text is allowed in labels; what XML cannot hold is replaced.
 std::string svg(const Figure& figure);

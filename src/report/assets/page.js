@@ -1,0 +1,127 @@
+// What all parts share, and the start of every part that the page has. Functions are hoisted over the joined files, so
+// the others can use these.
+
+/** What to draw again when the colours change. */
+const kRedraws = [];
+
+/** The colours of page.css as plain strings, read once per change of theme. */
+const kPalette = {};
+
+function readPalette() {
+  const style = getComputedStyle(document.documentElement);
+  const names = ["bg", "fg", "text", "muted", "line", "grid", "metal", "metal-dark", ...Object.keys(kDashes)];
+  for (const name of names) kPalette[name] = style.getPropertyValue(`--${name}`).trim() || "#888";
+}
+
+function byId(id) { return document.getElementById(id); }
+
+/** Text from the data is hostile: textContent alone. */
+function element(tag, className = "", text = "") {
+  const made = document.createElement(tag);
+  if (className) made.className = className;
+  if (text !== "") made.textContent = text;
+  return made;
+}
+
+function drawnElement(tag, attributes) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  return made;
+}
+
+function isNumber(value) { return typeof value === "number" && Number.isFinite(value); }
+
+function format(value, digits = 6) {
+  if (typeof value === "string") return value;
+  if (!isNumber(value)) return value === null || typeof value !== "object" ? "none" : JSON.stringify(value);
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 10 ** digits) return String(Number(value.toPrecision(digits)));
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+  return `${Number(mantissa)}e${exponent}`;
+}
+
+function clamp(value, low, high) { return Math.min(high, Math.max(low, value)); }
+
+/** Down to 1, 2 or 5 times a power of ten. */
+function roundDown(value) {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const lead = value / decade;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
+}
+
+/** Gives the canvas the screen's own pixels, now and at every change, and draws. More than two per CSS pixel cost time
+ *  and show nothing. */
+function watch(canvas, draw) {
+  const resize = () => {
+    canvas.ratio = Math.min(2, window.devicePixelRatio || 1);
+    canvas.width = Math.round(canvas.clientWidth * canvas.ratio);
+    canvas.height = Math.round(canvas.clientHeight * canvas.ratio);
+    draw();
+  };
+  new ResizeObserver(resize).observe(canvas);
+  kRedraws.push(resize);
+}
+
+/** A pen in CSS pixels on the emptied canvas; null while the canvas is not shown. */
+function penOf(canvas) {
+  const pen = canvas.width && canvas.height ? canvas.getContext("2d") : null;
+  if (!pen) return null;
+  const ratio = canvas.ratio ?? 1;
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, canvas.width / ratio, canvas.height / ratio);
+  pen.font = "13px system-ui, 'DejaVu Sans', sans-serif";
+  pen.lineJoin = "round";
+  return { pen, width: canvas.width / ratio, height: canvas.height / ratio };
+}
+
+function trace(pen, points) {
+  pen.beginPath();
+  for (const [x, y] of points) pen.lineTo(x, y);
+}
+
+/** Rings stand for the prediction, dots for the motion: told apart without their colours. */
+function spot(pen, [x, y], radius, colour, ringWidth = 0) {
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, 2 * Math.PI);
+  pen.fillStyle = pen.strokeStyle = colour;
+  pen.lineWidth = ringWidth;
+  if (ringWidth) pen.stroke(); else pen.fill();
+}
+
+function startTheme() {
+  const changed = () => { readPalette(); for (const redraw of kRedraws) redraw(); };
+  const queries = ["(prefers-color-scheme: dark)", "(prefers-contrast: more)", "(forced-colors: active)", "print"];
+  for (const query of queries) window.matchMedia(query).addEventListener("change", changed);
+  readPalette();
+}
+
+/** Where the browser keeps the clipboard from a page on disk, the text is at least selected. */
+function startCopying() {
+  for (const button of document.querySelectorAll("button.copy")) {
+    const source = button.previousElementSibling, name = button.textContent;
+    const say = (text) => {
+      button.textContent = text;
+      setTimeout(() => { button.textContent = name; }, 2500);
+    };
+    const select = () => {
+      window.getSelection().selectAllChildren(source);
+      say("Selected: now copy");
+    };
+    button.setAttribute("aria-live", "polite");
+    button.addEventListener("click", () => {
+      if (navigator.clipboard) navigator.clipboard.writeText(source.textContent.trim()).then(() => say("Copied"), select);
+      else select();
+    });
+  }
+}
+
+document.documentElement.classList.add("js");
+window.earthtop = { view: kView, frames: 0, fps: 0 };
+startTheme();
+startCopying();
+const kData = JSON.parse(byId("earthtop-data")?.textContent || "{}");
+startCharts(kData.charts ?? {});
+if (kData.kind === "study") startStudy(kData);
+startSphere(kData);
+startTop(kData);

@@ -1,0 +1,203 @@
+#include "report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "earthtop/results/provenance.hpp"
+#include "plot/svg_text.hpp"
+#include "report/assets.hpp"
+#include "report/content_policy.hpp"
+
+namespace earthtop::report {
+namespace {
+
+constexpr std::size_t kMostTableRows = 200;
+
+/// Seven digits are more than a picture shows.
+Json short_number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return Json::parse(fmt::format("{:.7g}", value));
+}
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.7g}", value) : ""; }
+
+std::string name_with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+/// All x values of a figure, ascending, each once.
+std::vector<double> all_x(const Figure& figure) {
+  std::set<double> values;
+  for (const Panel& panel : figure.panels)
+    for (const Line& line : panel.lines)
+      for (const double x : line.x)
+        if (std::isfinite(x)) values.insert(x);
+  return {values.begin(), values.end()};
+}
+
+/// The lines of a figure over common x values; NaN where a line has none.
+struct Series {
+  std::string label, unit;
+  std::vector<double> y;
+};
+std::vector<Series> series_of(const Figure& figure, const std::vector<double>& x) {
+  std::vector<Series> list;
+  for (const Panel& panel : figure.panels)
+    for (const Line& line : panel.lines) {
+      Series series{line.label.empty() ? panel.y.label : line.label, panel.y.unit,
+                    std::vector<double>(x.size(), std::numeric_limits<double>::quiet_NaN())};
+      for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
+        const auto at = std::lower_bound(x.begin(), x.end(), line.x[i]);
+        if (at != x.end() && *at == line.x[i]) series.y[static_cast<std::size_t>(at - x.begin())] = line.y[i];
+      }
+      list.push_back(std::move(series));
+    }
+  return list;
+}
+
+std::string table_of(const Figure& figure, const std::vector<double>& x, const std::vector<Series>& list) {
+  std::vector<std::string> header = {name_with_unit(figure.x.label, figure.x.unit)};
+  for (const Series& series : list) header.push_back(name_with_unit(series.label, series.unit));
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t stride = (x.size() + kMostTableRows - 1) / kMostTableRows;
+  for (std::size_t i = 0; i < x.size(); i += std::max<std::size_t>(stride, 1)) {
+    std::vector<std::string> row = {cell(x[i])};
+    for (const Series& series : list) row.push_back(cell(series.y[i]));
+    rows.push_back(std::move(row));
+  }
+  const std::string note = stride > 1 ? fmt::format("<p>Every {}th of {} points.</p>", stride, x.size()) : "";
+  return table_html(header, rows) + note;
+}
+
+Json chart_json(const Figure& figure, const std::vector<double>& x, const std::vector<Series>& list) {
+  const PlotFrame frame = frame_of(figure);
+  Json json = {{"x_unit", figure.x.unit},
+               {"x_label", figure.x.label},
+               {"plot",
+                {{"left", frame.left},
+                 {"right", frame.right},
+                 {"width", frame.width},
+                 {"x_min", frame.x_low},
+                 {"x_max", frame.x_high},
+                 {"x_log", frame.x_scale == AxisScale::logarithmic}}}};
+  for (const double value : x) json["x"].push_back(short_number(value));
+  for (const Series& series : list) {
+    Json y = Json::array();
+    for (const double value : series.y) y.push_back(short_number(value));
+    json["series"].push_back({{"label", series.label}, {"unit", series.unit}, {"y", std::move(y)}});
+  }
+  return json;
+}
+
+std::string details(const std::string& table) {
+  return "<details class=\"data\"><summary>Data table</summary><div class=\"scroll\" tabindex=\"0\">" + table +
+         "</div></details>";
+}
+
+/// Data that cannot end their element.
+std::string data_text(const Json& data) {
+  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<')
+      safe += "\\u003c";
+    else if (c == '&')
+      safe += "\\u0026";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) { return escape_xml(text); }
+
+std::string facts_html(const Facts& facts) {
+  std::string html = "<dl class=\"facts\">";
+  for (const auto& [term, what] : facts) html += fmt::format("<dt>{}</dt><dd>{}</dd>", escaped(term), what);
+  return html + "</dl>\n";
+}
+
+std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<table><thead><tr>";
+  for (const std::string& cell : header) html += fmt::format("<th scope=\"col\">{}</th>", escaped(cell));
+  html += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (const std::string& text : row) html += fmt::format("<td>{}</td>", text);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table>";
+}
+
+std::string number_html(double value, std::string_view unit, int digits) {
+  return fmt::format("<data value=\"{}\">{:.{}g}</data>{}{}", value, value, digits, unit.empty() ? "" : " ", escaped(unit));
+}
+
+Page::Page(std::string kind, std::string title) : title_(std::move(title)) {
+  data_["kind"] = std::move(kind);
+  data_["charts"] = Json::object();
+}
+
+void Page::verdict(std::string_view word, std::string html) {
+  verdict_ = fmt::format("<p class=\"verdict {}\">{}</p>\n", escaped(word), std::move(html));
+}
+
+void Page::section(std::string_view id, std::string_view title, std::string html) {
+  navigation_ += fmt::format("<li><a href=\"#section-{0}\">{1}</a></li>", id, escaped(title));
+  sections_ +=
+      fmt::format("<section id=\"section-{0}\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{1}</h2>\n{2}</section>\n",
+                  id, escaped(title), html);
+}
+
+std::string Page::chart(const std::string& name, Figure figure, std::string_view caption) {
+  figure.id = name;
+  const std::vector<double> x = all_x(figure);
+  const std::vector<Series> list = series_of(figure, x);
+  data_["charts"][name] = chart_json(figure, x, list);
+  std::string picture = svg(figure);
+  pictures_.emplace_back(name, picture);
+  return fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", name, picture,
+                     escaped(caption), details(table_of(figure, x, list)));
+}
+
+std::string Page::picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table) {
+  std::string html = fmt::format("<figure class=\"chart\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", svg_text,
+                                 escaped(caption), details(table));
+  pictures_.emplace_back(name, std::move(svg_text));
+  return html;
+}
+
+std::string Page::command(std::string_view text) {
+  return fmt::format(
+      "<pre class=\"command\" tabindex=\"0\"><code>{}</code></pre>\n<button type=\"button\" class=\"copy\">Copy</button>\n",
+      escaped(text));
+}
+
+Report Page::finish() {
+  const BuildInfo& build = build_info();
+  const std::string body = fmt::format(
+      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n<h1>{}</h1>\n<p "
+      "class=\"headline\">{}</p>\n{}</header>\n"
+      "<nav aria-label=\"Sections\"><ul>{}</ul></nav>\n<main id=\"main\">\n{}</main>\n<footer><p>earthtop {}, "
+      "{}</p></footer>\n",
+      escaped(title_), headline_, verdict_, navigation_, sections_, escaped(build.version), escaped(build.commit));
+  const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", page_script());
+  std::string html = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "
+      "content=\"{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<link rel=\"icon\" "
+      "href=\"data:,\">\n"
+      "<style>{}</style>\n</head>\n<body>\n{}<script type=\"application/json\" "
+      "id=\"earthtop-data\">{}</script>\n<script>{}</script>\n"
+      "</body>\n</html>\n",
+      kPolicyPlace, escaped(title_), page_style(), body, data_text(data_), script);
+  set_content_policy(html);
+  return {std::move(html), std::move(pictures_)};
+}
+
+}  // namespace earthtop::report

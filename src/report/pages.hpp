@@ -1,0 +1,15 @@
+/// The four kinds of pages.
+#pragma once
+
+#include <filesystem>
+
+#include "report/html.hpp"
+
+namespace earthtop::report {
+
+Report run_page(const std::filesystem::path& directory);
+Report study_page(const std::filesystem::path& store);
+Report comparison_page(const Json& document);
+Report bench_page(const Json& document);
+
+}  // namespace earthtop::report

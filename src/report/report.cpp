@@ -1,0 +1,48 @@
+#include "earthtop/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "compare/comparand.hpp"
+#include "earthtop/error.hpp"
+#include "earthtop/study/run_study.hpp"
+#include "report/pages.hpp"
+
+namespace earthtop {
+namespace report {
+namespace {
+
+Report document_page(const std::filesystem::path& file) {
+  const Json document = compare::read_json_file(file, "document");
+  const Json schema = document.value("$schema", Json());
+  if (schema == "earthtop-comparison-1.json") return comparison_page(document);
+  if (document.contains("scenarios") && document.contains("processor")) return bench_page(document);
+  compare::refuse_path(file,
+                       "is no document of compare --json or bench --json; give one, or a directory of results or of a study");
+}
+
+}  // namespace
+}  // namespace report
+
+Report make_report(const std::filesystem::path& what) try {
+  using compare::ComparandKind;
+  std::error_code error;
+  if (!std::filesystem::is_directory(what, error) && what.extension() == ".json") return report::document_page(what);
+  switch (compare::kind_of(what)) {
+    case ComparandKind::results: return report::run_page(what);
+    case ComparandKind::store: return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what);
+    default:
+      compare::refuse_path(what,
+                           "is neither the results of a run nor a study; give one of them, or a document of compare or bench");
+  }
+} catch (const report::Json::exception& error) {
+  compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", error.what()));
+}
+
+std::filesystem::path report_file(const std::filesystem::path& what) {
+  std::error_code error;
+  if (std::filesystem::is_directory(what, error)) return what / "report.html";
+  std::filesystem::path file = what;
+  return file.replace_extension(".html");
+}
+
+}  // namespace earthtop

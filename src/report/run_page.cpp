@@ -1,0 +1,314 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "compare/comparand.hpp"
+#include "earthtop/budget/budget.hpp"
+#include "earthtop/error.hpp"
+#include "earthtop/model/ledger.hpp"
+#include "report/bars.hpp"
+#include "report/pages.hpp"
+#include "report/thinning.hpp"
+#include "results/time_unit.hpp"
+#include "scenario/problem.hpp"
+
+namespace earthtop::report {
+namespace {
+
+using compare::CellKind;
+using compare::Comparand;
+using compare::Row;
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kArcseconds = 648000 / std::numbers::pi;
+constexpr double kShownDrift = 0.3;       // rad: as large as it is drawn on the sphere
+constexpr std::size_t kMostArrows = 200;  // times at which torques are computed for the animation
+constexpr double kBudgetSteps = 3e5;      // a second or so: beyond that the ledger's bars are left out
+
+std::size_t column(std::string_view name) { return *compare::trajectory_table().find(name); }
+double value(const Row& row, std::size_t at) { return row.kind[at] == CellKind::number ? row.value[at] : kNoNumber; }
+
+/// A run as the page needs it.
+struct Run {
+  Comparand results;
+  std::optional<Scenario> scenario;  ///< none where the summary's text is not one that this version reads
+  std::vector<Row> rows;
+  TimeUnit time{"s", 1};
+  std::string word(const std::string& pointer) const { return results.word(pointer); }
+  std::optional<double> number(const std::string& pointer) const { return results.number(pointer); }
+};
+
+std::vector<double> values(const Run& run, std::string_view name, double factor) {
+  std::vector<double> list;
+  list.reserve(run.rows.size());
+  const std::size_t at = column(name);
+  for (const Row& row : run.rows) list.push_back(value(row, at) * factor);
+  return list;
+}
+
+std::vector<double> times(const Run& run) {
+  std::vector<double> list;
+  list.reserve(run.rows.size());
+  for (const Row& row : run.rows) list.push_back(row.t_s * run.time.per_s);
+  return list;
+}
+
+/// The drift that can be trusted last, in a sentence.
+std::string headline_of(const Run& run) {
+  const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
+             at = run.number("/drift/reliable/at_s");
+  if (!drift || !bound || !at) return "No row of this run can be trusted.";
+  return fmt::format(
+      "After {} the axis stands <strong>{}</strong> ({:.6g}″) from where the non-rotating prediction puts it; the error "
+      "of that number is at most {}. Both predictions: {}.",
+      number_html(*at, "s"), number_html(*drift, "rad", 10), *drift * kArcseconds, number_html(*bound, "rad", 2),
+      escaped(run.word("/matching_rule/statement")));
+}
+
+std::string verdict_of(const Run& run) {
+  std::string text =
+      fmt::format("<strong>{}</strong>: {}", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
+  if (const auto from = run.number("/drift/verdict_from_s"))
+    text += fmt::format(" From {} on the drift is not to be trusted.", number_html(*from, "s"));
+  if (run.word("/outcome/status") != "completed")
+    text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
+                        number_html(run.number("/outcome/reached_s").value_or(0), "s"));
+  return text;
+}
+
+Figure axis_figure(const Run& run) {
+  return {"Angle between the two spin axes",
+          "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
+          {"Time", run.time.name},
+          {{{"Axis drift", "arcseconds", AxisScale::logarithmic},
+            {{"bound on its error", times(run), values(run, "drift_axis_bound_rad", kArcseconds), LineColor::vermillion,
+              LineStyle::filled},
+             {"drift", times(run), values(run, "drift_axis_rad", kArcseconds)}}}}};
+}
+
+Figure parts_figure(const Run& run) {
+  Figure figure{"Drift in azimuth and in tilt",
+                "Rotating minus non-rotating Earth; azimuth clockwise from above",
+                {"Time", run.time.name},
+                {}};
+  const std::vector<double> t = times(run), azimuth = values(run, "drift_azimuth_rad", kArcseconds);
+  Panel parts{
+      {"Drift", "arcseconds"},
+      {{"azimuth", t, azimuth}, {"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed}}};
+  const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
+  if (rate) {
+    double offset = 0, count = 0;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      if (std::isfinite(azimuth[i])) {
+        offset += azimuth[i] - *rate * kArcseconds * run.rows[i].t_s;
+        ++count;
+      }
+    offset /= std::max(count, 1.0);
+    std::vector<double> line, residual;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      line.push_back(offset + *rate * kArcseconds * run.rows[i].t_s);
+      residual.push_back(azimuth[i] - line.back());
+    }
+    parts.lines.push_back({"secular part of the azimuth", t, std::move(line), LineColor::grey, LineStyle::broad});
+    figure.panels = {std::move(parts),
+                     {{"Azimuth less its secular part", "arcseconds"}, {{"residual", t, std::move(residual)}}, 120}};
+  } else {
+    figure.panels = {std::move(parts)};
+  }
+  return figure;
+}
+
+/// Three numbers a row, with as many digits as a screen has pixels.
+Json directions(const std::vector<Row>& rows, std::string_view first) {
+  Json list = Json::array();
+  const std::size_t at = column(first);
+  for (const Row& row : rows)
+    for (std::size_t i = at; i < at + 3; ++i) list.push_back(std::round(row.value[i] * 1e7) / 1e7);
+  return list;
+}
+
+double magnification(const Run& run) {
+  const double largest = run.number("/drift/axis_max_rad").value_or(0);
+  if (!(largest > 0) || largest >= kShownDrift) return 1;
+  const double wanted = kShownDrift / largest, decade = std::pow(10, std::floor(std::log10(wanted)));
+  const double lead = wanted / decade;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
+}
+
+void append(Json& list, const Vec3<double>& vector) {
+  for (int i = 0; i < 3; ++i) list.push_back(Json::parse(fmt::format("{:.4g}", vector[i])));
+}
+
+/// The torques that the laboratory's observer counts, at some of the rows.
+Json torques_of(const Run& run, const Model<double>& model) {
+  Json json = {{"t_s", Json::array()},
+               {"gravity_N_m", Json::array()},
+               {"coriolis_N_m", Json::array()},
+               {"transverse_N_m", Json::array()},
+               {"centrifugal_N_m", Json::array()}};
+  const std::size_t stride = std::max<std::size_t>(1, run.rows.size() / kMostArrows), q = column("q_LB_w"),
+                    w = column("w_LB_B_x_rad_s");
+  for (std::size_t i = 0; i < run.rows.size(); i += stride) {
+    const Row& row = run.rows[i];
+    const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
+    const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
+    const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B);
+    json["t_s"].push_back(row.t_s);
+    append(json["gravity_N_m"], entry.tau_phys_A);
+    append(json["coriolis_N_m"], entry.tau_cor_A);
+    append(json["transverse_N_m"], entry.tau_trans_A);
+    append(json["centrifugal_N_m"], entry.tau_cent_A);
+  }
+  return json;
+}
+
+void add_motion(const Run& run, Page& page) {
+  Json& data = page.data();
+  data["t_s"] = Json::array();
+  for (const Row& row : run.rows) data["t_s"].push_back(row.t_s);
+  data["axis_L"] = directions(run.rows, "axis_L_x");
+  data["ref_axis_L"] = directions(run.rows, "ref_axis_L_x");
+  data["spin_rad_s"] = run.rows.empty() ? 0.0 : run.rows.front().value[column("w_LB_B_z_rad_s")];
+  data["magnification"] = magnification(run);
+  data["earth_rate_L"] = {0, 0, 0};
+  data["precession_axis_L"] = {0, 0, 1};
+  data["torques"] = nullptr;
+  if (!run.scenario) return;
+  const Model<double> model = make_model<double>(*run.scenario);
+  data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
+  if (!run.scenario->platform) data["torques"] = torques_of(run, model);
+}
+
+/// Of apparent gravity about the pivot, at the rows that are shown (N m).
+double largest_gravity(const Run& run) {
+  const Model<double> model = make_model<double>(*run.scenario);
+  const std::size_t axis = column("q_LB_w");
+  double largest = 0;
+  for (const Row& row : run.rows) {
+    const Quaternion<double> q_LB{row.value[axis], Vec3<double>(row.value[axis + 1], row.value[axis + 2], row.value[axis + 3])};
+    const Vec3<double> moment_L = Rotation<double>(q_LB) * model.mass_moment_B;
+    largest = std::max(largest, moment_L.cross(model.apparent_gravity_L).norm());
+  }
+  return largest;
+}
+
+std::string ledger_section(const Run& run, Page& page) {
+  if (!run.scenario || estimated_steps(*run.scenario) > kBudgetSteps)
+    return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
+  const Budget budget = effect_budget(*run.scenario);
+  std::vector<Bar> bars;
+  std::vector<std::vector<std::string>> rows;
+  if (const double gravity = largest_gravity(run); gravity > 0) {
+    bars.push_back({"gravity", gravity, false});
+    rows.push_back({"gravity", "modelled", number_html(gravity, "N m", 3), "", "always"});
+  }
+  for (const EffectEntry& effect : budget.effects) {
+    const auto shown = [](const std::optional<double>& number) { return number ? number_html(*number, "", 3) : std::string(); };
+    rows.push_back({escaped(effect.name), effect.modelled ? "modelled" : "left out", shown(effect.torque_largest_N_m),
+                    shown(effect.drift_rad), escaped(effect.reason)});
+    if (effect.torque_largest_N_m && *effect.torque_largest_N_m > 0)
+      bars.push_back({effect.name, *effect.torque_largest_N_m, !effect.modelled});
+  }
+  const std::string table = table_html({"effect", "", "largest torque (N m)", "changes the drift by (rad)", "why"}, rows);
+  if (bars.empty()) return table;
+  return page.picture("torques", bars_svg("torques", "Largest torques", "N m", bars), "Solid: modelled. Hatched: left out.",
+                      table);
+}
+
+std::string invariants_section(const Run& run) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& invariant : run.results.summary.value("invariants", Json::array())) {
+    const double change = invariant.value("largest_change", kNoNumber), scale = invariant.value("scale", kNoNumber);
+    rows.push_back({escaped(invariant.value("name", "")),
+                    number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
+                    number_html(change / scale, "", 3)});
+  }
+  return table_html({"quantity", "at release", "largest change", "over its largest term"}, rows);
+}
+
+std::string numerics_section(const Run& run) {
+  std::vector<std::vector<std::string>> rows;
+  const double duration = run.number("/outcome/reached_s").value_or(0);
+  for (const char* part : {"solution", "certificate"}) {
+    const std::string at = std::string("/") + part + "/";
+    const double steps = run.number(at + "steps_accepted").value_or(0);
+    rows.push_back({part, escaped(run.word(at + "method")), escaped(run.word(at + "observer")), escaped(run.word(at + "model")),
+                    escaped(run.word(at + "precision")), fmt::format("{:g}", run.number(at + "relative_tolerance").value_or(0)),
+                    fmt::format("{:.0f}", steps), fmt::format("{:.0f}", run.number(at + "steps_rejected").value_or(0)),
+                    steps > 0 ? number_html(duration / steps, "s", 3) : "",
+                    fmt::format("{:.0f}", run.number(at + "right_hand_side_evaluations").value_or(0))});
+  }
+  return table_html(
+      {"", "method", "observer", "model", "precision", "tolerance", "steps", "rejected", "mean step", "evaluations"}, rows);
+}
+
+std::string provenance_section(const Run& run) {
+  Facts facts;
+  for (const char* key : {"program", "version", "commit", "compiler", "flags", "scenario_sha256"})
+    facts.emplace_back(key, escaped(run.word(std::string("/provenance/") + key)));
+  for (const Json& constant : run.results.summary.value(Json::json_pointer("/provenance/constants"), Json::array()))
+    facts.emplace_back(constant.value("name", ""),
+                       number_html(constant.value("value", kNoNumber), constant.value("unit", ""), 12) + ", " +
+                           escaped(constant.value("source", "")));
+  return facts_html(facts);
+}
+
+constexpr const char* kSphere =
+    "<canvas id=\"sphere\" width=\"640\" height=\"480\" tabindex=\"0\" role=\"img\" aria-label=\"Path of the spin axis on the "
+    "unit sphere, both "
+    "predictions; arrow keys turn it\"></canvas>\n<p id=\"sphere-state\" aria-live=\"polite\"></p>\n";
+constexpr const char* kAnimation =
+    "<canvas id=\"top\" width=\"640\" height=\"480\" tabindex=\"0\" role=\"img\" aria-label=\"The top in "
+    "motion\"></canvas>\n<p class=\"controls\">"
+    "<button type=\"button\" id=\"play\">Play</button> <label>Time <input id=\"time\" type=\"range\" min=\"0\" max=\"1000\" "
+    "value=\"0\"></label> "
+    "<output id=\"clock\"></output> <label><input id=\"arrows\" type=\"checkbox\" checked> torques and axes</label></p>\n";
+
+Run read_run(const std::filesystem::path& directory) {
+  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, {"s", 1}};
+  const ScenarioReport report = examine_scenario({"", run.results.summary.value("scenario", Json()).dump(), false});
+  run.scenario = report.scenario;
+  const auto rows = run.results.open_rows();
+  for (const char* needed : {"axis_L_x", "ref_axis_L_x", "drift_axis_rad", "q_LB_w", "w_LB_B_x_rad_s"})
+    if (!rows->has_column(column(needed)))
+      compare::refuse_path(directory, fmt::format("its trajectory.csv has no {}; run the scenario again", needed));
+  run.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0));
+  if (!run.rows.empty()) run.time = time_unit(run.rows.back().t_s);
+  return run;
+}
+
+}  // namespace
+
+Report run_page(const std::filesystem::path& directory) {
+  const Run run = read_run(directory);
+  const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
+  Page page("run", title.empty() ? "A run" : title);
+  page.headline(headline_of(run));
+  page.verdict(run.word("/drift/verdict"), verdict_of(run));
+  add_motion(run, page);
+  const std::string thinned =
+      run.results.stated_rows.value_or(0) > run.rows.size()
+          ? fmt::format(" Drawn: {} of {} rows, {}.", run.rows.size(), *run.results.stated_rows, kThinningRule)
+          : "";
+  page.section(
+      "drift", "Drift",
+      page.chart("axis", axis_figure(run), "The angle between the two axes, and the bound on its error." + thinned) +
+          page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line."));
+  page.section("sphere", "Path of the axis", kSphere);
+  page.section("motion", "The top in motion", kAnimation);
+  page.section("torques", "Torques", ledger_section(run, page));
+  page.section("invariants", "Conserved quantities", invariants_section(run));
+  page.section("numerics", "Steps", numerics_section(run));
+  const Json scenario = run.results.summary.value("scenario", Json());
+  page.section("scenario", "Scenario",
+               "<p>With every default filled in.</p>\n<pre class=\"scroll\" tabindex=\"0\">" +
+                   escaped(scenario.dump(2, ' ', false, Json::error_handler_t::replace)) + "</pre>\n");
+  page.section("provenance", "Provenance", provenance_section(run));
+  page.section("command", "Make it again",
+               Page::command("earthtop run - --out again <<'EOF'\n" +
+                             scenario.dump(-1, ' ', false, Json::error_handler_t::replace) + "\nEOF\nearthtop report again"));
+  return page.finish();
+}
+
+}  // namespace earthtop::report

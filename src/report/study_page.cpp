@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "earthtop/study/run_study.hpp"
+#include "report/pages.hpp"
+
+namespace earthtop::report {
+namespace {
+
+std::string shown(const Json& value) {
+  if (value.is_number()) return number_html(value.get<double>(), "");
+  return escaped(value.is_string() ? value.get<std::string>() : value.is_null() ? "" : value.dump());
+}
+
+std::string statistics_section(const Json& study) {
+  std::vector<std::vector<std::string>> rows;
+  const Json all = study.value("statistics", Json::object());
+  for (const auto& [name, statistics] : all.items()) {
+    std::vector<std::string> row = {escaped(name)};
+    for (const char* key : {"count", "mean", "standard_deviation", "min", "quantile_05", "median", "quantile_95", "max"})
+      row.push_back(shown(statistics.value(key, Json())));
+    rows.push_back(std::move(row));
+  }
+  return table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows);
+}
+
+std::string fits_section(const Json& study) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& fit : study.value("fits", Json::array())) {
+    const auto with_error = [&](const char* name, const char* error) {
+      return shown(fit.value(name, Json())) + " ± " +
+             number_html(fit.value(error, Json()).is_number() ? fit.at(error).get<double>() : NAN, "", 2);
+    };
+    rows.push_back({escaped(fit.value("kind", "")), escaped(fit.value("quantity", "")), escaped(fit.value("axis", "")),
+                    with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
+                    shown(fit.value("residual_rms", Json()))});
+  }
+  return rows.empty() ? "<p>None asked for.</p>\n" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
+}
+
+std::string figures_section(const Json& study) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& figure : study.value("figures", Json::array()))
+    rows.push_back({escaped(figure.value("figure", "")), shown(figure.value("value", Json())),
+                    shown(figure.value("computed", Json())), shown(figure.value("tolerance", Json())),
+                    figure.value("met", false) ? "met" : "NOT MET", escaped(figure.value("origin", ""))});
+  return rows.empty() ? "<p>None stated.</p>\n" : table_html({"figure", "stated", "computed", "tolerance", "", "origin"}, rows);
+}
+
+/// The fitted curve at x; NaN for a kind that is not known.
+double fitted(const Json& fit, double x) {
+  const std::string kind = fit.value("kind", "");
+  const double a = fit.value("a", NAN), b = fit.value("b", NAN), radians = x * 0.017453292519943295;
+  if (kind == "linear") return a + b * x;
+  if (kind == "sin_latitude") return a + b * std::sin(radians);
+  if (kind == "cos_latitude") return a + b * std::cos(radians);
+  if (kind == "logarithmic") return a + b * std::log(std::abs(x));
+  return kind == "power_law" ? a * std::pow(std::abs(x), b) : NAN;
+}
+
+/// Points and the curves through them, where there is one axis.
+std::string curves_section(const Json& study, Page& page) {
+  if (study.at("axes").size() != 1 || !study.at("points").is_array()) return "";
+  const std::string axis = study.at("axes")[0].value("name", "");
+  std::string html;
+  for (std::size_t q = 0; q < study.at("quantities").size(); ++q) {
+    const std::string quantity = study.at("quantities")[q].value("name", "");
+    Line points{"computed", {}, {}, LineColor::blue, LineStyle::solid, Marker::circle};
+    Panel panel{{quantity, ""}, {}, 210};
+    for (const Json& point : study.at("points")) {
+      const Json x = point.value(axis, Json()), y = point.value(quantity, Json());
+      if (!x.is_number() || !y.is_number()) continue;
+      points.x.push_back(x.get<double>());
+      points.y.push_back(y.get<double>());
+    }
+    if (points.x.empty()) continue;
+    for (const Json& fit : study.value("fits", Json::array())) {
+      if (fit.value("quantity", "") != quantity) continue;
+      Line curve{"fit: " + fit.value("kind", ""), points.x, {}, LineColor::grey, LineStyle::broad};
+      for (const double x : curve.x) curve.y.push_back(fitted(fit, x));
+      panel.lines.push_back(std::move(curve));
+    }
+    panel.lines.push_back(std::move(points));
+    Figure figure{quantity, study.value("finding", ""), {axis, ""}, {}};
+    figure.panels.push_back(std::move(panel));
+    html += page.chart(fmt::format("curve{}", q), std::move(figure), quantity + " over " + axis);
+  }
+  return html;
+}
+
+/// Every point for the reader's own cuts through the axes.
+void add_points(const Json& study, Page& page) {
+  Json& data = page.data();
+  data["axes"] = Json::array();
+  data["quantities"] = Json::array();
+  data["points"] = Json::array();
+  for (const Json& axis : study.at("axes"))
+    data["axes"].push_back({{"name", axis.value("name", "")}, {"values", Json::array()}});
+  for (const Json& quantity : study.at("quantities")) data["quantities"].push_back(quantity.value("name", ""));
+  if (!study.at("points").is_array()) return;
+  for (const Json& point : study.at("points")) {
+    Json values = Json::array(), coordinates = Json::array(), changes = Json::object();
+    for (std::size_t i = 0; i < study.at("axes").size(); ++i) {
+      const Json& axis = study.at("axes")[i];
+      const Json x = point.value(axis.value("name", ""), Json());
+      coordinates.push_back(x);
+      Json& known = data["axes"][i]["values"];
+      if (std::find(known.begin(), known.end(), x) == known.end()) known.push_back(x);
+      for (const Json& pointer : axis.value("pointers", Json::array())) changes[pointer.get<std::string>()] = x;
+    }
+    for (const Json& quantity : study.at("quantities")) values.push_back(point.value(quantity.value("name", ""), Json()));
+    data["points"].push_back({{"axes", std::move(coordinates)}, {"values", std::move(values)}, {"scenario", changes.dump(2)}});
+  }
+}
+
+}  // namespace
+
+Report study_page(const std::filesystem::path& store) {
+  const Json study = Json::parse(study_json(store));
+  const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
+  Page page("study", title);
+  page.headline(escaped(study.value("finding", "")));
+  const auto failed = study.value("points_failed", 0), computed = study.value("points_computed", 0),
+             planned = study.value("points_planned", 0);
+  page.verdict(failed == 0 && computed == planned ? "same" : "differs",
+               fmt::format("{} of {} points computed, {} failed.", computed, planned, failed));
+  add_points(study, page);
+  const std::string curves = curves_section(study, page);
+  if (!curves.empty()) page.section("curves", "Curves", curves);
+  page.section("explore", "Any cut",
+               study.at("points").is_array() ? "<div id=\"explorer\"></div>\n"
+                                             : "<p>Too many points for a page: earthtop study export prints them.</p>\n");
+  page.section("statistics", "Statistics", statistics_section(study));
+  page.section("fits", "Fits", fits_section(study));
+  page.section("figures", "Figures known from elsewhere", figures_section(study));
+  const Json provenance = study.value("provenance", Json::object());
+  Facts facts;
+  for (const auto& [key, value] : provenance.items())
+    if (value.is_string()) facts.emplace_back(key, escaped(value.get<std::string>()));
+  page.section("provenance", "Provenance", facts_html(facts));
+  page.section("command", "Make it again", Page::command("earthtop study STUDY.json --out again\nearthtop report again"));
+  return page.finish();
+}
+
+}  // namespace earthtop::report

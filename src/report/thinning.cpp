@@ -1,0 +1,72 @@
+#include "report/thinning.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace earthtop::report {
+namespace {
+
+constexpr std::uint64_t kAllUpTo = 1000, kSpans = 250;
+
+using compare::CellKind;
+using compare::Row;
+
+/// The rows of one span that must be kept.
+class Span {
+ public:
+  explicit Span(const std::array<std::size_t, 3>& watched) : watched_(watched) {}
+
+  void add(const Row& row) {
+    if (count_++ == 0) {
+      first_ = row;
+      least_.fill(row);
+      largest_.fill(row);
+    }
+    last_ = row;
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      const std::size_t column = watched_[i];
+      if (row.kind[column] != CellKind::number) continue;
+      if (least_[i].kind[column] != CellKind::number || row.value[column] < least_[i].value[column]) least_[i] = row;
+      if (largest_[i].kind[column] != CellKind::number || row.value[column] > largest_[i].value[column]) largest_[i] = row;
+    }
+  }
+
+  void flush(std::vector<Row>& kept) {
+    if (count_ == 0) return;
+    std::vector<Row> rows = {first_, last_};
+    rows.insert(rows.end(), least_.begin(), least_.end());
+    rows.insert(rows.end(), largest_.begin(), largest_.end());
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.t_s < b.t_s; });
+    for (const Row& row : rows)
+      if (kept.empty() || row.t_s > kept.back().t_s) kept.push_back(row);
+    count_ = 0;
+  }
+
+ private:
+  std::array<std::size_t, 3> watched_;
+  std::uint64_t count_ = 0;
+  Row first_, last_;
+  std::array<Row, 3> least_, largest_;
+};
+
+}  // namespace
+
+std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count) {
+  const compare::Table& table = compare::trajectory_table();
+  const std::array<std::size_t, 3> watched = {*table.find("drift_axis_rad"), *table.find("drift_azimuth_rad"),
+                                              *table.find("drift_tilt_rad")};
+  const std::uint64_t rows_a_span = count <= kAllUpTo ? 1 : (count + kSpans - 1) / kSpans;
+  std::vector<Row> kept;
+  Span span(watched);
+  Row row;
+  for (std::uint64_t i = 0; rows.next(row); ++i) {
+    if (!std::isfinite(row.t_s)) continue;
+    span.add(row);
+    if ((i + 1) % rows_a_span == 0) span.flush(kept);
+  }
+  span.flush(kept);
+  return kept;
+}
+
+}  // namespace earthtop::report

@@ -1,0 +1,158 @@
+/// Report pages without a browser: what is in them, and what must not be. (tests/browser opens them in one.)
+#include "earthtop/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/compare/compare.hpp"
+#include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
+#include "report/bars.hpp"
+#include "report/thinning.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace earthtop {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::TemporaryDirectory;
+
+constexpr const char* kHostile = "</title><script>alert(1)</script>\"'&\x07";
+
+Scenario short_top(const std::string& title) {
+  Scenario scenario = parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/toy-top.json"), {{"/motion/duration_s", "3"}});
+  scenario.title = title;
+  scenario.purpose = title;
+  return scenario;
+}
+
+std::string page_of(const fs::path& what) { return make_report(what).html; }
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from) + from.size();
+  return text.substr(begin, text.find(to, begin) - begin);
+}
+
+nlohmann::json data_of(const std::string& html) {
+  return nlohmann::json::parse(between(html, "<script type=\"application/json\" id=\"earthtop-data\">", "</script>"));
+}
+
+TEST(Report, TheHeadlineIsTheSummarysNumberToItsLastBit) {
+  const TemporaryDirectory dir;
+  const RunResult result = run(short_top("A top"));
+  write_results(result, dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run"), headline = between(html, "<p class=\"headline\">", "</p>");
+  const std::string number = between(headline, "<strong><data value=\"", "\"");
+  double value = 0;
+  std::from_chars(number.data(), number.data() + number.size(), value);
+  EXPECT_EQ(value, result.drift.axis_final_rad) << headline;
+}
+
+TEST(Report, ForeignTextStaysText) {
+  const TemporaryDirectory dir;
+  write_results(run(short_top(kHostile)), dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run");
+  EXPECT_EQ(html.find("<script>alert"), html.npos);
+  EXPECT_EQ(html.find('\x07'), html.npos);
+  EXPECT_NE(html.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;"), html.npos);
+  data_of(html);  // still JSON
+}
+
+// One policy, one style of the page's own beside those of its pictures, one script, and nothing from elsewhere.
+TEST(Report, NothingIsLoaded) {
+  const TemporaryDirectory dir;
+  write_results(run(short_top("A top")), dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run");
+  EXPECT_NE(html.find("content=\"default-src 'none'; style-src 'sha256-"), html.npos);
+  for (const char* loader : {"src=\"http", "href=\"http", "url(http", "@import", "<iframe", " style=\"", " onclick", " onload"})
+    EXPECT_EQ(html.find(loader), html.npos) << loader;
+  const std::string data = between(html, "id=\"earthtop-data\">", "</script>");
+  EXPECT_LT(html.size() - data.size(), 300'000u);
+}
+
+TEST(Report, PicturesStandAlone) {
+  const TemporaryDirectory dir;
+  write_results(run(short_top("A top")), dir.path() / "run", false);
+  const Report report = make_report(dir.path() / "run");
+  ASSERT_GE(report.pictures.size(), 3u);
+  for (const auto& [name, picture] : report.pictures) {
+    EXPECT_EQ(picture.rfind("<svg ", 0), 0u) << name;
+    EXPECT_NE(picture.find("</svg>"), picture.npos) << name;
+  }
+}
+
+TEST(Report, OfADocumentThatIsNoneIsRefused) {
+  const TemporaryDirectory dir;
+  for (const char* text : {"{}", "[1]", "{\"$schema\": \"earthtop-comparison-1.json\", \"pairs\": 3, \"verdict\": 1}", ""}) {
+    std::ofstream(dir.path() / "document.json") << text;
+    EXPECT_THROW(make_report(dir.path() / "document.json"), ScenarioError) << text;
+  }
+  EXPECT_THROW(make_report(dir.path()), ScenarioError);
+  EXPECT_THROW(make_report(dir.path() / "nowhere"), ScenarioError);
+}
+
+TEST(Report, AComparisonShowsEveryVerdict) {
+  const TemporaryDirectory dir;
+  write_results(run(short_top("A top")), dir.path() / "a", false);
+  Scenario other = short_top("A top");
+  other.rotation_rate_rad_s *= 1.001;
+  write_results(run(other), dir.path() / "b", false);
+  CompareOptions options;
+  options.with_curves = true;
+  std::ofstream(dir.path() / "c.json") << comparison_json(compare_results(dir.path() / "a", dir.path() / "b", options));
+  const std::string html = page_of(dir.path() / "c.json");
+  for (const char* text : {"<strong>differs</strong>", "other scenario", "attitude_rad", "invariants.jacobi_integral.initial",
+                           "data-chart=\"p0q0\""})
+    EXPECT_NE(html.find(text), html.npos) << text;
+}
+
+/// Rows with a needle in one of the columns.
+class NeedleRows : public compare::RowSource {
+ public:
+  NeedleRows(std::uint64_t count, std::uint64_t needle, std::string_view column)
+      : count_(count), needle_(needle), column_(*compare::trajectory_table().find(column)) {}
+  bool next(compare::Row& row) override {
+    if (at_ == count_) return false;
+    row = {};
+    row.t_s = static_cast<double>(at_);
+    row.value[column_] = at_ == needle_ ? -1.0 : std::sin(0.01 * static_cast<double>(at_)) + 2;
+    ++at_;
+    return true;
+  }
+  bool has_column(std::size_t) const override { return true; }
+  std::string where() const override { return ""; }
+
+ private:
+  std::uint64_t count_, needle_, at_ = 0;
+  std::size_t column_;
+};
+
+TEST(Thinning, KeepsEndsAndExtremes) {
+  constexpr std::uint64_t kCount = 200'000;
+  for (const std::string_view column : {"drift_axis_rad", "drift_azimuth_rad", "drift_tilt_rad"})
+    for (const std::uint64_t needle : {std::uint64_t{1}, std::uint64_t{77'777}, kCount - 2}) {
+      NeedleRows rows(kCount, needle, column);
+      const auto kept = report::thinned_rows(rows, kCount);
+      EXPECT_LE(kept.size(), 8u * 251u);
+      EXPECT_EQ(kept.front().t_s, 0);
+      EXPECT_EQ(kept.back().t_s, static_cast<double>(kCount - 1));
+      EXPECT_TRUE(
+          std::any_of(kept.begin(), kept.end(), [&](const auto& row) { return row.t_s == static_cast<double>(needle); }));
+      EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
+    }
+  NeedleRows few(900, 5, "drift_axis_rad");
+  EXPECT_EQ(report::thinned_rows(few, 900).size(), 900u);
+}
+
+TEST(Bars, LeftOutIsHatched) {
+  const std::string svg = report::bars_svg("b", "Torques", "N m", {{"a", 1e-3, false}, {"b<", 2e-9, true}});
+  EXPECT_NE(svg.find("url(#b-hatch)"), svg.npos);
+  EXPECT_NE(svg.find("b&lt;"), svg.npos);
+}
+
+}  // namespace
+}  // namespace earthtop

@@ -1,0 +1,56 @@
+#include "earthtop/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "earthtop/results/results.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct ReportArguments {
+  std::string what;
+  std::optional<std::string> out;
+  bool svg = false, json = false, quiet = false;
+};
+
+int report_verb(const ReportArguments& arguments) {
+  const Report report = make_report(arguments.what);
+  const std::filesystem::path page = arguments.out ? std::filesystem::path(*arguments.out) : report_file(arguments.what);
+  std::vector<std::string> written = {page.string()};
+  write_file(page, report.html);
+  if (arguments.svg)
+    for (const auto& [name, picture] : report.pictures) {
+      const std::filesystem::path file = page.parent_path() / fmt::format("{}-{}.svg", page.stem().string(), name);
+      write_file(file, picture);
+      written.push_back(file.string());
+    }
+  if (arguments.json)
+    print_json({{"written", written}});
+  else if (!arguments.quiet)
+    for (const std::string& file : written) print(printable(file) + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<ReportArguments>();
+  CLI::App* report = app.add_subcommand("report", "one self-contained HTML page of a run, a study, a comparison or a bench");
+  report->add_option("WHAT", arguments->what, "results of run, a study, or a document of compare --json or bench --json")
+      ->required();
+  report
+      ->add_option("--out", arguments->out,
+                   "the page; default: report.html in the directory, or the document's name with .html")
+      ->type_name("FILE");
+  report->add_flag("--svg", arguments->svg, "write its pictures as SVG files beside it, too");
+  report->add_flag("--json", arguments->json, "print what was written as one JSON document, errors too");
+  report->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  report->callback([&action, arguments] { action = [arguments] { return report_verb(*arguments); }; });
+}
+
+}  // namespace earthtop::tool
