@@ -214,7 +214,8 @@ void compare_collections(const fs::path& reference, const fs::path& candidate, c
 
 /// A tolerance that nothing took is a name that nobody has.
 void note_unused_tolerances(const Tolerances& tolerances, CompareReport& report) {
-  for (const auto& [name, rule] : tolerances.rules) {
+  for (const auto& entry : tolerances.rules) {
+    const std::string& name = entry.first;
     const bool used = std::any_of(report.pairs.begin(), report.pairs.end(), [&](const PairReport& pair) {
       return std::any_of(pair.quantities.begin(), pair.quantities.end(),
                          [&](const QuantityVerdict& q) { return q.name == name; });

@@ -198,7 +198,8 @@ std::string entries_table(const Json& scene) {
 Report bench_page(const Json& document) {
   const Json scenes = document.value("scenarios", Json::array());
   Page page("bench", "Speed against error");
-  page.headline(fmt::format("{} scenarios; {}.", scenes.size(), escaped(text_of(document, "processor"))));
+  page.headline(fmt::format("{}; {}.", scenes.size() == 1 ? "One scenario" : fmt::format("{} scenarios", scenes.size()),
+                            escaped(text_of(document, "processor"))));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Json& scene = scenes[i];
     const Json reference = scene.value("reference", Json::object());

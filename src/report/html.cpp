@@ -82,7 +82,7 @@ Json chart_json(const Figure& figure, const std::vector<double>& x, const std::v
                  {"width", frame.width},
                  {"x_min", frame.x_low},
                  {"x_max", frame.x_high},
-                 {"x_log", frame.x_scale == AxisScale::logarithmic}}}};
+                 {"x_scale", frame.x_scale == AxisScale::logarithmic ? "log" : "linear"}}}};
   for (const double value : x) json["x"].push_back(short_number(value));
   for (const Series& series : list) {
     Json y = Json::array();
@@ -90,6 +90,13 @@ Json chart_json(const Figure& figure, const std::vector<double>& x, const std::v
     json["series"].push_back({{"label", series.label}, {"unit", series.unit}, {"y", std::move(y)}});
   }
   return json;
+}
+
+/// The page's own style has the rules of its pictures.
+std::string without_style(std::string picture) {
+  const std::size_t begin = picture.find("<style>"), end = picture.find("</style>");
+  if (begin != picture.npos && end != picture.npos) picture.erase(begin, end + 9 - begin);
+  return picture;
 }
 
 std::string details(const std::string& table) {
@@ -159,10 +166,10 @@ std::string Page::chart(const std::string& name, Figure figure, std::string_view
   const std::vector<double> x = all_x(figure);
   const std::vector<Series> list = series_of(figure, x);
   data_["charts"][name] = chart_json(figure, x, list);
-  std::string picture = svg(figure);
+  const std::string picture = svg(figure);
   pictures_.emplace_back(name, picture);
-  return fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", name, picture,
-                     escaped(caption), details(table_of(figure, x, list)));
+  return fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", name,
+                     without_style(picture), escaped(caption), details(table_of(figure, x, list)));
 }
 
 std::string Page::picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table) {

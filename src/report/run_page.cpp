@@ -119,12 +119,12 @@ Figure parts_figure(const Run& run) {
   return figure;
 }
 
-/// Three numbers a row, with as many digits as a screen has pixels.
+/// Three numbers a row; the page subtracts the two axes.
 Json directions(const std::vector<Row>& rows, std::string_view first) {
   Json list = Json::array();
   const std::size_t at = column(first);
   for (const Row& row : rows)
-    for (std::size_t i = at; i < at + 3; ++i) list.push_back(std::round(row.value[i] * 1e7) / 1e7);
+    for (std::size_t i = at; i < at + 3; ++i) list.push_back(std::isfinite(row.value[i]) ? Json(row.value[i]) : Json());
   return list;
 }
 
@@ -255,15 +255,17 @@ std::string provenance_section(const Run& run) {
 }
 
 constexpr const char* kSphere =
-    "<canvas id=\"sphere\" width=\"640\" height=\"480\" tabindex=\"0\" role=\"img\" aria-label=\"Path of the spin axis on the "
-    "unit sphere, both "
-    "predictions; arrow keys turn it\"></canvas>\n<p id=\"sphere-state\" aria-live=\"polite\"></p>\n";
+    R"html(<figure class="scene"><canvas id="sphere" width="640" height="480" tabindex="0" role="img"
+ aria-label="Path of the spin axis on the unit sphere, both predictions; arrow keys turn it"></canvas>
+<p id="sphere-state" aria-live="polite"></p></figure>
+)html";
 constexpr const char* kAnimation =
-    "<canvas id=\"top\" width=\"640\" height=\"480\" tabindex=\"0\" role=\"img\" aria-label=\"The top in "
-    "motion\"></canvas>\n<p class=\"controls\">"
-    "<button type=\"button\" id=\"play\">Play</button> <label>Time <input id=\"time\" type=\"range\" min=\"0\" max=\"1000\" "
-    "value=\"0\"></label> "
-    "<output id=\"clock\"></output> <label><input id=\"arrows\" type=\"checkbox\" checked> torques and axes</label></p>\n";
+    R"html(<figure class="scene"><canvas id="top" width="640" height="480" tabindex="0" role="img"
+ aria-label="The top in motion; space stops it and starts it"></canvas>
+<div class="controls"><button type="button" id="play">Play</button>
+<input id="time" type="range" min="0" max="1000" value="0" aria-label="Time">
+<label><input id="arrows" type="checkbox" checked> Torques and axes</label> <output id="clock"></output></div></figure>
+)html";
 
 Run read_run(const std::filesystem::path& directory) {
   Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, {"s", 1}};

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "earthtop/study/run_study.hpp"
@@ -22,7 +23,9 @@ std::string statistics_section(const Json& study) {
       row.push_back(shown(statistics.value(key, Json())));
     rows.push_back(std::move(row));
   }
-  return table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows);
+  return "<div class=\"scroll\" tabindex=\"0\">" +
+         table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows) +
+         "</div>\n";
 }
 
 std::string fits_section(const Json& study) {
@@ -104,9 +107,10 @@ void add_points(const Json& study, Page& page) {
     for (std::size_t i = 0; i < study.at("axes").size(); ++i) {
       const Json& axis = study.at("axes")[i];
       const Json x = point.value(axis.value("name", ""), Json());
-      coordinates.push_back(x);
       Json& known = data["axes"][i]["values"];
-      if (std::find(known.begin(), known.end(), x) == known.end()) known.push_back(x);
+      const auto at = std::find(known.begin(), known.end(), x);
+      coordinates.push_back(at - known.begin());
+      if (at == known.end()) known.push_back(x);
       for (const Json& pointer : axis.value("pointers", Json::array())) changes[pointer.get<std::string>()] = x;
     }
     for (const Json& quantity : study.at("quantities")) values.push_back(point.value(quantity.value("name", ""), Json()));

@@ -234,13 +234,15 @@ function startSphere(data) {
     pen.drawImage(still, 0, 0, page.width, page.height);
     const from = Math.max(ref.first, now() - recent * (ref.last - ref.first));
     for (const [name, , at] of paths) {
-      const p = at(now()), trail = Array.from({ length: 61 }, (_, i) => at(from + (i / 60) * (now() - from)));
+      const trail = Array.from({ length: 61 }, (_, i) => at(from + (i / 60) * (now() - from)));
       pen.setLineDash(kDashes[name]);
-      if (ref.count > 1) stroke(pen, put, trail, kPalette[name], 2, 0.4);
-      pen.setLineDash([]);
-      if (!p) continue;
-      pen.globalAlpha = dot(eye, p) < 0 ? 0.45 : 1;
-      spot(pen, put(p), name === "ref" ? 8 : 4.5, kPalette[name], name === "ref" ? 2 : 0);
+      stroke(pen, put, trail, kPalette[name], 2, 0.4);
+    }
+    pen.setLineDash([]);
+    for (const [name, , at] of paths) {
+      const p = at(now());
+      pen.globalAlpha = p && dot(eye, p) < 0 ? 0.45 : 1;
+      if (p) spot(pen, put(p), name === "ref" ? 8 : 5, kPalette[name], name === "ref" ? 2 : 0);
     }
     pen.globalAlpha = 1;
     if (!kScene.playing) tellSoon();
