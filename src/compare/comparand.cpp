@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
     if (may_be_member(entry)) {
       found.emplace_back(entry.is_directory(error) ? name : entry.path().stem().string(), entry.path());
     } else if (entry.is_directory(error) && !entry.is_symlink(error)) {
-      for (auto& [below, path] : members(entry.path())) found.emplace_back(name + "/" + below, std::move(path));
+      for (auto& [below, path] : members(entry.path())) found.emplace_back(fmt::format("{}/{}", name, below), std::move(path));
     }
   }
   std::sort(found.begin(), found.end());

@@ -61,9 +61,9 @@ std::string headline_of(const Run& run) {
   if (!drift || !bound || !at) return "No row of this run can be trusted.";
   return fmt::format(
       "After {} the axis stands <strong>{}</strong> ({:.6g}″) from where the non-rotating prediction puts it; the error "
-      "of that number is at most {}. Both predictions: {}.",
+      "of that number is at most {}. Verdict: {}. Both predictions: {}.",
       number_html(*at, "s"), number_html(*drift, "rad", 10), *drift * kArcseconds, number_html(*bound, "rad", 2),
-      escaped(run.word("/matching_rule/statement")));
+      escaped(run.word("/drift/verdict")), escaped(run.word("/matching_rule/statement")));
 }
 
 std::string verdict_of(const Run& run) {
@@ -177,7 +177,7 @@ void add_motion(const Run& run, Page& page) {
   if (!run.scenario) return;
   const Model<double> model = make_model<double>(*run.scenario);
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
-  if (!run.scenario->platform) data["torques"] = torques_of(run, model);
+  data["torques"] = torques_of(run, model);
 }
 
 /// Of apparent gravity about the pivot, at the rows that are shown (N m).
@@ -210,7 +210,7 @@ std::string ledger_section(const Run& run, Page& page) {
     if (effect.torque_largest_N_m && *effect.torque_largest_N_m > 0)
       bars.push_back({effect.name, *effect.torque_largest_N_m, !effect.modelled});
   }
-  const std::string table = table_html({"effect", "", "largest torque (N m)", "changes the drift by (rad)", "why"}, rows);
+  std::string table = table_html({"effect", "", "largest torque (N m)", "changes the drift by (rad)", "why"}, rows);
   if (bars.empty()) return table;
   return page.picture("torques", bars_svg("torques", "Largest torques", "N m", bars), "Solid: modelled. Hatched: left out.",
                       table);
@@ -224,6 +224,7 @@ std::string invariants_section(const Run& run) {
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
                     number_html(change / scale, "", 3)});
   }
+  if (rows.empty()) return "<p>Nothing is conserved in this scene.</p>\n";
   return table_html({"quantity", "at release", "largest change", "over its largest term"}, rows);
 }
 

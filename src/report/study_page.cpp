@@ -87,7 +87,7 @@ std::string curves_section(const Json& study, Page& page) {
     panel.lines.push_back(std::move(points));
     Figure figure{quantity, study.value("finding", ""), {axis, ""}, {}};
     figure.panels.push_back(std::move(panel));
-    html += page.chart(fmt::format("curve{}", q), std::move(figure), quantity + " over " + axis);
+    html += page.chart(fmt::format("curve{}", q), std::move(figure), fmt::format("{} over {}", quantity, axis));
   }
   return html;
 }
@@ -102,8 +102,10 @@ void add_points(const Json& study, Page& page) {
     data["axes"].push_back({{"name", axis.value("name", "")}, {"values", Json::array()}});
   for (const Json& quantity : study.at("quantities")) data["quantities"].push_back(quantity.value("name", ""));
   if (!study.at("points").is_array()) return;
+  const std::string base = study.value(Json::json_pointer("/provenance/base"), Json("BASE.json")).get<std::string>();
   for (const Json& point : study.at("points")) {
-    Json values = Json::array(), coordinates = Json::array(), changes = Json::object();
+    Json values = Json::array(), coordinates = Json::array();
+    std::string command = "earthtop run " + base;
     for (std::size_t i = 0; i < study.at("axes").size(); ++i) {
       const Json& axis = study.at("axes")[i];
       const Json x = point.value(axis.value("name", ""), Json());
@@ -111,10 +113,12 @@ void add_points(const Json& study, Page& page) {
       const auto at = std::find(known.begin(), known.end(), x);
       coordinates.push_back(at - known.begin());
       if (at == known.end()) known.push_back(x);
-      for (const Json& pointer : axis.value("pointers", Json::array())) changes[pointer.get<std::string>()] = x;
+      for (const Json& pointer : axis.value("pointers", Json::array()))
+        command += fmt::format(" --set '{}={}'", pointer.get<std::string>(), x.dump());
     }
     for (const Json& quantity : study.at("quantities")) values.push_back(point.value(quantity.value("name", ""), Json()));
-    data["points"].push_back({{"axes", std::move(coordinates)}, {"values", std::move(values)}, {"scenario", changes.dump(2)}});
+    data["points"].push_back(
+        {{"axes", std::move(coordinates)}, {"values", std::move(values)}, {"scenario", std::move(command)}});
   }
 }
 
