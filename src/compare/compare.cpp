@@ -35,6 +35,11 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
   if (!reference.summary.is_object() || !candidate.summary.is_object()) return;
   const std::string before = reference.word("/provenance/scenario_sha256"), now = candidate.word("/provenance/scenario_sha256");
   const bool same_hash = before == now && !before.empty();
+  for (const std::string& pointer : options.may_change) {
+    const Json::json_pointer key("/scenario" + (pointer == "/" ? "" : pointer));
+    if (!reference.summary.contains(key) && !candidate.summary.contains(key))
+      report.notes.push_back(fmt::format("--allow-change {}: neither scenario has such a key", pointer));
+  }
   std::vector<ScenarioChange> allowed, forbidden;
   for (ScenarioChange& change :
        scenario_changes(reference.summary.value("scenario", Json()), candidate.summary.value("scenario", Json())))

@@ -57,7 +57,9 @@ TEST(Compare, AnotherScenarioIsNamedAndAllowedOnRequest) {
   EXPECT_NE(quantity(now, "drift_axis_rad").origin.find("both error bounds"), std::string::npos);
 
   allowed.may_change = {"/num", "/numerics/methods"};  // no step of the path
-  EXPECT_FALSE(compared(other.path(), allowed).passed());
+  const PairReport mistyped = compared(other.path(), allowed);
+  EXPECT_FALSE(mistyped.passed());
+  EXPECT_TRUE(mentions(mistyped.notes, "--allow-change /num: neither scenario has such a key"));
 }
 
 TEST(Compare, AnotherPhysicsIsAboveBothErrors) {
