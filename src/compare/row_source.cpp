@@ -22,7 +22,17 @@ void require_later(const CsvReader& reader, double t_s, double& last_s) {
   if (std::isfinite(t_s)) last_s = t_s;
 }
 
-constexpr std::size_t kLongestDouble = 24;  // characters of the shortest text that reads back to the same bits
+constexpr std::ptrdiff_t kDigitsOfDouble = 17;  // significant ones, which read back to the same bits
+
+/// Whether a number's text has digits that a double does not hold.
+bool has_more_digits(std::string_view text) {
+  if (static_cast<std::ptrdiff_t>(text.size()) <= kDigitsOfDouble) return false;
+  text = text.substr(0, text.find_first_of("eE"));
+  const std::size_t first = text.find_first_of("123456789");
+  if (first == text.npos) return false;
+  return std::count_if(text.begin() + static_cast<std::ptrdiff_t>(first), text.end(),
+                       [](char c) { return c >= '0' && c <= '9'; }) > kDigitsOfDouble;
+}
 
 class OwnRows : public RowSource {
  public:
@@ -52,7 +62,7 @@ class OwnRows : public RowSource {
       row.value[columns_[i]] = numbers[i + 1];
       row.kind[columns_[i]] = kinds[i + 1];
       const std::string_view text = reader_.text(i + 1);
-      row.more_digits[columns_[i]] = text.size() > kLongestDouble ? std::hash<std::string_view>()(text) : 0;
+      row.more_digits[columns_[i]] = has_more_digits(text) ? std::hash<std::string_view>()(text) : 0;
     }
     return true;
   }

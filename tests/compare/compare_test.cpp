@@ -10,19 +10,7 @@
 namespace earthtop {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::ChangedCopy;
-using testing::compared;
-using testing::Csv;
-using testing::has_finding;
-using testing::kSome;
-using testing::mentions;
-using testing::quantity;
-using testing::read_text;
-using testing::ShortRun;
-using testing::TemporaryDirectory;
-using testing::with_profile;
-using testing::write_text;
+using namespace testing;  // of earthtop: results_copy.hpp
 
 using Set = std::vector<std::pair<std::string, std::string>>;
 
