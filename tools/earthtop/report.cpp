@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
@@ -22,6 +23,10 @@ int report_verb(const ReportArguments& arguments) {
   const Report report = make_report(arguments.what);
   const std::filesystem::path page = arguments.out ? std::filesystem::path(*arguments.out) : report_file(arguments.what);
   std::vector<std::string> written = {page.string()};
+  std::error_code error;
+  if (page.extension() != ".html" && std::filesystem::exists(page, error))
+    throw ScenarioError("", fmt::format("{} is there already, and no page by its name; choose a name that ends in .html",
+                                        printable(page.string())));
   write_file(page, report.html);
   if (arguments.svg)
     for (const auto& [name, picture] : report.pictures) {
