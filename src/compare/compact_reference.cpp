@@ -128,6 +128,11 @@ Comparand open_compact_reference(const fs::path& file) {
   return reference;
 }
 
+Json with_reason(Json history, const std::string& reason) {
+  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
+  return history;
+}
+
 std::string compact_reference(const Comparand& results, Json history, const std::string& reason) {
   const Table& table = trajectory_table();
   const std::unique_ptr<RowSource> rows = results.open_rows();
@@ -148,7 +153,6 @@ std::string compact_reference(const Comparand& results, Json history, const std:
 
   Json columns = Json::array({"t_s"});
   for (const std::size_t place : places) columns.push_back(table.columns[place]);
-  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
   const auto tolerance = results.number("/solution/relative_tolerance");
   Json head = {{"$schema", kReferenceSchema},
                {"generator",
@@ -156,7 +160,7 @@ std::string compact_reference(const Comparand& results, Json history, const std:
                             tolerance ? fmt::format(", relative tolerance {}", *tolerance) : "")},
                {"precision", results.word("/solution/precision")},
                {"digits", known_digits(results)},
-               {"history", std::move(history)},
+               {"history", with_reason(std::move(history), reason)},
                {"summary", kept_of(results.summary)},
                {"row_count", kept_rows},
                {"columns", std::move(columns)}};

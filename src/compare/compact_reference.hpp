@@ -10,6 +10,9 @@ inline constexpr const char* kReferenceSchema = "earthtop-reference-1.json";
 /// @throws ScenarioError where the file is none
 Comparand open_compact_reference(const fs::path& file);
 
+/// A reference's history with one more entry: why, and by which program.
+Json with_reason(Json history, const std::string& reason);
+
 /// The compact form of a run's results, with a final newline. @param history  of the reference that it replaces: an array
 /// @param reason  added to it
 std::string compact_reference(const Comparand& results, Json history, const std::string& reason);

@@ -19,6 +19,8 @@ namespace compare {
 namespace {
 
 constexpr std::size_t kMostListed = 20;
+// Shares of the other result's time that a result must trust itself for, by judgement: of the same scenario the two differ by
+// rounding, which moves the time by little; other numerics may begin with errors that are millions of times larger.
 constexpr double kSameTrust = 0.9, kOtherTrust = 0.1;
 
 std::string listed(const std::vector<ScenarioChange>& changes) {

@@ -15,7 +15,8 @@ using Attitude = std::array<double, 4>;
 
 constexpr double kExplains = 1e-3;     // what is left of the difference
 constexpr double kWorthAGuess = 1e-6;  // rad: smaller differences are no mixed-up convention
-constexpr double kSameRatio = 1e-6;
+constexpr double kSameRatio = 1e-6;    // of the numbers: by how much they may scatter about one ratio
+constexpr double kKnownRatio = 1e-4;   // of a ratio: closer to no other one of the list
 
 Attitude product(const Attitude& a, const Attitude& b) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(a[0], a[1], a[2], a[3]) * Eigen::Quaterniond(b[0], b[1], b[2], b[3]);
@@ -101,7 +102,7 @@ std::optional<double> common_ratio(const Measure& measure, std::span<const SeenP
   if (!(squares > 0) || !(candidate_squares > 0)) return std::nullopt;
   const double ratio = products / squares;
   const double rest = candidate_squares - ratio * products;  // sum of squares of what is left
-  return rest < kSameRatio * kSameRatio * candidate_squares + 1e-14 * candidate_squares ? std::optional(ratio) : std::nullopt;
+  return rest < kSameRatio * kSameRatio * candidate_squares ? std::optional(ratio) : std::nullopt;
 }
 
 struct KnownRatio {
@@ -123,7 +124,7 @@ void look_for_ratio(const Measure& measure, std::span<const SeenPair> seen, std:
   const auto ratio = common_ratio(measure, seen);
   if (!ratio) return;
   for (const KnownRatio& known : kRatios)
-    if (std::abs(*ratio / known.ratio - 1) < 1e-4)
+    if (std::abs(*ratio / known.ratio - 1) < kKnownRatio)
       found.push_back(
           fmt::format("{}: new values are {:.6g} times the reference's, as with {}", measure.name, *ratio, known.what));
 }

@@ -6,7 +6,6 @@
 #include "compare/compact_reference.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
-#include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "results/file_set.hpp"
@@ -28,8 +27,7 @@ Json history_in(const fs::path& file) {
 }
 
 std::string notes(Json history, const std::string& reason) {
-  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
-  const Json document = {{"$schema", kNotesSchema}, {"history", std::move(history)}};
+  const Json document = {{"$schema", kNotesSchema}, {"history", with_reason(std::move(history), reason)}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
