@@ -56,7 +56,8 @@ enum class Verdict {
   noise_floor,  ///< the drift is not above its error bound
   unstable,     ///< disturbances grow exponentially along this one motion
   chaotic,      ///< they do wherever the motion goes: what Earth rotation does cannot be told from any other disturbance
-  marginal      ///< at a limit of stability: the motion's character hangs on digits that no experiment knows
+  marginal,     ///< at a limit of stability: the motion's character hangs on digits that no experiment knows
+  unassessed    ///< there is nothing to judge: no row beyond the release
 };
 std::string_view to_string(Verdict verdict);
 
@@ -66,11 +67,13 @@ struct VerdictReport {
   std::optional<double> from_s;
   double reliable_until_s = 0;  ///< `from_s`, or the end of the run
   std::string reason;
-  /// Finite-time Lyapunov exponent of the motion, the larger of the two (1/s); none where closed forms say that nothing grows
-  /// exponentially.
+  /// Finite-time Lyapunov exponent of late times, the larger one of the two motions' (1/s; GrowthReport); none where closed
+  /// forms say that nothing grows exponentially, or where it could not be followed.
   std::optional<double> lyapunov_exponent_1_s;
   std::optional<double> round_off_grown_s;  ///< when rounding has grown to a microradian, exponentially
-  std::optional<double> earth_grown_s;      ///< when the Earth's own disturbance has grown to 0.1 rad, exponentially
+  /// When the Earth's own disturbance has grown to 0.1 rad, exponentially; none where the Earth turns by as much itself by
+  /// then, so that its effect is meant to be large.
+  std::optional<double> earth_grown_s;
 };
 
 /// How the last reliable drift changes with one input (rad per unit of the input), and what the input's error makes of it.
@@ -117,6 +120,9 @@ struct RunResult {
   std::optional<LedgerReport> ledger;              ///< where the scenario asks for one
   std::vector<std::string> notes;                  ///< e.g. that a scene is non-physical
 };
+
+/// Whether there is a row beyond the release: without one nothing is known of the drift.
+bool has_drift(const RunResult& result);
 
 /// The last row before the verdict's time; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);

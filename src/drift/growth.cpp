@@ -6,7 +6,9 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <limits>
 
+#include "drift/stability.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 
@@ -19,6 +21,7 @@ using State = std::array<double, kSize>;  // q, w, then theta and dw of each dis
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
+constexpr double kToldApart = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
 constexpr long kStepLimit = 50'000'000;
 constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
 
@@ -59,54 +62,156 @@ struct Variations {
   }
 };
 
+/// What a gimbal leaves of a disturbance. It holds u.e3 = 0 and with it w_LB.h = 0, h = u x e3 with u = Up seen from the body;
+/// of a disturbance that keeps both, theta.h = 0 and d(w_LB).h = -w_LB.dh with dh = (u x theta) x e3 and
+/// d(w_LB) = dw - (R^T W) x theta. What departs from that is taken away along h.
+template <bool kEarth>
+class GimbalFreedom {
+ public:
+  GimbalFreedom(const Model<double>& model, const Motion<double>& motion)
+      : w_LB_B_(motion.m), W_B_(Vec3<double>::Zero()), up_B_(Vec3<double>(rotation_matrix(motion.q).row(2).transpose())) {
+    if constexpr (kEarth) W_B_ = transposed_times(rotation_matrix(motion.q), model.W_IL_L);
+    w_LB_B_ -= W_B_;
+    h_ = up_B_.cross(Vec3<double>::UnitZ());
+    h_square_ = h_.dot(h_);
+  }
+  void restrict(Vec3<double>& theta, Vec3<double>& dw) const {
+    theta -= (theta.dot(h_) / h_square_) * h_;
+    const Vec3<double> dh = Vec3<double>(up_B_.cross(theta)).cross(Vec3<double>::UnitZ());
+    const Vec3<double> dw_LB = dw - W_B_.cross(theta);
+    dw -= ((dw_LB.dot(h_) + w_LB_B_.dot(dh)) / h_square_) * h_;
+  }
+
+ private:
+  Vec3<double> w_LB_B_, W_B_, up_B_, h_;
+  double h_square_ = 0;
+};
+
 /// Sizes of the disturbances, brought back to 1 before they overflow.
+template <bool kEarth>
 class Follower {
  public:
-  explicit Follower(double fastest_rate) : rate_(fastest_rate) {}
-
-  static void start(State& x, double rate) {
+  Follower(const Model<double>& model, double fastest_rate, State& x) : model_(&model), rate_(fastest_rate) {
     constexpr double kDirections[kDisturbances][6] = {{1, 1, 1, 1, 1, 1}, {1, -1, 1, -1, 1, -1}, {1, 1, -1, -1, 0, 0}};
-    for (std::size_t d = 0; d < kDisturbances; ++d) {
-      double square = 0;
-      for (const double c : kDirections[d]) square += c * c;
-      for (std::size_t k = 0; k < 6; ++k)
-        x[kMotionSize + 6 * d + k] = kDirections[d][k] / std::sqrt(square) * (k < 3 ? 1 : rate);
-    }
+    for (std::size_t d = 0; d < kDisturbances; ++d)
+      for (std::size_t k = 0; k < 6; ++k) x[kMotionSize + 6 * d + k] = kDirections[d][k] * (k < 3 ? 1 : rate_);
+    restrict(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) scale(x, d, 1 / size(x, d));
   }
   /// @returns the logarithm of the largest growth of the three
   double include(State& x) {
+    restrict(x);
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < kDisturbances; ++d) {
-      const std::size_t at = kMotionSize + 6 * d;
-      const double size = std::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
-      largest = std::max(largest, log_scale_[d] + std::log(size));
-      if (!(size > kRescaled)) continue;
-      log_scale_[d] += std::log(size);
-      for (std::size_t k = 0; k < 6; ++k) x[at + k] /= size;
+      const double grown = size(x, d);
+      largest = std::max(largest, log_scale_[d] + std::log(grown));
+      if (!(grown > kRescaled)) continue;
+      log_scale_[d] += std::log(grown);
+      scale(x, d, 1 / grown);
     }
     return largest;
   }
 
  private:
+  void restrict(State& x) const {
+    if (!model_->applied.level_axis) return;
+    const GimbalFreedom<kEarth> freedom(*model_, motion_in(x));
+    for (std::size_t i = kMotionSize; i < kSize; i += 6) {
+      Vec3<double> theta = vector_at(x, i), dw = vector_at(x, i + 3);
+      freedom.restrict(theta, dw);
+      put(theta, x, i);
+      put(dw, x, i + 3);
+    }
+  }
+  double size(const State& x, std::size_t d) const {
+    const std::size_t at = kMotionSize + 6 * d;
+    return std::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
+  }
+  static void scale(State& x, std::size_t d, double factor) {
+    for (std::size_t k = 0; k < 6; ++k) x[kMotionSize + 6 * d + k] *= factor;
+  }
+
+  const Model<double>* model_;
   double rate_;
   std::array<double, kDisturbances> log_scale_ = {};
+};
+
+/// The slope of a line through values over the second half of a time, each weighed by its step.
+class LateSlope {
+ public:
+  explicit LateSlope(double end) : middle_(0.75 * end), half_(end / 2) {}
+  void include(double t, double dt, double value) {
+    if (t < half_) return;
+    const double x = t - middle_;
+    weight_ += dt, x_ += dt * x, xx_ += dt * x * x, y_ += dt * value, xy_ += dt * x * value;
+    reached_ = t;
+  }
+  /// None where less than half of the second half was reached; 0 where the line rises or falls by less than kToldApart.
+  std::optional<double> slope() const {
+    const double spread = weight_ * xx_ - x_ * x_;
+    if (reached_ < middle_ || !(spread > 0)) return std::nullopt;
+    const double slope = (weight_ * xy_ - x_ * y_) / spread;
+    return std::abs(slope) * half_ < kToldApart ? 0 : slope;
+  }
+
+ private:
+  double middle_, half_, reached_ = 0;
+  double weight_ = 0, x_ = 0, xx_ = 0, y_ = 0, xy_ = 0;
+};
+
+/// When friction brakes an upright top to its critical spin, by a line through the two steps about it. A top that leans counts
+/// as upright if its nutation has brought it within 0.2 rad of the vertical in the last period.
+class CriticalSpin {
+ public:
+  explicit CriticalSpin(const Model<double>& model) : model_(&model), sought_(model.applied.friction()) {}
+  void include(double t, const Motion<double>& motion) {
+    if (!sought_) return;
+    const auto top = standing_top(*model_, motion.q, motion.m);
+    if (!top) return;
+    if (top->lean_rad <= kUpright) upright_at_ = t;
+    const double above = top->spin_ratio_squared - 1;
+    if (above < 0) {
+      sought_ = false;
+      if (t - upright_at_ > 2 * real::pi<double>() / top->falling_rate) return;
+      passed_ = above_before_ >= 0 ? before_ + (t - before_) * above_before_ / (above_before_ - above) : t;
+    }
+    above_before_ = above, before_ = t;
+  }
+  std::optional<double> passed() const { return passed_ < 0 ? std::nullopt : std::optional(passed_); }
+
+ private:
+  static constexpr double kUpright = 0.2;  // rad; the critical spin of a top that leans so far is 1 percent lower
+
+  const Model<double>* model_;
+  bool sought_;
+  double upright_at_ = -HUGE_VAL, before_ = 0, above_before_ = -1, passed_ = -1;
 };
 
 /// Gravity's direction in the body and the rate in units of w0, as they were at release: how far they have gone.
 class Departure {
  public:
   Departure(const Model<double>& model, const Motion<double>& release, double rate)
-      : up_L_(model.apparent_gravity_L), rate_(rate), up_B_(seen(release)), w_B_(release.m) {
+      : axis_(symmetry_axis(model.I_BP_B, model.mass_moment_B)), up_L_(model.apparent_gravity_L), rate_(rate) {
     if (norm(up_L_) > 0) up_L_ /= norm(up_L_);
-    up_B_ = seen(release);
+    up_B_ = seen_up(release);
+    w_B_ = seen_rate(release);
   }
   double of(const Motion<double>& motion) const {
-    return norm(Vec3<double>(seen(motion) - up_B_)) + norm(Vec3<double>(motion.m - w_B_)) / rate_;
+    return norm(Vec3<double>(seen_up(motion) - up_B_)) + norm(Vec3<double>(seen_rate(motion) - w_B_)) / rate_;
   }
 
  private:
-  Vec3<double> seen(const Motion<double>& motion) const { return transposed_times(rotation_matrix(motion.q), up_L_); }
+  Vec3<double> seen_up(const Motion<double>& motion) const {
+    return without_turn(transposed_times(rotation_matrix(motion.q), up_L_));
+  }
+  Vec3<double> seen_rate(const Motion<double>& motion) const { return without_turn(motion.m); }
+  /// Parts along and across the axis of a symmetric body, whose turn about it changes nothing.
+  Vec3<double> without_turn(const Vec3<double>& v_B) const {
+    if (axis_ < 0) return v_B;
+    return {std::hypot(v_B[(axis_ + 1) % 3], v_B[(axis_ + 2) % 3]), 0, v_B[axis_]};
+  }
 
+  int axis_;
   Vec3<double> up_L_;
   double rate_;
   Vec3<double> up_B_, w_B_;
@@ -123,9 +228,11 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
   State x;
   put(release, x);
-  Follower::start(x, rate);
-  Follower follower(rate);
+  Follower<kEarth> follower(model, rate, x);
   const Departure departure(model, release, rate);
+  CriticalSpin critical_spin(model);
+  critical_spin.include(0, release);
+  LateSlope late(end);
 
   namespace odeint = boost::numeric::odeint;
   auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance);
@@ -136,16 +243,23 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     if (stop != nullptr && *stop) return report;
     dt = std::min(dt, end - t);
     if (model.applied.coulomb != 0 && dt < std::min(kTurning / rate, end - t)) return report;
+    const double before = t;
     if (stepper.try_step(Variations<kEarth, K>{&model}, x, t, dt) == odeint::fail) {
       if (!(t + dt > t)) return report;
       continue;
     }
     const double log_growth = follower.include(x);
     if (!std::isfinite(log_growth)) return report;
+    const Motion<double> motion = motion_in(x);
+    const double log_regular = std::log(1 + rate * t);
+    critical_spin.include(t, motion);
+    late.include(t, t - before, log_growth - log_regular);
     report.end_s = seconds(t);
-    report.exponent_1_s = log_growth / report.end_s;
-    if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion_in(x)));
-    if (!report.exponential_s && log_growth > std::log(kRegular * (1 + rate * t))) report.exponential_s = report.end_s;
+    report.mean_exponent_1_s = log_growth / report.end_s;
+    if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
+    if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
+    if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
+    if (!report.exponential_s && log_growth > std::log(kRegular) + log_regular) report.exponential_s = report.end_s;
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }

@@ -56,18 +56,26 @@ bool is_integrable(const MotionProblem<double>& problem) {
   return norm(model.W_IL_L) <= kSlowEarth * std::max(nutation, pendulum);
 }
 
-std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
-  const Model<double>& model = problem.model;
-  const int axis = model.kind == SceneKind::plain ? symmetry_axis(model.I_BP_B, model.mass_moment_B) : -1;
-  if (axis < 0 || is_free(model)) return std::nullopt;
+std::optional<StandingTop> standing_top(const Model<double>& model, const Quaternion<double>& q_LB,
+                                        const Vec3<double>& w_IB_B) {
+  const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+  if (axis < 0 || is_free(model) || model.applied.level_axis || norm(model.platform.pivot_offset_P) > 0) return std::nullopt;
   const double mgl = model.mass_moment_B[axis] * norm(model.apparent_gravity_L);
-  const Vec3<double> n_L = rotation_matrix(problem.release.q_LB).col(axis), w = release_rate(problem);
-  const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), I3 = model.I_BP_B(axis, axis);
-  const double falling_rate = std::sqrt(std::abs(mgl) / I1);
-  const double across = std::hypot(w[(axis + 1) % 3], w[(axis + 2) % 3]);
-  if (!(mgl * n_L[2] > 0) || std::hypot(n_L[0], n_L[1]) > kUpright || across > kUpright * falling_rate) return std::nullopt;
-  const double momentum = I3 * w[axis];
-  return UprightTop{momentum * momentum / (4 * std::abs(mgl) * I1)};
+  const Vec3<double> n_L = rotation_matrix(q_LB).col(axis);
+  const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), momentum = model.I_BP_B(axis, axis) * w_IB_B[axis];
+  StandingTop top;
+  top.spin_ratio_squared = momentum * momentum / (4 * std::abs(mgl) * I1);
+  top.lean_rad = mgl * n_L[2] > 0 ? std::hypot(n_L[0], n_L[1]) : 2;
+  top.transverse_rate = std::hypot(w_IB_B[(axis + 1) % 3], w_IB_B[(axis + 2) % 3]);
+  top.falling_rate = std::sqrt(std::abs(mgl) / I1);
+  return top;
+}
+
+std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
+  if (problem.model.kind != SceneKind::plain) return std::nullopt;
+  const auto top = standing_top(problem.model, problem.release.q_LB, release_rate(problem));
+  if (!top || top->lean_rad > kUpright || top->transverse_rate > kUpright * top->falling_rate) return std::nullopt;
+  return UprightTop{top->spin_ratio_squared};
 }
 
 bool is_regular(const MotionProblem<double>& problem) {

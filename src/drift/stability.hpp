@@ -19,5 +19,14 @@ struct UprightTop {
 };
 /// None for every other motion: unlike body or attitude, or a transverse rate of a twentieth of sqrt(m g l / I1).
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem);
+/// A symmetric top under gravity in some state of its motion, other torques notwithstanding.
+struct StandingTop {
+  double spin_ratio_squared;  ///< as of an upright one
+  double lean_rad;            ///< sine of the angle between its heavy side and Up; 2 where that hangs
+  double transverse_rate;     ///< natural units
+  double falling_rate;        ///< sqrt(m g l / I1), natural units
+};
+/// None in a gimbal, where a platform accelerates the pivot, and for other bodies.
+std::optional<StandingTop> standing_top(const Model<double>& model, const Quaternion<double>& q_LB, const Vec3<double>& w_IB_B);
 
 }  // namespace earthtop

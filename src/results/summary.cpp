@@ -28,6 +28,14 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 
+/// The same document with null for every number.
+Json without_numbers(Json json) {
+  if (json.is_number()) return nullptr;
+  for (Json& part : json)
+    if (part.is_structured() || part.is_number()) part = without_numbers(std::move(part));
+  return json;
+}
+
 /// The drift where it can be trusted last.
 Json reliable_json(const RunResult& result) {
   Json json = {{"until_s", result.verdict.reliable_until_s}};
@@ -299,8 +307,15 @@ struct Section {
   const char* name;
   bool optional;
   Json (*json)(const RunResult&);
+  bool of_rows = false;  ///< it says what rows say: without a row beyond the release there is no number in it
 };
 
+Json section_json(const Section& section, const RunResult& result) {
+  Json json = section.json(result);
+  return section.of_rows && !has_drift(result) ? without_numbers(std::move(json)) : json;
+}
+
+constexpr bool kOfRows = true;
 constexpr Section kSections[] = {
     {"$schema", false, [](const RunResult&) -> Json { return "earthtop-summary-1.json"; }},
     {"name", false, [](const RunResult& r) -> Json { return r.scenario.name; }},
@@ -313,14 +328,14 @@ constexpr Section kSections[] = {
      [](const RunResult& r) -> Json {
        return {{"rates_relative_to", to_word(r.scenario.release.rates_relative_to)}, {"statement", matching_rule(r.scenario)}};
      }},
-    {"drift", false, [](const RunResult& r) { return drift_json(r); }},
-    {"motion", false, [](const RunResult& r) { return motion_json(r); }},
-    {"growth_of_disturbances", false, [](const RunResult& r) { return growth_json(r.verdict); }},
+    {"drift", false, [](const RunResult& r) { return drift_json(r); }, kOfRows},
+    {"motion", false, [](const RunResult& r) { return motion_json(r); }, kOfRows},
+    {"growth_of_disturbances", false, [](const RunResult& r) { return growth_json(r.verdict); }, kOfRows},
     {"stops", false, [](const RunResult& r) { return stops_json(r.stops); }},
     {"headline", false, [](const RunResult& r) { return headline_json(check_headline(r)); }},
     {"solution", false, [](const RunResult& r) { return integration_json(r.solution); }},
     {"certificate", false, [](const RunResult& r) { return integration_json(r.certificate); }},
-    {"attitude_bound_rad", false, [](const RunResult& r) -> Json { return r.attitude_bound_rad; }},
+    {"attitude_bound_rad", false, [](const RunResult& r) -> Json { return r.attitude_bound_rad; }, kOfRows},
     {"invariants", false, [](const RunResult& r) { return invariants_json(r.invariants); }},
     {"theory", false, [](const RunResult& r) { return theory_json(r.theory); }},
     {"sensitivities", true, [](const RunResult& r) { return r.sensitivities ? sensitivities_json(*r.sensitivities) : Json(); }},
@@ -340,7 +355,7 @@ constexpr Section kSections[] = {
 std::string summary_json(const RunResult& result) {
   Json summary = Json::object();
   for (const Section& section : kSections) {
-    Json json = section.json(result);
+    Json json = section_json(section, result);
     if (!section.optional || !json.is_null()) summary[section.name] = std::move(json);
   }
   return dump(summary);
@@ -348,7 +363,7 @@ std::string summary_json(const RunResult& result) {
 
 std::optional<Json> summary_section(const RunResult& result, std::string_view name) {
   for (const Section& section : kSections)
-    if (section.name == name) return section.json(result);
+    if (section.name == name) return section_json(section, result);
   return std::nullopt;
 }
 

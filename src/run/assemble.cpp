@@ -128,12 +128,14 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
   result.verdict = assess_verdict(result, stop);
   mark_rows(result);
   if (stop) return stopped(std::move(result), reached_s);
-  result.sensitivities = assess_sensitivities(result, stop);
-  if (stop) return stopped(std::move(result), reached_s);
-  result.invariants = assess_invariants(result);
-  if (stop) return stopped(std::move(result), reached_s);
-  result.theory = assess_theory(scenario, result.rows, result.drift);
-  if (stop) return stopped(std::move(result), reached_s);
+  if (has_drift(result)) {
+    result.sensitivities = assess_sensitivities(result, stop);
+    if (stop) return stopped(std::move(result), reached_s);
+    result.invariants = assess_invariants(result);
+    if (stop) return stopped(std::move(result), reached_s);
+    result.theory = assess_theory(scenario, result.rows, result.drift);
+    if (stop) return stopped(std::move(result), reached_s);
+  }
   result.ledger = assess_ledger(result);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");

@@ -47,24 +47,37 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
 
 /// The growth along both motions, put together.
 struct Growth {
-  std::optional<double> exponential_s, round_off_s, earth_s;
-  double exponent_1_s = 0;
+  std::optional<double> exponential_s, round_off_s, earth_s, critical_spin_s, late_exponent_1_s;
+  double mean_exponent_1_s = 0;
   double departure = 0;
   bool completed = true;
 };
+
+/// The growth along one motion. What a coarse integration calls growth may be its own error, so that a finer one has to say so,
+/// too.
+GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s,
+                              const std::atomic<bool>& stop) {
+  constexpr double kCoarse = 1e-7, kFine = 1e-10, kOfSeparatrices = 1e-13;
+  if (is_integrable(problem)) return disturbance_growth(problem, kind, until_s, kOfSeparatrices, &stop);
+  GrowthReport report = disturbance_growth(problem, kind, until_s, kCoarse, &stop);
+  if (!report.exponential_s && report.late_exponent_1_s.value_or(0) <= 0) return report;
+  return disturbance_growth(problem, kind, until_s, kFine, &stop);
+}
 
 Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const std::atomic<bool>& stop) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
   const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
   const double log_earth = std::log(kGrownAngle / earth_share);
-  const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
   // Dry friction damps the more the slower the motion is: at rest without end.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
-    const GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, &stop);
-    growth.exponent_1_s = std::max(growth.exponent_1_s, report.exponent_1_s);
+    const GrowthReport report = confirmed_growth(problem, kind, until_s, stop);
+    growth.mean_exponent_1_s = std::max(growth.mean_exponent_1_s, report.mean_exponent_1_s);
+    if (report.late_exponent_1_s)
+      growth.late_exponent_1_s = std::max(growth.late_exponent_1_s.value_or(-HUGE_VAL), *report.late_exponent_1_s);
+    growth.critical_spin_s = earlier(growth.critical_spin_s, report.critical_spin_s);
     growth.completed = growth.completed && report.completed;
     if (!report.exponential_s) continue;
     growth.departure = std::max(growth.departure, kind == MotionKind::reference ? report.departure : 0);
@@ -72,6 +85,8 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
     growth.round_off_s = earlier(growth.round_off_s, report.passes_s(log_round_off));
     if (earth_share > 0) growth.earth_s = earlier(growth.earth_s, report.passes_s(log_earth));
   }
+  const double W_IL = std::abs(result.scenario.rotation_rate_rad_s);
+  if (growth.earth_s && W_IL * *growth.earth_s > kGrownAngle) growth.earth_s.reset();
   return growth;
 }
 
@@ -105,30 +120,47 @@ std::optional<double> loose_from_s(const std::vector<DriftRow>& rows) {
   return row == rows.end() ? std::nullopt : std::optional(row->t_s);
 }
 
-void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool integrable, VerdictReport& report) {
-  report.lyapunov_exponent_1_s = growth.exponent_1_s;
-  if (!growth.exponential_s) {
+/// What the growth along the motions makes of the verdict.
+/// @param contracts  whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
+void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool integrable, bool contracts,
+                  VerdictReport& report) {
+  report.lyapunov_exponent_1_s = growth.late_exponent_1_s;
+  const std::optional<double> loose_s = loose_from_s(rows);
+  const bool braked = growth.critical_spin_s.value_or(0) > 0;
+  if (!growth.exponential_s && !braked) {
     report.reason = growth.completed ? "disturbances grow no faster than the motion's own angles"
                                      : "no exponential growth of disturbances, as far as it was followed";
     return;
   }
   report.round_off_grown_s = growth.round_off_s;
   report.earth_grown_s = growth.earth_s;
-  const std::optional<double> loose_s = loose_from_s(rows);
   const std::string loose = when(loose_s, "the bound on the drift's error has passed 0.01 rad");
   const std::string rounding = when(growth.round_off_s, "rounding has grown to a microradian");
   const std::string earth = when(growth.earth_s, "the Earth's own disturbance has grown to 0.1 rad");
-  if (integrable || growth.departure < kEquilibrium) {
+  const bool steady = growth.departure < kEquilibrium || growth.critical_spin_s.has_value();
+  const bool goes_on = !contracts || growth.late_exponent_1_s.value_or(0) > 0;
+  if (braked) {
+    report.verdict = Verdict::unstable;
+    report.from_s = earlier(growth.critical_spin_s, earlier(growth.round_off_s, loose_s));
+    report.reason = fmt::format(
+        "friction has braked an upright top to its critical spin at {:.6g} s: from then on it falls, and disturbances grow "
+        "with it{}{}{}",
+        *growth.critical_spin_s, earth, rounding, loose);
+  } else if (integrable || steady || !goes_on) {
     report.verdict = Verdict::unstable;
     report.from_s = earlier(growth.round_off_s, loose_s);
-    report.reason = fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
-                                growth.exponent_1_s, earth, rounding, loose);
+    report.reason = goes_on ? fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
+                                          growth.mean_exponent_1_s, earth, rounding, loose)
+                            : fmt::format(
+                                  "disturbances of this motion grow exponentially for a while, from {:.4g} s on more than a "
+                                  "hundredfold what its own angles make of them{}{}{}",
+                                  *growth.exponential_s, earth, rounding, loose);
   } else {
     report.verdict = Verdict::chaotic;
     report.from_s = earlier(growth.earth_s, earlier(growth.round_off_s, loose_s));
     report.reason =
         fmt::format("disturbances grow exponentially wherever the motion goes, Lyapunov exponent about {:.4g} per second{}{}{}",
-                    growth.exponent_1_s, earth, rounding, loose);
+                    growth.late_exponent_1_s.value_or(growth.mean_exponent_1_s), earth, rounding, loose);
   }
 }
 
@@ -136,6 +168,11 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
 
 VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& stop) {
   VerdictReport report;
+  if (!has_drift(result)) {
+    report.verdict = Verdict::unassessed;
+    report.reason = "there is no row beyond the release";
+    return report;
+  }
   const auto problem = make_problem<double>(result.scenario);
   if (const auto reason = marginal_reason(problem)) {
     report.verdict = Verdict::marginal;
@@ -146,7 +183,8 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
   if (is_regular(problem))
     report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem), report);
+    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem),
+                 problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
   if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
     report.verdict = Verdict::noise_floor;
@@ -168,6 +206,8 @@ void mark_rows(RunResult& result) {
   for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = reliable(static_cast<double>(row.t_s));
 }
 
+bool has_drift(const RunResult& result) { return result.rows.size() > 1; }
+
 const DriftRow* last_reliable_row(const RunResult& result) {
   const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(), [](const DriftRow& r) { return r.drift_reliable; });
   return row == result.rows.rend() ? nullptr : &*row;
@@ -180,6 +220,7 @@ std::string_view to_string(Verdict verdict) {
     case Verdict::unstable: return "unstable";
     case Verdict::chaotic: return "chaotic";
     case Verdict::marginal: return "marginal";
+    case Verdict::unassessed: return "unassessed";
   }
   return "unknown";
 }

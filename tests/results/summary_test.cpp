@@ -161,5 +161,27 @@ TEST(Timing, HoldsWhatTheSummaryMustNot) {
   EXPECT_FALSE(timing.at("host").get<std::string>().empty());
 }
 
+// A run that failed at its release: no number of a drift, a motion or a bound, as if it were one of zero.
+TEST(Summary, HasNoNumbersWithoutARowBeyondTheRelease) {
+  RunResult result = made_up_run();
+  result.rows.resize(1);
+  result.status = RunStatus::step_underflow;
+  result.verdict.verdict = Verdict::unassessed;
+  result.verdict.lyapunov_exponent_1_s = 0.5;
+  const json summary = summary_of(result);
+  EXPECT_EQ(summary.at("drift").at("verdict"), "unassessed");
+  int numbers = 0;
+  for (const char* section : {"drift", "motion", "growth_of_disturbances", "attitude_bound_rad"}) {
+    const json figures = json{{section, summary.at(section)}}.flatten();
+    for (const auto& [path, value] : figures.items()) {
+      EXPECT_FALSE(value.is_number()) << path;
+      ++numbers;
+    }
+  }
+  EXPECT_GT(numbers, 30);  // they are there, and null
+  result.rows.push_back(result.rows.back());
+  EXPECT_TRUE(summary_of(result).at("drift").at("axis_final_rad").is_number());
+}
+
 }  // namespace
 }  // namespace earthtop

@@ -109,8 +109,13 @@ void write_verdict(Page& page, const RunResult& result) {
 }
 
 void write_drift(Page& page, const RunResult& result) {
+  if (!has_drift(result)) {
+    page.heading("Drift");
+    page.line("  not known: the run has no row beyond the release");
+    return;
+  }
   const DriftRow* last = last_reliable_row(result);
-  if (last == nullptr || (last->t_s == 0 && result.rows.size() > 1)) {
+  if (last == nullptr || last->t_s == 0) {
     page.heading("Drift");
     page.line("  none that can be trusted; all rows are written, marked as not reliable");
     return;

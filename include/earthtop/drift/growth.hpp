@@ -24,11 +24,18 @@ struct GrowthPoint {
 struct GrowthReport {
   std::vector<GrowthPoint> rises;       ///< ascending in both; a tenth of an e-folding apart, or more
   std::optional<double> exponential_s;  ///< when it was a hundred times 1 + w0 t for the first time
-  double exponent_1_s = 0;              ///< finite-time Lyapunov exponent: log growth at the end over the time
+  double mean_exponent_1_s = 0;         ///< log growth at the end over the time
+  /// Finite-time Lyapunov exponent of late times: the slope of log growth less log(1 + w0 t), a line through the second half of
+  /// the time. 0 where that makes less than two e-foldings of the half, as many as an oscillation may make; negative where
+  /// neighbouring motions converge. None where the second half was not reached.
+  std::optional<double> late_exponent_1_s;
   double end_s = 0;
-  /// How far the motion itself went from its state at release by `exponential_s`, as seen from the body: the change of
-  /// gravity's direction and of rate / w0. Next to 0 for an equilibrium and a steady turn.
+  /// How far the motion itself went from its state at release by `exponential_s`, as seen from the body, of a symmetric one but
+  /// for the turn about its axis: the change of gravity's direction and of rate / w0. Next to 0 for an equilibrium and a steady
+  /// turn.
   double departure = 0;
+  /// When friction had braked an upright symmetric top to its critical spin; 0 of one that was released below it.
+  std::optional<double> critical_spin_s;
   bool completed = false;
 
   /// When the growth first passed exp(log_growth).
@@ -37,10 +44,11 @@ struct GrowthReport {
 
 /// Integrates the variational equations of three disturbances that are no symmetry's of a body,
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
-/// from the release to `duration_s`.
+/// from the release to `duration_s`. A body held by a gimbal is disturbed only as the gimbal lets it move.
 /// @param problem  its times are not read
-/// @param relative_tolerance  of the integration: some percent of growth need no more than 1e-7, but a motion on a separatrix
-/// leaves it by its own error as soon as that has grown
+/// @param relative_tolerance  of the integration. 1e-7 gives some percent of the growth, but its error can look like growth
+/// that is not there, and a motion on a separatrix leaves it by its own error as soon as that has grown: growth that matters
+/// is to be confirmed with a finer one.
 /// @param stop  ends it early, not completed; may be null
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
                                 double relative_tolerance, const std::atomic<bool>* stop = nullptr);

@@ -76,6 +76,10 @@ struct AppliedTorques {
   std::array<GradientTerm<T>, 2> gradient;
   bool level_axis = false;
   T gimbal_damping = T(0);
+
+  bool friction() const {
+    return viscous != T(0) || quadratic != T(0) || coulomb != T(0) || disc_laminar != T(0) || disc_turbulent != T(0);
+  }
 };
 
 /// Reynolds number R^2 |w| / nu of a disc.

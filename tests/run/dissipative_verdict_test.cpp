@@ -1,0 +1,200 @@
+// Verdicts where friction or a constraint has a say: neighbouring motions converge there, or a brake makes them part.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "earthtop/drift/growth.hpp"
+#include "earthtop/run.hpp"
+#include "run/verdict.hpp"
+#include "scenario/problem.hpp"
+#include "support/effect_scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kPi = real::pi<double>();
+
+/// The rotor of an instrument; its period is 2 pi sqrt(I1 / (I3 w Omega cos(latitude))).
+Scenario compass(double latitude_deg, double azimuth_deg, double spin_rad_s, double damping_N_m_s) {
+  Scenario s = testing::gyrocompass(latitude_deg, azimuth_deg, damping_N_m_s);
+  testing::set_principal(s.body, 9.1e-5, 9.1e-5, 1.42e-4);
+  s.body.mass_kg = 0.35;
+  s.release.spin_rad_s = spin_rad_s;
+  return s;
+}
+double period_s(const Scenario& s) {
+  const double I1 = s.body.inertia_kg_m2[0][0], I3 = s.body.inertia_kg_m2[2][2];
+  return 2 * kPi *
+         std::sqrt(I1 / (I3 * s.release.spin_rad_s * s.rotation_rate_rad_s * std::cos(s.site.latitude_deg * kPi / 180)));
+}
+void last(Scenario& s, double duration_s) {
+  s.duration_s = duration_s;
+  s.output_step_s = duration_s / 50;
+}
+
+void expect_reliable(const Scenario& s, const std::string& scene) {
+  SCOPED_TRACE(scene);
+  const RunResult result = run(s);
+  EXPECT_EQ(result.status, RunStatus::completed);
+  EXPECT_EQ(result.verdict.verdict, Verdict::reliable) << result.verdict.reason;
+  EXPECT_FALSE(result.verdict.from_s);
+  EXPECT_FALSE(result.verdict.earth_grown_s);
+  EXPECT_LE(result.verdict.lyapunov_exponent_1_s.value_or(0), 0);
+}
+
+// On an Earth that turns 137 times as fast, two periods are two seconds.
+TEST(DissipativeVerdict, SettledAndLibratingCompassesAreReliable) {
+  for (const auto& [latitude_deg, azimuth_deg] : {std::pair{52.0, 20.0}, {-30.0, -150.0}})
+    for (const double damping : {0.0, 1e-3}) {
+      Scenario s = compass(latitude_deg, azimuth_deg, 400, damping);
+      s.rotation_rate_rad_s = 0.01;
+      last(s, 2 * period_s(s));
+      expect_reliable(s, "azimuth " + std::to_string(azimuth_deg) + " damping " + std::to_string(damping));
+    }
+}
+
+// Three seconds of braking against a fast spin: what a coarse integration makes of disturbances that the gimbal forbids must
+// not show. The finer one is the same equations at a thousandth of the error.
+TEST(DissipativeVerdict, DisturbancesStayOnTheConstraint) {
+  const Scenario s = compass(52, 20, 2513.27, 1e-5);
+  const auto problem = make_problem<double>(s);
+  for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
+    const GrowthReport coarse = disturbance_growth(problem, kind, 3, 1e-7), fine = disturbance_growth(problem, kind, 3, 1e-10);
+    ASSERT_TRUE(coarse.completed && fine.completed);
+    EXPECT_NEAR(coarse.rises.back().log_growth, fine.rises.back().log_growth, 0.1);
+    EXPECT_LT(coarse.rises.back().log_growth, std::log(1 + problem.units.rate_to_rad_s(problem.fastest_rate) * 3));
+    EXPECT_EQ(coarse.late_exponent_1_s, 0.0);
+  }
+}
+
+// Released at rest toward the South it stands on its head: the Earth pulls it away, and neighbouring motions with it.
+TEST(DissipativeVerdict, ACompassThatPointsSouthIsUnstable) {
+  Scenario s = compass(45, 180, 600, 0);
+  s.rotation_rate_rad_s = 0.01;
+  const double rate = 2 * kPi / period_s(s);
+  last(s, 22 / rate);
+  const RunResult result = run(s);
+  EXPECT_EQ(result.verdict.verdict, Verdict::unstable) << result.verdict.reason;
+  EXPECT_NEAR(result.verdict.lyapunov_exponent_1_s.value_or(0), rate, 0.1 * rate);
+}
+
+constexpr double kMgl = 5 * 9.80665 * 0.004, kI1 = 5e-4, kI3 = 8e-4;
+const double kCriticalSpin = 2 * std::sqrt(kI1 * kMgl) / kI3;  // rad/s
+
+/// A heavy top with so many times its critical spin.
+Scenario heavy_top(double share_of_critical_spin, double tilt_deg) {
+  Scenario s = testing::toy_top();
+  s.body.mass_kg = 5;
+  s.body.center_of_mass_m = {0, 0, 0.004};
+  testing::set_principal(s.body, kI1, kI1, kI3);
+  s.release.tilt_deg = tilt_deg;
+  s.release.spin_rad_s = share_of_critical_spin * kCriticalSpin;
+  return s;
+}
+
+void expect_unstable_from(const Scenario& s, double critical_s, const std::string& scene) {
+  SCOPED_TRACE(scene);
+  const RunResult result = run(s);
+  EXPECT_EQ(result.verdict.verdict, Verdict::unstable) << result.verdict.reason;
+  ASSERT_TRUE(result.verdict.from_s);
+  // Upright, the spin decays as it would alone; leaning, the precession takes a share of the square of the tilt from it.
+  const double lean = s.release.tilt_deg * kPi / 180;
+  EXPECT_NEAR(*result.verdict.from_s, critical_s, (1e-4 + 4 * lean * lean) * critical_s);
+  for (const DriftRow& row : result.rows) EXPECT_EQ(row.drift_reliable, row.t_s < *result.verdict.from_s) << row.t_s;
+}
+
+TEST(DissipativeVerdict, ATopBrakedPastItsCriticalSpinIsUnstableFromThereOn) {
+  constexpr double kFactor = 1.5;
+  for (const double tilt_deg : {0.0, 0.01, 1.0, 5.0}) {
+    Scenario s = heavy_top(kFactor, tilt_deg);
+    s.effects.applied.viscous_N_m_s = 2e-4;
+    last(s, 4);
+    expect_unstable_from(s, kI3 / 2e-4 * std::log(kFactor), "viscous, tilt " + std::to_string(tilt_deg));
+  }
+  Scenario s = heavy_top(kFactor, 0);
+  s.effects.applied.quadratic_N_m_s2 = 1e-5;
+  last(s, 4);
+  const double w0 = kFactor * kCriticalSpin;
+  expect_unstable_from(s, kI3 / (1e-5 * w0) * (kFactor - 1), "quadratic");
+  s.effects.applied.quadratic_N_m_s2 = 0;
+  s.effects.applied.coulomb_N_m = 5e-3;
+  expect_unstable_from(s, kI3 * (w0 - kCriticalSpin) / 5e-3, "dry");
+}
+
+TEST(DissipativeVerdict, ATopThatStaysAboveItsCriticalSpinIsReliable) {
+  for (const double tilt_deg : {0.0, 1.0, 28.6}) {
+    Scenario s = heavy_top(3, tilt_deg);
+    s.effects.applied.viscous_N_m_s = 2e-4;
+    last(s, 0.9 * kI3 / 2e-4 * std::log(3));
+    expect_reliable(s, "viscous, tilt " + std::to_string(tilt_deg));
+    s.effects.applied.viscous_N_m_s = 0;
+    s.effects.applied.air_drag.emplace().disc_radius_m = 0.05;
+    expect_reliable(s, "air, tilt " + std::to_string(tilt_deg));
+  }
+}
+
+TEST(DissipativeVerdict, LibratingPendulumsAreReliable) {
+  for (const double tilt_deg : {95.0, 150.0, 179.0})
+    for (const double viscous : {0.0, 1e-6, 1e-5}) {
+      Scenario s = testing::toy_top();
+      s.release.tilt_deg = tilt_deg;
+      s.release.spin_rad_s = 1;
+      s.effects.applied.viscous_N_m_s = viscous;
+      if (viscous == 0) s.effects.applied.gravity_gradient = GravityGradientSpec{};
+      last(s, 6);
+      expect_reliable(s, "tilt " + std::to_string(tilt_deg) + " viscous " + std::to_string(viscous));
+    }
+}
+
+TEST(DissipativeVerdict, PlatformsAwayFromResonanceAreReliable) {
+  for (const double frequency_hz : {0.1, 1.0, 20.0})
+    for (const int across : {0, 1}) {
+      Scenario s = testing::toy_top();
+      PlatformSpec& platform = s.platform.emplace();
+      platform.motion = PlatformMotion::harmonic;
+      platform.axis = across ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 0, 1};
+      platform.amplitude_rad = 0.05;
+      platform.frequency_hz = frequency_hz;
+      platform.pivot_offset_m = {0.1, 0, 0.05};
+      last(s, 6);
+      expect_reliable(s, "frequency " + std::to_string(frequency_hz) + (across ? " level axis" : " vertical axis"));
+    }
+}
+
+// Where a scene is made to feel the Earth, its turn of 0.1 rad is no sign that the motion is lost.
+TEST(DissipativeVerdict, TheEarthsOwnDisturbanceIsNoSignWhereItsEffectIsMeantToBeLarge) {
+  Scenario s = testing::asymmetric_top();
+  s.body.mass_kg = 5;
+  s.body.center_of_mass_m = {0.001, 0, 0.004};
+  testing::set_principal(s.body, 5e-4, 6e-4, 8e-4);
+  s.release = {};
+  s.release.quaternion_LB = {std::cos(0.25), std::sin(0.25), 0, 0};
+  s.release.rates_relative_to = RatesRelativeTo::inertial;
+  s.release.angular_velocity_body_rad_s = {1, 2, 20};
+  last(s, 12);
+  const RunResult small = run(s);
+  EXPECT_EQ(small.verdict.verdict, Verdict::chaotic) << small.verdict.reason;
+  EXPECT_TRUE(small.verdict.earth_grown_s);
+  s.rotation_rate_rad_s = 0.5;
+  const RunResult large = run(s);
+  EXPECT_FALSE(large.verdict.earth_grown_s) << large.verdict.reason;
+}
+
+// A run that fails at the release has that row alone, whose drift of zero says nothing.
+TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
+  RunResult result;
+  result.scenario = testing::toy_top();
+  result.status = RunStatus::step_underflow;
+  const std::atomic<bool> stop = false;
+  for (const std::size_t rows : {0, 1}) {
+    result.rows.resize(rows);
+    const VerdictReport verdict = assess_verdict(result, stop);
+    EXPECT_EQ(verdict.verdict, Verdict::unassessed) << rows;
+    EXPECT_FALSE(verdict.lyapunov_exponent_1_s);
+    EXPECT_FALSE(verdict.from_s);
+  }
+}
+
+}  // namespace
+}  // namespace earthtop
