@@ -22,11 +22,10 @@ class Extrapolation {
   using State = std::array<T, N>;
   static constexpr int kColumns = 16;  ///< order 32 at most
 
-  /// @param most_growth  of round-off, which the columns taken must not pass
-  Extrapolation(T relative_tolerance, const GroupScales<T, System>& scales, double most_growth = 1e300)
+  Extrapolation(T relative_tolerance, const GroupScales<T, System>& scales)
       : tolerance_(relative_tolerance), scales_(&scales), limit_(least_column()) {
     // High columns take the result from differences of large terms: none whose round-off would pass for an error.
-    const double room = std::min(most_growth, static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>()));
+    const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
     while (limit_ < kColumns && round_off_growth(limit_ + 1) < room) ++limit_;
     const double digits = -std::log10(static_cast<double>(relative_tolerance));
     target_ = std::clamp(static_cast<int>(0.5 * digits), least_column(), limit_);

@@ -54,7 +54,7 @@ class Driver {
     const Method method = options_.method;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
     if (method == Method::extrapolation) {
-      Extrapolation<T, System> stepper(options_.relative_tolerance, scales_, kMostGrowth);
+      Extrapolation<T, System> stepper(options_.relative_tolerance, scales_);
       return run_controlled(stepper, x, times);
     }
     if constexpr (requires { typename System::Series; }) {
@@ -336,9 +336,6 @@ class Driver {
     }
     return turn / static_cast<T>(count);
   }
-  /// By how much the columns of an extrapolation may multiply round-off where the bound of a run in double rests on it: its
-  /// error is to be the smaller one, and beyond its seventh column it would be mostly that of rounding.
-  static constexpr double kMostGrowth = std::is_same_v<T, double> && is_bound_only<System>() ? 64 : 1e300;
   /// No step turns the motion further (rad): well below the first resonance of step and nutation, at 2 pi.
   static constexpr double kLongestFixedAngle = 2.0;
   static constexpr std::int64_t kMostStepsATurn = 400;
