@@ -34,11 +34,11 @@ void nudge(DriftProblem<T>& problem, T units = T(8)) {
 /// Follows two integrations row by row. The bound is a multiple of the largest distance so far, plus the round-off of the
 /// measures themselves.
 ///
-/// The second integration is unrelated to the rows' in method and observer, or runs at ten times their tolerance, so that its
-/// own error is the larger one of the two and their distance is about ten times the error of the rows; where round-off
-/// decides, both have errors of like size, which the multiple covers: it is larger where nothing else makes the two differ. It
-/// starts from a nudged scene, so that the growth of the scene's own rounding shows too. Distances are taken between the
-/// *vectors* of the drift in laboratory axes as well as between the angles: a vector does not pass through zero by chance.
+/// The second integration is unrelated to the rows' in method and observer, and runs at a far finer tolerance where there is
+/// one, so that their distance is the error of the rows; where round-off decides, both have errors of like size, which the
+/// multiple covers. It starts from a nudged scene, so that the growth of the scene's own rounding shows too. Distances are
+/// taken between the *vectors* of the drift in laboratory axes as well as between the angles: a vector does not pass through
+/// zero by chance.
 template <class T>
 class DriftBound {
  public:

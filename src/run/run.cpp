@@ -17,9 +17,13 @@ std::atomic<bool> stop_asked = false;
 /// The second integration: in another observer's equations, of the same form, and by another method wherever one is affordable.
 /// Two runs of one method make the same error where output times, not the tolerance, cut their steps: their distance then says
 /// nothing. extrapolation, the cheapest of those that know nothing of the model, stands against all others, and rkf78 against
-/// it; only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself. The
-/// tolerance is a hundredth, so that the distance is the error of the rows; where the digits do not allow that ten times as
-/// large, so that it is more.
+/// it; only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself.
+///
+/// The tolerance is a thousandth, or the least one that the digits allow, so that the distance is the error of the rows. Two
+/// methods may differ by a factor of a hundred in the error that they make at one tolerance: at a tenth or a hundredth of it,
+/// or at ten times as much, both could err alike, and to the same side. Of doubles the least one is 1e-13, where the second
+/// integration errs by rounding as much as by its steps. In long double, where rkf78 at the least tolerance would cost a third
+/// more than all the rest, it stands against extrapolation at ten times the tolerance.
 ///
 /// closed_form has no error that an integration could see: its own statement is far below. What is left is what the rounding of
 /// the scene makes of the motion, and the same closed form of the nudged scene shows that at the price of the rows. That the
@@ -44,10 +48,10 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;
   const double asked = first.relative_tolerance;
-  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);  // of doubles, round-off
-  const double finer = std::max(asked / 100, least);
-  second.relative_tolerance = finer <= asked / 30 ? finer : std::min(10 * asked, 0.1);
-  if (first.step_s || first.method == Method::taylor) second.relative_tolerance = finer;
+  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);
+  second.relative_tolerance = std::max(asked / 1000, least);
+  if (precision == Precision::bits64 && second.method == Method::rkf78 && second.relative_tolerance > asked / 30)
+    second.relative_tolerance = 10 * asked;
   constexpr double kAffordable = 3e4;  // rad; a tenth of a second
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;

@@ -1,6 +1,10 @@
 #include "bounds/strata.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scenario/rules.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -209,6 +213,32 @@ Scenario other_observer(Random& random) {
   return s;
 }
 
+Scenario with_effects(Random& random) {
+  Scenario s = random.coin() ? symmetric_top(random) : asymmetric_body(random);
+  const double rate = sign(random) * random.log_uniform(3, 1e3);
+  s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.2, 0.2), rate * random.uniform(-0.2, 0.2), rate};
+  AppliedTorquesSpec& applied = s.effects.applied;
+  const double I3 = numbers(s).I3;
+  if (random.coin()) applied.viscous_N_m_s = I3 * random.log_uniform(1e-4, 3);
+  if (random.coin()) applied.quadratic_N_m_s2 = I3 * random.log_uniform(1e-4, 3) / std::abs(rate);
+  if (random.uniform(0, 1) < 0.2) applied.coulomb_N_m = I3 * std::abs(rate) * random.log_uniform(1e-4, 3);
+  if (random.coin()) applied.air_drag = AirDragSpec{random.uniform(0.01, 0.1)};
+  if (random.coin()) applied.gravity_gradient = GravityGradientSpec{GradientField::given, random.log_uniform(1e-6, 1)};
+  if (random.coin())
+    s.effects.tide = TideSpec{true, {}, {random.uniform(-1, 1), random.uniform(-1, 1), 0.1}, random.log_uniform(0.01, 10), 30};
+  return s;
+}
+/// A compass under way, not a settled one: the spin is fast against the torque of its damping.
+Scenario level_gimbal(Random& random) {
+  Scenario s = any_spin(random);
+  s.release.spin_rad_s = sign(random) * random.log_uniform(30, 3e3);
+  s.release.tilt_deg = 90;
+  s.release.rates_relative_to = RatesRelativeTo::laboratory;
+  if (random.coin()) s.body.center_of_mass_m = {0, 0, 0};
+  s.effects.applied.gimbal = GimbalSpec{random.coin() ? 0 : numbers(s).I1 * random.log_uniform(1e-4, 1)};
+  return s;
+}
+
 constexpr Stratum kStrata[] = {
     {"any spin, let go at rest", any_spin},
     {"fast top", fast_top},
@@ -232,11 +262,45 @@ constexpr Stratum kStrata[] = {
     {"another observer's equations", other_observer},
     {"in long double", in_long_double},
     {"long horizon", long_horizon},
+    {"with friction, air, a gradient, a tide", with_effects, true},
+    {"in a gimbal that holds it level", level_gimbal, true},
 };
+
+/// One of the methods that a user may name for this scene.
+Method any_method(const Scenario& scene, Random& random) {
+  std::array<Method, scenario::kMethods.size()> allowed;
+  std::size_t count = 0;
+  for (const Method method : scenario::kMethods)
+    if (method != Method::automatic && is_built(method, scene.precision) && !method_refusal(method, scene))
+      allowed[count++] = method;
+  return allowed.at(static_cast<std::size_t>(random.uniform(0, static_cast<double>(count))));
+}
 
 }  // namespace
 
 std::span<const Stratum> strata() { return kStrata; }
+
+Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase) {
+  Scenario s = random_scene_of(stratum, index, least_phase, largest_phase);
+  s.name = "by-hand" + s.name.substr(s.name.find('-'));
+  Random random(index * 1009 + static_cast<std::uint64_t>(&stratum - kStrata));
+  s.numerics = {};
+  s.numerics.method = any_method(s, random);
+  do {
+    constexpr std::array kObservers{Observer::laboratory, Observer::body, Observer::inertial};
+    s.numerics.observer = kObservers[static_cast<std::size_t>(random.uniform(0, 3))];
+    s.numerics.form = random.coin() ? ModelForm::automatic : ModelForm::general;
+  } while (method_refusal(s.numerics.method, s));
+  if (s.numerics.method == Method::splitting)
+    s.numerics.composition =
+        scenario::kCompositions.at(static_cast<std::size_t>(random.uniform(0, double{scenario::kCompositions.size()})));
+  const auto rule = scenario::step_rule(s.numerics.method);
+  if (rule.step_s == scenario::Need::required || (rule.step_s == scenario::Need::optional && random.coin()))
+    s.numerics.step_s = random.log_uniform(0.01, 0.15) / fastest_rate_rad_s(s);
+  const double least = s.precision == Precision::bits53 ? 1e-13 : 10 * least_tolerance(s.precision);
+  s.numerics.relative_tolerance = s.numerics.step_s ? default_tolerance(s.precision) : random.log_uniform(least, 1e-6);
+  return s;
+}
 
 Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase) {
   const auto number = static_cast<std::uint64_t>(&stratum - kStrata);

@@ -12,11 +12,16 @@ namespace earthtop::testing {
 struct Stratum {
   std::string_view name;
   Scenario (*make)(Random&);
+  bool own_effects = false;  ///< whether torques beside gravity and the Earth's are its point
 };
 std::span<const Stratum> strata();
 
 /// Scene `index` of a stratum: a dozen rows over a duration in which the fastest rate turns through `least_phase` to
 /// `largest_phase` rad, log-uniformly; the same on every platform.
 Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
+
+/// The same scene in double or long double with whatever numerics a user may name for it: any method that takes it, any
+/// tolerance from 1e-6 to a little above the least one or a fixed step, any observer, either form.
+Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
 
 }  // namespace earthtop::testing
