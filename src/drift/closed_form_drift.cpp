@@ -163,7 +163,8 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
     ++trajectory.counters.evaluations;
     angles.follow_to(t);
     const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
-    if (watch && !watch->done()) watch->follow(look_at(exact_t), look_at);
+    if (watch && !watch->done())
+      watch->follow(watch->has_passed() ? axis_look(exact_t, pair.state(exact_t)) : look_at(exact_t), look_at);
     if (row < 0) return;
     const DriftState<T> state = pair.state(exact_t);
     const DriftMeasures<T> measures = measure_drift(state);

@@ -29,7 +29,7 @@ class FlowSearch {
   /// @param system  whose equations may have changed since: a motion that has come to rest
   void follow(const System& system, T t, const State& x) {
     if (watch_.done()) return;
-    const AxisLook<T> next = look(t, x);
+    const AxisLook<T> next = watch_.has_passed() ? axis_look(t, equations_->deviation_state(x, t)) : look(t, x);
     begin_t_ = t_, begin_ = x_;
     watch_.follow(next, [&](T between) {
       if (between < begin_t_) begin_t_ = t_, begin_ = x_;
@@ -58,7 +58,8 @@ class FlowSearch {
                      equations_->deviation_state(after, t + apart_), T(T(2) * apart_));
   }
 
-  /// From `begin_` to t. Steps that come to nothing leave the state where it is: then no look is better than the step's own.
+  /// From `begin_` to t. Where the equations allow no step, which the integration's own has just shown to be unlikely, the
+  /// search is told.
   void advance(T t) {
     GroupScales<T, System> scales;
     scales.include(begin_), scales.include(x_);
@@ -76,6 +77,7 @@ class FlowSearch {
       }
       proposed = dt;
     }
+    if (left > T(0)) watch_.look_failed();
     begin_t_ = t;
   }
 

@@ -236,9 +236,9 @@ class LongHorizonDrift {
       const T interval = times_[row] - times_[row - 1];
       const T steps = std::max(T(1), std::ceil(interval / looked_at_.front().plan.step * (1 - 1e-12)));
       for (T step = T(1); step <= steps; step += T(1)) {
-        if (watch.done() || (stop_ != nullptr && *stop_)) return watch.record().in_seconds(problem_.units.time_exponent);
+        if (watch.done() || !goes_on()) return watch.record().in_seconds(problem_.units.time_exponent);
         const T end = step == steps ? times_[row] : T(times_[row - 1] + interval * (step / steps));
-        watch.follow(look_at(end), look_at);
+        watch.follow(watch.has_passed() ? axis_look(end, state_at(end)) : look_at(end), look_at);
         for (LongHorizonWalk<T>& walk : walks) walk.advance(end - begin, T(0), [](T, const TiltedTopState<T>&) {});
         begin = end;
       }

@@ -22,6 +22,15 @@ AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before,
   return look;
 }
 
+/// A look that says no more than the drift itself.
+template <class T>
+AxisLook<T> axis_look(T t, const DriftState<T>& at) {
+  AxisLook<T> look;
+  look.t = t;
+  look.axis = measure_drift(at).axis;
+  return look;
+}
+
 template <class T>
 class ThresholdWatch {
  public:
@@ -41,8 +50,12 @@ class ThresholdWatch {
     note(next);
     last_ = next;
   }
+  /// A look could not be had: what it showed is not the drift.
+  void look_failed() { record_.unresolved = true; }
   const ThresholdRecord<T>& record() const { return record_; }
-  /// Whether the passing, and all that is told of it, is known.
+  /// Whether the drift has passed: from then on looks need no rates.
+  bool has_passed() const { return record_.passing.has_value(); }
+  /// Whether all that is told of the passing is known.
   bool done() const { return record_.passing && next_beyond_ < 0; }
 
  private:
