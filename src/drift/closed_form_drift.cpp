@@ -156,7 +156,8 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
   std::optional<ThresholdWatch<T>> watch;
-  if (problem.threshold_rad) watch.emplace(T(*problem.threshold_rad), T(1 / pair.longest_step()));
+  if (problem.threshold_rad)
+    watch.emplace(T(*problem.threshold_rad), std::max(problem.fastest_rate, T(1 / pair.longest_step())));
   LooksAtPair<T> look_at(pair);
   const auto visit = [&](double t, std::int64_t row) {
     ++trajectory.counters.accepted;

@@ -18,13 +18,15 @@ template <class T>
 T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, int safety) {
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
-  T stated = T(0);
+  T stated = T(0);  // by the method, of rows: in between as far as the passing is on the way to the next
   for (std::size_t i = 0; i < count; ++i) {
     const DriftSample<T>& sample = made.first.samples[i];
-    // What a method states is told of rows only: of the next one too.
-    stated = sample.drift_error;
-    bound.include_stated(stated);
-    if (sample.state.t_s > passing.t) break;
+    if (sample.state.t_s > passing.t) {
+      const T before_s = i > 0 ? made.first.samples[i - 1].state.t_s : T(0);
+      stated += std::max(T(0), T(sample.drift_error - stated)) * (passing.t - before_s) / (sample.state.t_s - before_s);
+      break;
+    }
+    stated = std::max(stated, sample.drift_error);
     bound.include(sample.measures, made.second.samples[i].measures, sample.state.epsilon);
   }
   const AxisLook<T>& other = *made.second.threshold->passing;
@@ -32,7 +34,7 @@ T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, i
   const Vec3<T> apart = passing.difference - (other.difference + later * other.difference_rate);
   const T distance = std::max(norm(apart), T(real::abs(passing.rate * later)));
   const T round_off = T(1024) * real::epsilon<T>() * passing.axis;
-  return std::max(bound.axis(), T(T(safety) * distance + round_off + stated));
+  return stated + std::max(bound.axis(), T(T(safety) * distance + round_off));
 }
 
 /// How long the drift takes from the threshold to `bound` beside it, by its rate and curvature; nothing where it does not get
