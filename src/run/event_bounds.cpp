@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "run/drift_bound.hpp"
 
@@ -90,7 +89,8 @@ Judged judge_passing(const ThresholdRecord<T>& record, T threshold, T bound) {
   return {ThresholdCrossing::clear, std::max(static_cast<double>(moved), kLeast * static_cast<double>(passing.t))};
 }
 
-/// The largest part of a run's time that two motions' rates differ by at the end, whatever their directions.
+/// By how much the two integrations differ in the size of a motion's rate, at most, in the rows before it stops: two times may
+/// agree by chance.
 template <class T>
 T rate_distance(const TwoIntegrations<T>& made, Prediction prediction, double until_s) {
   const auto rate = [&](const DriftSample<T>& sample) {
