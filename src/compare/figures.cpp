@@ -48,6 +48,8 @@ constexpr FigureRow kFigures[] = {
     {"drift.attitude_bound_rad", FigureKind::error, Scope::rows},
     {"drift.threshold_rad", FigureKind::input, Scope::any},
     {"drift.threshold_time_s", FigureKind::time, Scope::any},
+    {"drift.threshold_time_bound_s", FigureKind::error, Scope::any},
+    {"drift.threshold_crossing", FigureKind::word, Scope::any},
     {"motion.axis_mean_L.*", FigureKind::attitude, Scope::rows},
     {"motion.reference_axis_mean_L.*", FigureKind::attitude, Scope::rows},
     {"motion.*.*", FigureKind::attitude, Scope::end},
@@ -55,6 +57,7 @@ constexpr FigureRow kFigures[] = {
     {"growth_of_disturbances.*", FigureKind::time, Scope::any},
     {"stops.*.prediction", FigureKind::word, Scope::any},
     {"stops.*.t_s", FigureKind::time, Scope::any},
+    {"stops.*.bound_s", FigureKind::error, Scope::any},
     {"attitude_bound_rad", FigureKind::error, Scope::rows},
     {"invariants.*.largest_change", FigureKind::conserved, Scope::rows},
     {"invariants.*.initial", FigureKind::input, Scope::any},
@@ -119,6 +122,7 @@ class FigureErrors {
     axis_drift_rad_ = a.number("/drift/axis_max_rad").value_or(0);
     final_rad_ = a.number("/drift/axis_final_rad").value_or(0);
     azimuth_rad_ = a.number("/drift/azimuth_max_rad").value_or(0);
+    threshold_time_ = sum("/drift/threshold_time_bound_s");
     duration_s_ = a.number("/outcome/reached_s").value_or(0);
     ratio_ = a.number("/drift/axis_final_over_earth_angle").value_or(0);
   }
@@ -142,6 +146,7 @@ class FigureErrors {
       case FigureKind::ratio: return axis_ && final_rad_ > 0 ? std::optional(*axis_ / final_rad_ * ratio_) : std::nullopt;
       case FigureKind::conserved:
         return attitude_ ? std::optional((*attitude_ + kRounding) * scale_of(path, reference)) : std::nullopt;
+      case FigureKind::time: return path == "drift.threshold_time_s" ? threshold_time_ : std::nullopt;
       default: return std::nullopt;
     }
   }
@@ -157,7 +162,7 @@ class FigureErrors {
     return 0;
   }
 
-  std::optional<double> axis_, attitude_drift_, attitude_;
+  std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_;
   double axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, duration_s_ = 0, ratio_ = 0;
 };
 
@@ -255,7 +260,8 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
   }
   if (options.tolerances.profile != Profile::physics && !reference.has_some_rows_only)
     for (const auto& [path, value] : new_figures)
-      if (row_of(path) && !find(old_figures, path)) verdicts.push_back(failed(path, "is missing in the reference's summary"));
+      if (!value->is_null() && row_of(path) && !find(old_figures, path))
+        verdicts.push_back(failed(path, "is missing in the reference's summary"));
   return verdicts;
 }
 

@@ -1,11 +1,14 @@
 #include "drift/closed_form_drift.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "drift/angle_follower.hpp"
 #include "drift/deviation_state.hpp"
 #include "drift/rate_change.hpp"
 #include "drift/release_rates.hpp"
+#include "drift/threshold_watch.hpp"
 #include "integrate/closed_form_motion.hpp"
 #include "integrate/natural_times.hpp"
 
@@ -124,15 +127,22 @@ class ExactPair {
   T attitude_error_ = T(0), deviation_error_ = T(0);
 };
 
-/// When the axis drift passes the threshold between two times, to the last digits of a double.
+/// Looks at the drift at any time: the formula needs no steps.
 template <class T>
-double passing_time(ExactPair<T>& pair, const NaturalUnits& units, T threshold, T below, T above) {
-  while (above - below > T(8) * T(real::epsilon<double>()) * above) {
-    const T middle = below + (above - below) / T(2);
-    (measure_drift(pair.state(middle)).axis < threshold ? below : above) = middle;
+class LooksAtPair {
+ public:
+  explicit LooksAtPair(ExactPair<T>& pair)
+      : pair_(pair), apart_(T(std::cbrt(static_cast<double>(real::epsilon<T>())) * pair.longest_step())) {}
+  AxisLook<T> operator()(T t) {
+    const T before = std::max(T(0), T(t - apart_)), after = t + apart_;
+    const DriftState<T> at = pair_.state(t), at_before = pair_.state(before), at_after = pair_.state(after);
+    return axis_look(t, at, at_before, at_after, T(after - before));
   }
-  return static_cast<double>(real::scale(above, units.time_exponent));
-}
+
+ private:
+  ExactPair<T>& pair_;
+  T apart_;
+};
 
 }  // namespace
 
@@ -145,34 +155,34 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
   AngleFollower angles(pair);
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
-  T below = T(0);
+  std::optional<ThresholdWatch<T>> watch;
+  if (problem.threshold_rad)
+    watch.emplace(T(*problem.threshold_rad), std::max(problem.fastest_rate, T(1 / pair.longest_step())));
+  LooksAtPair<T> look_at(pair);
   const auto visit = [&](double t, std::int64_t row) {
     ++trajectory.counters.accepted;
     ++trajectory.counters.evaluations;
     angles.follow_to(t);
     const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
-    const bool watched = problem.threshold_rad && !trajectory.threshold_time_s;
-    if (row < 0 && !watched) return;
+    if (watch && !watch->done())
+      watch->follow(watch->has_passed() ? axis_look(exact_t, pair.state(exact_t)) : look_at(exact_t), look_at);
+    if (row < 0) return;
     const DriftState<T> state = pair.state(exact_t);
     const DriftMeasures<T> measures = measure_drift(state);
-    if (row >= 0) {
-      angles.settle(drift_phases(state));
-      DriftSample<T> sample{state, measures};
-      sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
-      sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
-      sample.attitude_error = pair.attitude_error(exact_t);
-      sample.drift_error = pair.drift_error(measures.attitude);
-      sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
-      for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
-        for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);
-      if (row == 0) set_release_rates(problem, sample.state);
-      trajectory.samples.push_back(sample);
-    }
-    if (watched && measures.axis >= T(*problem.threshold_rad))
-      trajectory.threshold_time_s = passing_time(pair, problem.units, T(*problem.threshold_rad), below, exact_t);
-    below = exact_t;
+    angles.settle(drift_phases(state));
+    DriftSample<T> sample{state, measures};
+    sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
+    sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
+    sample.attitude_error = pair.attitude_error(exact_t);
+    sample.drift_error = pair.drift_error(measures.attitude);
+    sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
+    for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
+      for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);
+    if (row == 0) set_release_rates(problem, sample.state);
+    trajectory.samples.push_back(sample);
   };
   trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, stop, visit);
+  if (watch) trajectory.threshold = watch->record().in_seconds(problem.units.time_exponent);
   return trajectory;
 }
 template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&,

@@ -23,7 +23,7 @@ DriftTrajectory<T> integrate_system(System& system, typename System::State x, co
 
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
-  StepWatcher<T, System> watcher(system, problem.units, problem.threshold_rad);
+  StepWatcher<T, System> watcher(system, problem);
   const auto on_row = [&](std::size_t row, const typename System::State& state) {
     trajectory.samples.push_back(watcher.sample(state, times[row], problem.times_s[row]));
     if (row == 0) set_release_rates(problem, trajectory.samples.front().state);
@@ -31,10 +31,13 @@ DriftTrajectory<T> integrate_system(System& system, typename System::State x, co
   Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);
   trajectory.status = driver.run(x, times);
   trajectory.counters = driver.counters();
-  trajectory.threshold_time_s = watcher.threshold_time_s();
-  if constexpr (requires { system.stops(); })
-    for (const auto& [prediction, t] : system.stops())
-      trajectory.stops.push_back({prediction, static_cast<double>(real::scale(t, problem.units.time_exponent))});
+  trajectory.threshold = watcher.threshold();
+  if constexpr (requires { system.stops(); }) {
+    for (const auto& [prediction, t, slowing] : system.stops())
+      trajectory.stops.push_back({prediction, static_cast<double>(real::scale(t, problem.units.time_exponent)),
+                                  static_cast<double>(real::scale(slowing, -2 * problem.units.time_exponent))});
+    std::ranges::sort(trajectory.stops, {}, &StopEvent::t_s);
+  }
   if (driver.first_step_taken() > T(0))
     trajectory.step_s = static_cast<double>(real::scale(driver.first_step_taken(), problem.units.time_exponent));
   return trajectory;

@@ -196,7 +196,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     return std::min(rest_.longest_step(Prediction::reference, model_, t, reference.q, reference.m),
                     rest_.longest_step(Prediction::rotating, model_, t, rotating.q, w_LB_B));
   }
-  const std::vector<std::pair<Prediction, T>>& stops() const { return rest_.stops(); }
+  const std::vector<typename RestingMotions<T>::Stop>& stops() const { return rest_.stops(); }
 
   /// Called after every step: the attitude quaternions are integrated, and continuous by themselves.
   void follow(const State&) {}

@@ -8,6 +8,7 @@
 
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
+#include "drift/threshold_watch.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/long_horizon.hpp"
 
@@ -85,6 +86,13 @@ class LongHorizonDrift {
         reference_flow_(reference_, reference_.start()) {}
 
   DriftTrajectory<T> run() {
+    DriftTrajectory<T> trajectory = rows();
+    if (problem_.threshold_rad) trajectory.threshold = found_threshold();
+    return trajectory;
+  }
+
+ private:
+  DriftTrajectory<T> rows() {
     const T epsilon = model_.epsilon;
     if (norm(model_.W_IL_L_scaled) == T(0) || times_.size() < 2) {
       for (const T t : times_) pairs_.push_back(pair(reference_flow_.at(t), reference_, t, T(1)));
@@ -93,6 +101,7 @@ class LongHorizonDrift {
     }
     const Top top = top_at(epsilon);
     const LongHorizonPlan<T> plan = plan_of(top, T(options_.relative_tolerance));
+    looked_at_.push_back({top, plan, epsilon});
     set_step(plan);
     T largest_node = std::numeric_limits<T>::infinity();
     if (plan.averages) {
@@ -114,11 +123,11 @@ class LongHorizonDrift {
     return watched(epsilon, false);
   }
 
- private:
   static constexpr T kSmall = 1e-3;             ///< a drift (rad) of which a difference gives nine digits
   static constexpr T kChosen = 4e-3;            ///< the drift at the rates that stand for smaller ones
   static constexpr T kDifferenceError = 1e-12;  ///< of a difference (rad)
   static constexpr T kUnseenError = 5e-12;      ///< of averaging (rad), at the end
+  static constexpr T kApart = 1e-3;             ///< of a turn of the nutation, between the states that a rate is taken from
   static constexpr T kGoldenPart = 0.6180339887498949;
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
@@ -190,6 +199,59 @@ class LongHorizonDrift {
       look(times_[i], p);
     }
   }
+
+  /// The search for the threshold goes from row to row once more. Between two rows it takes walks that start at the first one:
+  /// only where a walk stops is its state complete, so that what walks pass on their way is no look. Looks lie as close as the
+  /// nutation asks for wherever the drift and its nutation might reach the threshold.
+  ThresholdRecord<T> found_threshold() {
+    ThresholdWatch<T> watch(T(*problem_.threshold_rad), looked_at_.empty() ? T(1) : fast_rate());
+    StepCounters uncounted;
+    std::vector<LongHorizonWalk<T>> walks;
+    walks.reserve(looked_at_.size());
+    for (const Walked& walked : looked_at_) walks.emplace_back(walked.top, walked.plan, uncounted);
+    T begin = T(0);
+    const T apart = T(kApart) / fast_rate();
+    const auto pair_at = [&](T t) {
+      std::array<Pair, kNodes.size()> at;
+      for (std::size_t i = 0; i < walks.size(); ++i) {
+        LongHorizonWalk<T> walk = walks[i];
+        if (t != begin) walk.advance(t - begin, T(0), [](T, const TiltedTopState<T>&) {});
+        at[i] = pair(walk.state(), looked_at_[i].top, t, looked_at_[i].epsilon);
+      }
+      if (walks.size() == 1) return at[0];
+      return joined(at, model_.epsilon, looked_at_[0].epsilon).pair;
+    };
+    const auto state_at = [&](T t) {
+      const Pair p = pair_at(t);
+      DriftState<T> s;
+      s.epsilon = model_.epsilon, s.ref_q_LB = p.ref_q_LF, s.e_w = p.e_w, s.e_v_scaled = p.y;
+      return s;
+    };
+    const auto look_at = [&](T t) {
+      return axis_look(t, state_at(t), state_at(t - apart), state_at(t + apart), T(T(2) * apart));
+    };
+    if (!walks.empty()) watch.follow(look_at(T(0)), look_at);
+    for (std::size_t row = 1; row < pairs_.size() && !walks.empty(); ++row) {
+      // As the walks' own steps go: so none of the looks between is more than a step's work away.
+      const T interval = times_[row] - times_[row - 1];
+      const T steps = std::max(T(1), std::ceil(interval / looked_at_.front().plan.step * (1 - 1e-12)));
+      for (T step = T(1); step <= steps; step += T(1)) {
+        if (watch.done() || !goes_on()) return watch.record().in_seconds(problem_.units.time_exponent);
+        const T end = step == steps ? times_[row] : T(times_[row - 1] + interval * (step / steps));
+        watch.follow(watch.has_passed() ? axis_look(end, state_at(end)) : look_at(end), look_at);
+        for (LongHorizonWalk<T>& walk : walks) walk.advance(end - begin, T(0), [](T, const TiltedTopState<T>&) {});
+        begin = end;
+      }
+    }
+    return watch.record().in_seconds(problem_.units.time_exponent);
+  }
+  /// Of the nutation, and of what turns beside it.
+  T fast_rate() const {
+    T fastest = T(0);
+    for (const Walked& walked : looked_at_) fastest = std::max(fastest, walked.top.fast_rate());
+    return fastest + norm(model_.W_IL_L);
+  }
+
   T looks_every(const Top& top) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
     return rate > T(0) ? T(1.5) / rate : times_.back();
@@ -198,7 +260,7 @@ class LongHorizonDrift {
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
     PairSystem system(epsilon, w_XB_B_[2]);
     system.start_from(problem_.release.q_LB);
-    StepWatcher<T, PairSystem> watcher(system, problem_.units, problem_.threshold_rad);
+    StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     std::size_t rows = 0;
@@ -206,13 +268,13 @@ class LongHorizonDrift {
       watcher(t, p);
       if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
     });
-    return finished(trajectory, watcher);
+    return finished(trajectory);
   }
   /// The same of pairs that are there already.
   DriftTrajectory<T> watched(T epsilon, bool exact) {
     PairSystem system(epsilon, w_XB_B_[2]);
     system.start_from(problem_.release.q_LB);
-    StepWatcher<T, PairSystem> watcher(system, problem_.units, problem_.threshold_rad);
+    StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     const T every = looks_every(reference_);
@@ -228,19 +290,18 @@ class LongHorizonDrift {
       add_sample(watcher, pairs_[i], i, trajectory);
     }
     if (exact) counters_.evaluations += 1;
-    return finished(trajectory, watcher);
+    return finished(trajectory);
   }
   void add_sample(const StepWatcher<T, PairSystem>& watcher, const Pair& p, std::size_t row, DriftTrajectory<T>& trajectory) {
     trajectory.samples.push_back(watcher.sample(p, times_[row], problem_.times_s[row]));
     trajectory.samples.back().drift_error = stated_error_ * times_[row];
     if (row == 0) set_release_rates(problem_, trajectory.samples.front().state);
   }
-  DriftTrajectory<T> finished(DriftTrajectory<T>& trajectory, const StepWatcher<T, PairSystem>& watcher) const {
+  DriftTrajectory<T> finished(DriftTrajectory<T>& trajectory) const {
     trajectory.status = trajectory_status_;
     trajectory.counters = counters_;
     trajectory.step_s = step_s_;
     trajectory.kick_steps = found_;
-    trajectory.threshold_time_s = watcher.threshold_time_s();
     return trajectory;
   }
 
@@ -273,10 +334,13 @@ class LongHorizonDrift {
       }
       std::array<std::vector<Pair>, kNodes.size()> at;
       at[0] = pairs_;
+      looked_at_.clear();
+      looked_at_.push_back({top, plan, node});
       for (std::size_t i = 1; i < kNodes.size(); ++i) {
         LongHorizonPlan<T> same = plan;
         const Top other = top_at(kNodes[i] * node);
         if (plan.averages) same = make_plan(other, plan.schedule, plan.step, true), same.spacing = plan.spacing;
+        looked_at_.push_back({other, same, kNodes[i] * node});
         walk(other, same, kNodes[i] * node, T(0), quiet);
         if (trajectory_status_ != RunStatus::completed) return reached;
         at[i] = pairs_;
@@ -288,8 +352,12 @@ class LongHorizonDrift {
     return T(1);
   }
 
-  /// @returns whether the cubic and the parabola through the inner three agree
-  bool join(const std::array<std::vector<Pair>, kNodes.size()>& at, T epsilon, T node) {
+  /// What four pairs at one time, of the rates kNodes x node, say of the pair at the rate epsilon, and the cubic's own term.
+  struct Joined {
+    Pair pair;
+    Vec3<T> bend = Vec3<T>::Zero();
+  };
+  static Joined joined(const std::array<Pair, kNodes.size()>& at, T epsilon, T node) {
     const T x = epsilon / node;
     std::array<T, kNodes.size()> weight;
     for (std::size_t i = 0; i < kNodes.size(); ++i) {
@@ -297,28 +365,34 @@ class LongHorizonDrift {
       for (std::size_t j = 0; j < kNodes.size(); ++j)
         if (j != i) weight[i] *= (x - kNodes[j]) / (kNodes[i] - kNodes[j]);
     }
+    Joined joined{at[0]};
+    Pair& p = joined.pair;
+    Vec3<T> y = Vec3<T>::Zero();
+    Complex<T> rate;
+    T excess = T(0);
+    constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // of the cubic's term: proportional to the third difference
+    for (std::size_t i = 0; i < kNodes.size(); ++i) {
+      const Pair& q = at[i];
+      const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
+      y += weight[i] * side * q.y;
+      joined.bend += kThird[i] * side * q.y;
+      rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
+      excess += weight[i] * scale * q.spin_excess;
+    }
+    p.y = y;
+    p.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
+    p.across = p.ref_across + epsilon * rate;
+    p.spin_excess = epsilon * excess;
+    return joined;
+  }
+  /// @returns whether the cubic and the parabola through the inner three agree
+  bool join(const std::array<std::vector<Pair>, kNodes.size()>& at, T epsilon, T node) {
     T largest = T(0), third = T(0);
     for (std::size_t row = 0; row < pairs_.size(); ++row) {
-      Pair p = at[0][row];
-      Vec3<T> y = Vec3<T>::Zero(), bend = Vec3<T>::Zero();
-      Complex<T> rate;
-      T excess = T(0);
-      constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // of the cubic's term: proportional to the third difference
-      for (std::size_t i = 0; i < kNodes.size(); ++i) {
-        const Pair& q = at[i][row];
-        const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
-        y += weight[i] * side * q.y;
-        bend += kThird[i] * side * q.y;
-        rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
-        excess += weight[i] * scale * q.spin_excess;
-      }
-      p.y = y;
-      p.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
-      p.across = p.ref_across + epsilon * rate;
-      p.spin_excess = epsilon * excess;
-      pairs_[row] = p;
-      largest = std::max(largest, norm(y));
-      third = std::max(third, norm(bend));
+      const Joined there = joined({at[0][row], at[1][row], at[2][row], at[3][row]}, epsilon, node);
+      pairs_[row] = there.pair;
+      largest = std::max(largest, norm(there.pair.y));
+      third = std::max(third, norm(there.bend));
     }
     // The next term is smaller than the cubic one by about as much as that is than the whole, to the third part.
     return third < T(1e-4) * largest;
@@ -339,6 +413,13 @@ class LongHorizonDrift {
   std::optional<KickSteps> found_;
   T stated_error_ = T(0);  ///< of averaging, in a unit of time
   std::vector<Pair> pairs_;
+  /// The walks that the rows are taken from: one, or one for each of four larger rates.
+  struct Walked {
+    Top top;
+    LongHorizonPlan<T> plan;
+    T epsilon;
+  };
+  std::vector<Walked> looked_at_;
 };
 
 }  // namespace

@@ -4,24 +4,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/applied_motion.hpp"
+#include "earthtop/model/equations.hpp"
 #include "integrate/drive_options.hpp"
 
 namespace earthtop {
 
 /// A motion rests from when dry friction, stronger than every other torque on it, will have stopped it within 1e-8 of the time
 /// since the release: the angle that it would still turn through is 1e-16 of the one behind it. Steps come that near in the
-/// end, as each is limited to a part of the way.
+/// end, as each is limited to a part of the way. When the motion would have stopped by itself is found beside the integration.
 template <class T>
 class RestingMotions {
  public:
+  struct Stop {
+    Prediction prediction;
+    T t;
+    T slowing;  ///< how fast the size of the rate fell at the end
+  };
   bool any() const { return rests_[0] || rests_[1]; }
   bool rests(Prediction prediction) const { return rests_[index(prediction)]; }
-  const std::vector<std::pair<Prediction, T>>& stops() const { return stops_; }
+  const std::vector<Stop>& stops() const { return stops_; }
 
   /// A step that does not pass the corner of the friction, where the motion comes to rest or turns round: what estimates a
   /// step's error may miss a corner in its middle. Without end for a motion at rest, which sets out or stays.
@@ -41,13 +46,48 @@ class RestingMotions {
     const T left = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
     if (!(spare > T(0)) || left > spare * near(t)) return false;
     rests_[index(prediction)] = true;
-    stops_.emplace_back(prediction, t);
+    stops_.push_back(end_of_motion(prediction, model, t, q_LB, w_LB_B));
     return true;
   }
 
  private:
   /// How near a stop is one: of the time since the release, and where that is next to nothing, of the steps there are.
   static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
+
+  /// d(w_LB)/dt at a fixed attitude.
+  static Vec3<T> slowing(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {
+    const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
+    const bool earth = prediction == Prediction::rotating;
+    const Vec3<T> friction = times(model.I_BP_B_inverse, applied_torque_B(model, t, q_LB, w_LB_B, earth));
+    if (!earth) return body_equation<false, SceneKind::full>(model, {q_LB, w_LB_B}, field.reference_L).m + friction;
+    const Vec3<T> W_B = transposed_times(rotation_matrix(q_LB), model.W_IL_L);
+    const Motion<T> motion{q_LB, w_LB_B + W_B};
+    return body_equation<true, SceneKind::full>(model, motion, field.rotating_L).m + w_LB_B.cross(W_B) + friction;
+  }
+
+  /// The way that is left, in steps of a fifth of it, by Runge and Kutta's method: the attitude does not change on it, but the
+  /// direction of the rate may. A step errs by some 1e-5 of its length, which is 1e-13 of the time since the release. What is
+  /// left of the way in the end, a millionth, is a straight line.
+  static Stop end_of_motion(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, Vec3<T> w) {
+    constexpr double kStep = 0.2, kEnd = 1e-6;
+    constexpr int kMostSteps = 1000;
+    const T begin = norm(w);
+    if (!(begin > T(0))) return {prediction, t, T(0)};
+    const auto rate = [&](const Vec3<T>& at) { return slowing(prediction, model, t, q_LB, at); };
+    T gone = T(0);
+    for (int i = 0; i < kMostSteps && norm(w) > T(kEnd) * begin; ++i) {
+      const Vec3<T> k1 = rate(w);
+      const T h = T(kStep) * norm(w) / norm(k1);
+      if (!real::isfinite(h)) break;
+      const Vec3<T> k2 = rate(Vec3<T>(w + (h / T(2)) * k1)), k3 = rate(Vec3<T>(w + (h / T(2)) * k2));
+      const Vec3<T> k4 = rate(Vec3<T>(w + h * k3));
+      w += (h / T(6)) * (k1 + T(2) * k2 + T(2) * k3 + k4);
+      gone += h;
+    }
+    const T fall = -rate(w).dot(w) / norm(w);
+    if (!(fall > T(0))) return {prediction, t, T(0)};
+    return {prediction, t + gone + norm(w) / fall, fall};
+  }
 
   /// What friction has to hold in a motion at rest.
   static T other_torque(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB) {
@@ -60,7 +100,7 @@ class RestingMotions {
   static std::size_t index(Prediction prediction) { return prediction == Prediction::reference ? 0 : 1; }
 
   std::array<bool, 2> rests_ = {false, false};
-  std::vector<std::pair<Prediction, T>> stops_;
+  std::vector<Stop> stops_;
 };
 
 }  // namespace earthtop

@@ -2,18 +2,50 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
+#include "drift/flow_search.hpp"
 #include "drift/turn_counter.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 
 namespace earthtop {
 
-/// Sees every step: keeps the angles continuous, and notes when the axis drift first passes the threshold.
+/// What a watcher asks of a system that is integrated: its equations, in the variables that they have, and in those of another
+/// system where only that one has them written out (`flow`).
+template <class System>
+concept HasFlow = requires(const System& system, typename System::State x) {
+  system.flow(), system.flow_state(x);
+};
+template <class System>
+concept HasEquations = requires(const System& system, typename System::State x) {
+  system(x, x, x[0]);
+};
+
+/// Stands for the search where there are no equations to search with.
+struct NoSearch {};
+template <class T, class System>
+struct SearchOf {
+  using Type = NoSearch;
+};
+template <class T, HasEquations System>
+struct SearchOf<T, System> {
+  using Type = FlowSearch<T, System>;
+};
+template <class T, HasFlow System>
+struct SearchOf<T, System> {
+  using Type = FlowSearch<T, typename System::Flow>;
+};
+
+/// Sees every step: keeps the angles continuous, and finds when the axis drift first passes the threshold.
 template <class T, class System>
 class StepWatcher {
  public:
-  StepWatcher(System& system, const NaturalUnits& units, std::optional<double> threshold)
-      : system_(system), units_(units), threshold_(threshold) {}
+  using Search = typename SearchOf<T, System>::Type;
+
+  StepWatcher(System& system, const DriftProblem<T>& problem) : system_(system), units_(problem.units) {
+    if constexpr (!std::is_same_v<Search, NoSearch>)
+      if (problem.threshold_rad) search_.emplace(flow(system), T(*problem.threshold_rad), problem.fastest_rate);
+  }
 
   void operator()(T t, const typename System::State& x) {
     system_.follow(x);
@@ -21,7 +53,8 @@ class StepWatcher {
     const DriftPhases<T> phases = drift_phases(state);
     half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
     if (phases.azimuth_defined) azimuth_.follow(phases.azimuth_sine, phases.azimuth_cosine);
-    if (threshold_ && !threshold_time_s_) watch_threshold(real::scale(t, units_.time_exponent), measure_drift(state).axis);
+    if constexpr (!std::is_same_v<Search, NoSearch>)
+      if (search_) search_->follow(flow(system_), t, flow_state(x));
   }
 
   /// @param t  of the state, in natural units   @param t_s  the same as the scenario has it
@@ -36,25 +69,31 @@ class StepWatcher {
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
     return sample;
   }
-  std::optional<double> threshold_time_s() const { return threshold_time_s_; }
+  /// None where no threshold is asked for.
+  std::optional<ThresholdRecord<T>> threshold() const {
+    if constexpr (!std::is_same_v<Search, NoSearch>)
+      if (search_) return search_->record().in_seconds(units_.time_exponent);
+    return std::nullopt;
+  }
 
  private:
-  void watch_threshold(T t_s, T axis) {
-    if (axis >= T(*threshold_)) {
-      const T climb = axis - axis_before_;
-      const T part = climb > T(0) ? (T(*threshold_) - axis_before_) / climb : T(1);
-      threshold_time_s_ = static_cast<double>(t_before_s_ + part * (t_s - t_before_s_));
-    }
-    axis_before_ = axis;
-    t_before_s_ = t_s;
+  static decltype(auto) flow(const System& system) {
+    if constexpr (HasFlow<System>)
+      return system.flow();
+    else
+      return (system);
+  }
+  decltype(auto) flow_state(const typename System::State& x) const {
+    if constexpr (HasFlow<System>)
+      return system_.flow_state(x);
+    else
+      return (x);
   }
 
   System& system_;
   const NaturalUnits& units_;
-  std::optional<double> threshold_;
   TurnCounter<T> half_spin_, azimuth_;
-  T axis_before_ = T(0), t_before_s_ = T(0);
-  std::optional<double> threshold_time_s_;
+  std::optional<Search> search_;
 };
 
 }  // namespace earthtop

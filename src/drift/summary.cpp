@@ -36,6 +36,16 @@ std::optional<SecularDrift> fit_secular_drift(const std::vector<DriftRow>& rows)
 
 }  // namespace
 
+std::string_view to_string(ThresholdCrossing crossing) {
+  switch (crossing) {
+    case ThresholdCrossing::not_reached: break;
+    case ThresholdCrossing::clear: return "clear";
+    case ThresholdCrossing::tangential: return "tangential";
+    case ThresholdCrossing::uncertain: return "uncertain";
+  }
+  return "not_reached";
+}
+
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s) {
   DriftSummary summary;
   if (rows.empty()) return summary;

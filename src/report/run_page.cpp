@@ -77,6 +77,26 @@ std::string verdict_of(const Run& run) {
   return text;
 }
 
+/// When the drift passes the threshold asked for, and when motions come to rest.
+std::string events_of(const Run& run) {
+  const auto time = [](double t_s, const std::optional<double>& bound_s) {
+    return number_html(t_s, "s", 16) + (bound_s ? " ± " + number_html(*bound_s, "s", 2) : "");
+  };
+  std::string html;
+  if (const std::string crossing = run.word("/drift/threshold_crossing"); !crossing.empty()) {
+    html += fmt::format("<p>Threshold of {}: {}", number_html(run.number("/drift/threshold_rad").value_or(0), "rad"),
+                        escaped(crossing));
+    if (const auto passed = run.number("/drift/threshold_time_s"))
+      html += ", passed at " + time(*passed, run.number("/drift/threshold_time_bound_s"));
+    html += ".</p>\n";
+  }
+  for (std::size_t i = 0; const auto stop = run.number(fmt::format("/stops/{}/t_s", i)); ++i)
+    html += fmt::format("<p>The {} prediction comes to rest at {}.</p>\n",
+                        run.word(fmt::format("/stops/{}/prediction", i)) == "rotating" ? "rotating" : "non-rotating",
+                        time(*stop, run.number(fmt::format("/stops/{}/bound_s", i))));
+  return html;
+}
+
 Figure axis_figure(const Run& run) {
   return {"Angle between the two spin axes",
           "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
@@ -297,7 +317,8 @@ Report run_page(const std::filesystem::path& directory) {
   page.section(
       "drift", "Drift",
       page.chart("axis", axis_figure(run), "The angle between the two axes, and the bound on its error." + thinned) +
-          page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line."));
+          page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line.") +
+          events_of(run));
   page.section("sphere", "Path of the axis", kSphere);
   page.section("motion", "The top in motion", kAnimation);
   page.section("torques", "Torques", ledger_section(run, page));

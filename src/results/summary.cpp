@@ -92,7 +92,9 @@ Json drift_json(const RunResult& result) {
                {"secular", std::move(secular)},
                {"oscillation", std::move(oscillation)},
                {"threshold_rad", or_null(threshold_rad)},
-               {"threshold_time_s", or_null(drift.threshold_time_s)}};
+               {"threshold_time_s", or_null(drift.threshold_time_s)},
+               {"threshold_time_bound_s", or_null(drift.threshold_time_bound_s)},
+               {"threshold_crossing", drift.threshold_crossing ? Json(to_string(*drift.threshold_crossing)) : Json()}};
   if (const auto digits = drift_digits(result))
     json["digits"] = {{"axis_final_rad", digits->axis_final_rad},
                       {"axis_max_rad", digits->axis_max_rad},
@@ -122,7 +124,9 @@ Json motion_json(const RunResult& result) {
 Json stops_json(const std::vector<StopEvent>& stops) {
   Json list = Json::array();
   for (const StopEvent& stop : stops)
-    list.push_back({{"prediction", stop.prediction == Prediction::rotating ? "rotating" : "non_rotating"}, {"t_s", stop.t_s}});
+    list.push_back({{"prediction", stop.prediction == Prediction::rotating ? "rotating" : "non_rotating"},
+                    {"t_s", stop.t_s},
+                    {"bound_s", or_null(stop.bound_s)}});
   return list;
 }
 

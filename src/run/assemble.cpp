@@ -9,6 +9,7 @@
 
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
+#include "run/event_bounds.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
 #include "run/verdict.hpp"
@@ -127,11 +128,14 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
   if (stop) return stopped(std::move(result), reached_s);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
-  result.drift.threshold_time_s = made.first.threshold_time_s;
-  result.stops = made.first.stops;
+  if (scenario.threshold_rad) assess_threshold(made, *scenario.threshold_rad, safety, result.drift);
+  result.stops = assess_stops(made, safety);
   if (stop) return stopped(std::move(result), reached_s);
   result.verdict = assess_verdict(result, stop);
   mark_rows(result);
+  // What rounding has made of a motion by then, no two integrations show.
+  if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s)
+    result.drift.threshold_crossing = ThresholdCrossing::uncertain, result.drift.threshold_time_bound_s.reset();
   if (stop) return stopped(std::move(result), reached_s);
   if (has_drift(result)) {
     result.sensitivities = assess_sensitivities(result, stop);

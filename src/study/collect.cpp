@@ -45,7 +45,7 @@ std::string first_message(const ScenarioReport& report) {
 }  // namespace
 
 bool is_known_at_the_end(std::string_view path) {
-  constexpr std::array<std::string_view, 15> kPaths = {"name",
+  constexpr std::array<std::string_view, 17> kPaths = {"name",
                                                        "title",
                                                        "outcome.status",
                                                        "outcome.reached_s",
@@ -59,6 +59,8 @@ bool is_known_at_the_end(std::string_view path) {
                                                        "drift.axis_final_over_earth_angle",
                                                        "drift.verdict",
                                                        "drift.threshold_time_s",
+                                                       "drift.threshold_time_bound_s",
+                                                       "drift.threshold_crossing",
                                                        "attitude_bound_rad"};
   if (std::find(kPaths.begin(), kPaths.end(), path) != kPaths.end()) return true;
   for (const std::string_view front :

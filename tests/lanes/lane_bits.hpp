@@ -41,7 +41,7 @@ inline std::vector<std::uint64_t> bits_of(const DriftTrajectory<double>& traject
   Bits bits;
   bits.add(trajectory.status);
   bits.add(trajectory.counters);
-  bits.add(trajectory.threshold_time_s.value_or(-1));
+  bits.add(trajectory.threshold ? trajectory.threshold->time_s().value_or(-1) : -1);
   for (const DriftSample<double>& sample : trajectory.samples) {
     const DriftState<double>& s = sample.state;
     bits.add(s.t_s), bits.add(s.q_LB), bits.add(s.w_LB_B), bits.add(s.ref_q_LB), bits.add(s.ref_w_LB_B);

@@ -121,9 +121,14 @@ TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
     for (const auto* lanes : {&laboratory[i], &inertial[i]}) {
       ASSERT_EQ(lanes->status, RunStatus::completed);
       ASSERT_EQ(lanes->samples.size(), scalar.samples.size());
-      ASSERT_EQ(lanes->threshold_time_s.has_value(), scalar.threshold_time_s.has_value());
-      if (scalar.threshold_time_s) {
-        EXPECT_NEAR(*lanes->threshold_time_s, *scalar.threshold_time_s, 0.1 * problems[i].times_s.back());
+      ASSERT_EQ(lanes->threshold.has_value(), scalar.threshold.has_value());
+      if (scalar.threshold) {
+        const auto &passing = lanes->threshold->passing, &expected = scalar.threshold->passing;
+        ASSERT_EQ(passing.has_value(), expected.has_value());
+        // The drifts' slack, as time; and the rounding of the time.
+        if (expected) {
+          EXPECT_NEAR(passing->t, expected->t, slack / expected->rate + 1e-13 * expected->t);
+        }
       }
       for (std::size_t row = 0; row < scalar.samples.size(); ++row) {
         const auto &got = lanes->samples[row], &expected = scalar.samples[row];

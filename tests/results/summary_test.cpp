@@ -48,6 +48,8 @@ TEST(Summary, HoldsTheRestOfTheResult) {
   EXPECT_EQ(drift.at("/oscillation/azimuth_rad"_json_pointer).get<double>(), 2e-4);
   EXPECT_TRUE(drift.at("threshold_rad").is_null());
   EXPECT_TRUE(drift.at("threshold_time_s").is_null());
+  EXPECT_TRUE(drift.at("threshold_time_bound_s").is_null());
+  EXPECT_TRUE(drift.at("threshold_crossing").is_null());
   EXPECT_EQ(summary.at("/outcome/status"_json_pointer), "completed");
   EXPECT_EQ(summary.at("/outcome/reached_s"_json_pointer), 60.0);
   EXPECT_EQ(summary.at("/outcome/rows"_json_pointer), 201);
@@ -60,6 +62,23 @@ TEST(Summary, HoldsTheRestOfTheResult) {
   EXPECT_EQ(summary.at("/theory/0/predicted"_json_pointer).get<double>(), -5.156e-5);
   EXPECT_EQ(summary.at("/theory/0/computed"_json_pointer).get<double>(), -5.15e-5);
   EXPECT_EQ(summary.at("/notes/0"_json_pointer), "made up");
+}
+
+TEST(Summary, TimesOfEventsHaveTheirBounds) {
+  RunResult result = made_up_run();
+  result.scenario.threshold_rad = 1e-3;
+  result.drift.threshold_time_s = 12.5;
+  result.drift.threshold_time_bound_s = 3e-9;
+  result.drift.threshold_crossing = ThresholdCrossing::clear;
+  result.stops = {{Prediction::rotating, 40.0, 2.0, 1e-8}, {Prediction::reference, 41.0, 2.0, std::nullopt}};
+  const json summary = summary_of(result);
+  EXPECT_EQ(summary.at("/drift/threshold_time_s"_json_pointer), 12.5);
+  EXPECT_EQ(summary.at("/drift/threshold_time_bound_s"_json_pointer), 3e-9);
+  EXPECT_EQ(summary.at("/drift/threshold_crossing"_json_pointer), "clear");
+  EXPECT_EQ(summary.at("/stops/0/bound_s"_json_pointer), 1e-8);
+  EXPECT_TRUE(summary.at("/stops/1/bound_s"_json_pointer).is_null());
+  result.drift.threshold_crossing = ThresholdCrossing::tangential;
+  EXPECT_EQ(summary_of(result).at("/drift/threshold_crossing"_json_pointer), "tangential");
 }
 
 TEST(Summary, AbsentValuesAreNull) {

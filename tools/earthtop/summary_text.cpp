@@ -142,10 +142,18 @@ void write_drift(Page& page, const RunResult& result) {
   if (last != &result.rows.back()) page.line("  later rows are written, marked as not reliable");
 }
 
+/// As many digits as the bound leaves, and one more.
+std::string time_with_bound(double t_s, const std::optional<double>& bound_s) {
+  if (!bound_s || !(*bound_s > 0)) return fmt::format("{:.9g} s", t_s);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(*bound_s))) + 1, 0, 17);
+  return fmt::format("{:.{}f} ± {:.1e} s", t_s, decimals, *bound_s);
+}
+
 void write_stops(Page& page, const RunResult& result) {
   for (const StopEvent& stop : result.stops)
-    page.entry("At rest", fmt::format("the {} prediction, by dry friction, at t = {:.9g} s",
-                                      stop.prediction == Prediction::rotating ? "rotating" : "non-rotating", stop.t_s));
+    page.entry("At rest", fmt::format("the {} prediction, by dry friction, at t = {}",
+                                      stop.prediction == Prediction::rotating ? "rotating" : "non-rotating",
+                                      time_with_bound(stop.t_s, stop.bound_s)));
   if (result.stops.size() == 1) page.entry("", page.warning("the other one moves on: later rows are marked as not reliable"));
 }
 
@@ -169,6 +177,29 @@ void write_choice(Page& page, const RunResult& result) {
   }
 }
 
+void write_threshold(Page& page, const RunResult& result) {
+  const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
+  if (!crossing || !result.scenario.threshold_rad) return;
+  const std::optional<double>& time = result.drift.threshold_time_s;
+  const std::string threshold = fmt::format("{} rad ", *result.scenario.threshold_rad);
+  const std::string computed = time ? fmt::format(", as computed at t = {:.9g} s", *time) : ", as computed not passed";
+  switch (*crossing) {
+    case ThresholdCrossing::not_reached: page.entry("Threshold", threshold + "not reached"); break;
+    case ThresholdCrossing::clear:
+      page.entry("Threshold", fmt::format("{}passed at t = {}", threshold,
+                                          time_with_bound(time.value_or(0), result.drift.threshold_time_bound_s)));
+      break;
+    case ThresholdCrossing::tangential:
+      page.entry("Threshold", page.warning(threshold + "only touched" + computed));
+      page.entry("", page.warning("the drift turns back within its error of it: whether and when it passes is not known"));
+      break;
+    case ThresholdCrossing::uncertain:
+      page.entry("Threshold", page.warning(threshold + "passed or not" + computed));
+      page.entry("", page.warning("within the error of the drift until the run ends, or beyond what its bound can tell"));
+      break;
+  }
+}
+
 void write_trend(Page& page, const RunResult& result) {
   if (const auto secular = reliable_drift(result).secular) {
     page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise",
@@ -184,10 +215,7 @@ void write_trend(Page& page, const RunResult& result) {
     page.entry("Theory", fmt::format("{}: {:.6g} {} predicted, {:.6g} computed", spoken(report.name), report.predicted,
                                      report.unit, report.computed));
   }
-  if (const auto& time = result.drift.threshold_time_s)
-    page.entry("Threshold", fmt::format("{} rad passed at t = {:.9g} s", result.scenario.threshold_rad.value_or(0), *time));
-  else if (result.scenario.threshold_rad)
-    page.entry("Threshold", fmt::format("{} rad not reached", *result.scenario.threshold_rad));
+  write_threshold(page, result);
   for (const InvariantReport& invariant : result.invariants) {
     const bool relative = invariant.scale > 0;
     page.entry("Conserved", fmt::format("{} to {:.1e}{}{}", spoken(invariant.name),

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "earthtop/real.hpp"
@@ -42,6 +43,15 @@ struct SecularDrift {
   double mean_precession_rate_change_rad_s = 0;  ///< counterclockwise about Up: minus the azimuth rate
 };
 
+/// Whether the axis drift passes a threshold, in view of the error of the drift.
+enum class ThresholdCrossing {
+  not_reached,
+  clear,       ///< it passes, and its error moves the time by no more than is said
+  tangential,  ///< it turns back so near to the threshold that within its error it passes, or does not, or another time
+  uncertain    ///< the run ends too near to the threshold to tell, or the error is no smaller than the threshold
+};
+std::string_view to_string(ThresholdCrossing crossing);
+
 /// A run's drift in a few numbers. Bounds are the largest of all rows.
 struct DriftSummary {
   double axis_final_rad = 0;
@@ -52,12 +62,14 @@ struct DriftSummary {
   double spin_final_rad = 0;
   std::optional<double> azimuth_final_rad;
   double tilt_final_rad = 0;
-  std::optional<double> axis_final_over_earth_angle;  ///< axis_final / (|Omega| t)
-  std::optional<SecularDrift> secular;                ///< none where fewer than three rows have an azimuth
-  std::optional<double> threshold_time_s;             ///< when drift_axis_rad first passes the threshold asked for
+  std::optional<double> axis_final_over_earth_angle;    ///< axis_final / (|Omega| t)
+  std::optional<SecularDrift> secular;                  ///< none where fewer than three rows have an azimuth
+  std::optional<double> threshold_time_s;               ///< when drift_axis_rad first passes the threshold asked for
+  std::optional<double> threshold_time_bound_s;         ///< bound on the error of that; none but for a clear crossing
+  std::optional<ThresholdCrossing> threshold_crossing;  ///< none where no threshold is asked for
 };
 
-/// Summarises the rows; `threshold_time_s` is left to the integration, which sees every step.
+/// Summarises the rows; the threshold is left to the integrations, which see every step.
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s);
 
 }  // namespace earthtop

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "earthtop/drift/deviation.hpp"
+#include "earthtop/drift/threshold.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
 
 namespace earthtop {
@@ -86,6 +87,8 @@ enum class Prediction { reference, rotating };
 struct StopEvent {
   Prediction prediction = Prediction::reference;
   double t_s = 0;
+  double slowing_rad_s2 = 0;        ///< how fast its rate fell at the end
+  std::optional<double> bound_s{};  ///< on the error of the time; none where the second integration knows of no such stop
 };
 
 template <class T>
@@ -93,10 +96,10 @@ struct DriftTrajectory {
   RunStatus status = RunStatus::completed;
   std::vector<DriftSample<T>> samples;
   StepCounters counters;
-  std::optional<double> step_s;            ///< of a fixed-step method, as taken in the first interval
-  std::vector<StopEvent> stops;            ///< ascending in time
-  std::optional<double> threshold_time_s;  ///< axis drift first above the threshold, linear within a step
-  std::optional<KickSteps> kick_steps;     ///< those that long_horizon found last
+  std::optional<double> step_s;                 ///< of a fixed-step method, as taken in the first interval
+  std::vector<StopEvent> stops;                 ///< ascending in time
+  std::optional<ThresholdRecord<T>> threshold;  ///< in seconds; where a threshold is asked for
+  std::optional<KickSteps> kick_steps;          ///< those that long_horizon found last
 };
 
 /// @param stop  set from outside to end early with RunStatus::interrupted; may be null.

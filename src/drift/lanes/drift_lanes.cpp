@@ -97,6 +97,7 @@ class InertialBodyDrift {
   static constexpr std::size_t kSize = lanes::kInertialBodyDriftVariables;
   static constexpr int kVariables = lanes::kInertialBodyDriftVariables;
   using State = std::array<double, kSize>;
+  using Flow = Outer;
   static constexpr auto groups() {
     constexpr auto body = BodyDrift::groups();
     return std::array<ComponentGroup, 7>{{body[0], body[1], body[2], body[3], {14, 3, 1e-3}, {17, 3, 1e-3}, {20, 3, 1e-3}}};
@@ -115,6 +116,9 @@ class InertialBodyDrift {
   }
   double largest_step() const { return 0; }
   void follow(const State&) {}
+  /// What the search for a threshold integrates.
+  const Flow& flow() const { return outer_; }
+  Flow::State flow_state(const State& x) const { return in_outer_axes(x); }
   DriftState<double> shared_state(const State& x, double t) const { return outer_.shared_state(in_outer_axes(x), t); }
   DriftState<double> deviation_state(const State& x, double t) const { return outer_.deviation_state(in_outer_axes(x), t); }
   template <class Put>
@@ -154,7 +158,7 @@ class DriftPoint {
              DriftTrajectory<double>& trajectory)
       : problem_(problem),
         system_(problem),
-        watcher_(system_, problem.units, problem.threshold_rad),
+        watcher_(system_, problem),
         times_(natural_times(problem)),
         drive_(drive_options(problem, options, stop)),
         trajectory_(trajectory) {
@@ -176,7 +180,7 @@ class DriftPoint {
   void finish(RunStatus status, const StepCounters& counters) {
     trajectory_.status = status;
     trajectory_.counters = counters;
-    trajectory_.threshold_time_s = watcher_.threshold_time_s();
+    trajectory_.threshold = watcher_.threshold();
   }
 
  private:

@@ -1,0 +1,190 @@
+/// Finds when the axis drift first passes a threshold, from looks at it that lie some part of a turn apart, and from further
+/// ones between them wherever the drift might have passed unseen.
+#pragma once
+
+#include <algorithm>
+
+#include "drift/close_in.hpp"
+#include "earthtop/drift/drift_integration.hpp"
+
+namespace earthtop {
+
+/// A look from the states at a time and shortly before and after it.
+template <class T>
+AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before, const DriftState<T>& after, T apart) {
+  const DriftMeasures<T> m = measure_drift(at), m_before = measure_drift(before), m_after = measure_drift(after);
+  AxisLook<T> look;
+  look.t = t;
+  look.axis = m.axis;
+  look.rate = (m_after.axis - m_before.axis) / apart;
+  look.difference = at.epsilon * m.axis_difference_L_scaled;
+  look.difference_rate = (at.epsilon / apart) * (m_after.axis_difference_L_scaled - m_before.axis_difference_L_scaled);
+  return look;
+}
+
+/// A look that says no more than the drift itself.
+template <class T>
+AxisLook<T> axis_look(T t, const DriftState<T>& at) {
+  AxisLook<T> look;
+  look.t = t;
+  look.axis = measure_drift(at).axis;
+  return look;
+}
+
+template <class T>
+class ThresholdWatch {
+ public:
+  /// @param motion_rate  of the fastest part of the motion (rad per unit of time), roughly
+  ThresholdWatch(T threshold, T motion_rate) : threshold_(threshold), motion_rate_(motion_rate) {}
+
+  /// Goes on to the next look. @param look_at  gives the look at a time between this one and the last
+  template <class LookAt>
+  void follow(const AxisLook<T>& next, LookAt&& look_at) {
+    if (!started_) {
+      started_ = true;
+    } else if (!record_.passing) {
+      fastest_ = std::max({fastest_, norm(last_.difference_rate), norm(next.difference_rate)});
+      looks_left_ = std::min(looks_left_ + kLooksAStep, kMostLooks);
+      search(AxisLook<T>(last_), next, look_at, 0);
+    }
+    note(next);
+    last_ = next;
+  }
+  /// A look could not be had: what it showed is not the drift.
+  void look_failed() { record_.unresolved = true; }
+  const ThresholdRecord<T>& record() const { return record_; }
+  /// Whether the drift has passed: from then on looks need no rates.
+  bool has_passed() const { return record_.passing.has_value(); }
+  /// Whether all that is told of the passing is known.
+  bool done() const { return record_.passing && next_beyond_ < 0; }
+
+ private:
+  /// The longest piece in which the drift is taken for a cubic: its error is then A 0.3^4/384, 2e-5 of an oscillation A.
+  static constexpr double kFine = 0.3;
+  /// More halvings than any piece of a run takes to become fine. And of looks so many at once, and so many a step for good:
+  /// more than a passing takes, and few enough where the drift stays beside the threshold for the whole run.
+  static constexpr int kMostHalvings = 60, kMostLooks = 20'000, kLooksAStep = 8;
+
+  static T parts(int k) { return real::scale(T(1), -k); }
+
+  void note(const AxisLook<T>& look) {
+    record_.last_t = look.t;
+    const T axis = look.axis;
+    if (!record_.passing) {
+      if (axis < record_.highest) record_.turned_back = std::max(record_.turned_back, record_.highest);
+      record_.highest = std::max(record_.highest, axis);
+    } else if (axis < threshold_) {
+      record_.fell_after = true;
+    }
+    for (; next_within_ < record_.kParts && (record_.passing || axis >= threshold_ * (T(1) - parts(next_within_)));
+         ++next_within_)
+      record_.within[static_cast<std::size_t>(next_within_)] = last_.t;
+    for (; next_beyond_ >= 0 && axis >= threshold_ * (T(1) + parts(next_beyond_)); --next_beyond_)
+      record_.beyond[static_cast<std::size_t>(next_beyond_)] = look.t;
+  }
+
+  /// Hermite's cubic through two looks, at the part s of the way.
+  static T cubic(const AxisLook<T>& p, const AxisLook<T>& q, T s) {
+    const T h = q.t - p.t, r = T(1) - s;
+    return r * r * ((T(1) + T(2) * s) * p.axis + s * h * p.rate) + s * s * ((T(3) - T(2) * s) * q.axis - r * h * q.rate);
+  }
+  /// The largest value of that cubic, from values close together: no more is asked of it than which pieces to look into.
+  static T cubic_top(const AxisLook<T>& p, const AxisLook<T>& q) {
+    T top = std::max(p.axis, q.axis);
+    for (int i = 1; i < 16; ++i) top = std::max(top, cubic(p, q, T(i) / T(16)));
+    return top;
+  }
+
+  /// @returns whether the drift passes between p, where it is below the threshold, and q
+  template <class LookAt>
+  bool search(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at, int halvings) {
+    const T h = q.t - p.t, turned = motion_rate_ * h;
+    if (!(h > T(0))) return false;
+    // How far the drift may lie above the cubic; of a long piece, above its ends.
+    const bool long_piece = turned > T(2);
+    const T reach = T(2) * fastest_ * h, above = long_piece ? reach : reach * turned * turned * turned / T(64);
+    const T top = long_piece ? std::max(p.axis, q.axis) : cubic_top(p, q);
+    if (top + above < threshold_) return false;
+    const bool may_halve = halvings < kMostHalvings && looks_left_ > 0;
+    if (may_halve) {
+      const AxisLook<T> middle = look(look_at, p.t + h / T(2));
+      const bool is_cubic = real::abs(middle.axis - cubic(p, q, T(1) / T(2))) <= T(1e-3) * reach;
+      if (turned > T(kFine) || !is_cubic) {
+        if (search(p, middle, look_at, halvings + 1)) return true;
+        note_before(middle);
+        return search(middle, q, look_at, halvings + 1);
+      }
+    } else if (turned > T(kFine)) {
+      record_.unresolved = true;
+    }
+    return search_resolved(p, q, look_at);
+  }
+
+  template <class LookAt>
+  bool search_resolved(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at) {
+    if (q.axis >= threshold_) {
+      pass(p, q, look_at);
+      return true;
+    }
+    if (!(p.rate > T(0) && q.rate < T(0))) return false;
+    // The drift turns back between the two: passes, and returns, or touches, or stays below.
+    AxisLook<T> top = p;
+    const auto rate_at = [&](T t) {
+      const AxisLook<T> there = look(look_at, t);
+      if (there.axis > top.axis) top = there;
+      return there.rate;
+    };
+    close_in(p.t, p.rate, q.t, q.rate, rate_at, [&] { return top.axis >= threshold_; });
+    if (top.axis >= threshold_) {
+      pass(p, top, look_at);
+      record_.fell_after = true;
+      return true;
+    }
+    record_.highest = std::max(record_.highest, top.axis);
+    record_.turned_back = std::max(record_.turned_back, record_.highest);
+    return false;
+  }
+
+  /// The passing itself, between p below and q at or above the threshold.
+  template <class LookAt>
+  void pass(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at) {
+    AxisLook<T> above = q;
+    const auto excess_at = [&](T t) -> T {
+      const AxisLook<T> there = look(look_at, t);
+      if (there.axis >= threshold_ && there.t < above.t) above = there;
+      return there.axis - threshold_;
+    };
+    close_in(p.t, T(p.axis - threshold_), q.t, T(q.axis - threshold_), excess_at, [] { return false; });
+    // What is left between that look and the passing, by the drift's rate.
+    if (above.rate > T(0)) above.t = std::max(p.t, above.t - (above.axis - threshold_) / above.rate);
+    note_before(p);
+    record_.highest = std::max(record_.highest, p.axis);
+    record_.passing = above;
+    record_.curvature = (q.rate - p.rate) / (q.t - p.t);
+    record_.resolved = q.t - p.t;
+    last_ = p;
+  }
+  /// A look within the search, on the way to what comes later.
+  void note_before(const AxisLook<T>& look) {
+    if (look.t <= last_.t) return;
+    note(look);
+    last_ = look;
+  }
+  template <class LookAt>
+  AxisLook<T> look(LookAt&& look_at, T t) {
+    --looks_left_;
+    const AxisLook<T> there = look_at(t);
+    fastest_ = std::max(fastest_, norm(there.difference_rate));
+    return there;
+  }
+
+  T threshold_, motion_rate_;
+  bool started_ = false;
+  AxisLook<T> last_;
+  T fastest_ = T(0);  ///< the largest rate of the difference of the axes so far
+  int looks_left_ = kMostLooks;
+  ThresholdRecord<T> record_;
+  int next_within_ = 0, next_beyond_ = ThresholdRecord<T>::kParts - 1;
+};
+
+}  // namespace earthtop
