@@ -30,6 +30,7 @@ struct GrowthReport {
   /// gravity's direction and of rate / w0. Next to 0 for an equilibrium and a steady turn.
   double departure = 0;
   bool completed = false;
+  StepCounters counters;
 
   /// When the growth first passed exp(log_growth).
   std::optional<double> passes_s(double log_growth) const;
