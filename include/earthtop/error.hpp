@@ -69,7 +69,7 @@ enum class RunStatus {
   not_finite,      ///< a right-hand side or a state stopped being a finite number
   step_underflow,  ///< the step fell below what the time can resolve
   not_converged,   ///< the iteration of an implicit method did not come to rest: its step is too long
-  step_limit,      ///< more steps than the limit allows
+  step_limit,      ///< more steps than the limit allows, or ten times the work estimated
   interrupted,     ///< asked to stop from outside
 };
 

@@ -17,6 +17,7 @@ struct IntegrationReport {
   ModelForm form = ModelForm::general;  ///< the one taken
   Method method = Method::rkf78;
   std::string reason;  ///< why this method
+  RunStatus status = RunStatus::completed;
   std::string precision = "double";
   double relative_tolerance = 0;  ///< 0 of a closed form
   std::optional<double> step_s;   ///< fixed-step methods: the step taken
@@ -123,6 +124,9 @@ struct RunResult {
 
 /// Whether there is a row beyond the release: without one nothing is known of the drift.
 bool has_drift(const RunResult& result);
+
+/// Which integration took more steps than it may; empty where none did.
+std::string why_limited(const RunResult& result);
 
 /// The last row before the verdict's time; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);

@@ -95,7 +95,7 @@ double estimated_seconds_of(Scenario scenario, const Recipe& recipe, double tole
   scenario.precision = precision;
   constexpr std::size_t kRows = 60;
   scenario.output_step_s = scenario.duration_s / kRows;
-  return estimated_seconds(scenario) / 2;  // one integration
+  return estimated_seconds(scenario, method_choice(scenario).options);
 }
 
 }  // namespace

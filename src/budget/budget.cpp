@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "budget/candidates.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scenario/input_derivatives.hpp"
+#include "scenario/pace.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -20,7 +22,8 @@ constexpr double kBeforeFrictionStops = 0.9;
 
 /// How far the motion is followed: to its end, to where its cost ends it, or until dry friction is about to stop it.
 double followed_time(const Scenario& scenario, const DriftProblem<double>& problem) {
-  double time_s = std::min(scenario.duration_s, kFollowedPhase / fastest_rate_rad_s(scenario));
+  const double damping_rate = pace_of(scenario).damping / scenario.duration_s;
+  double time_s = std::min(scenario.duration_s, kFollowedPhase / std::max(fastest_rate_rad_s(scenario), damping_rate));
   if (const double coulomb = scenario.effects.applied.coulomb_N_m; coulomb > 0) {
     const auto body = make_body<double>(scenario.body);
     const double momentum = norm(Vec3<double>(times(body.I_BP_B, problem.release.w_XB_B)));
@@ -40,7 +43,7 @@ double in_newton_metres(double torque, const NaturalUnits& units) {
 }
 
 std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const DriftProblem<double>& problem, double time_s,
-                           double& drift_rad, double& reached_s, const std::atomic<bool>* stop) {
+                           double& drift_rad, double& reached_s, RunStatus& status, const std::atomic<bool>* stop) {
   std::vector<Sized> sized(candidates.size());
   std::vector<ProblemDerivative> inputs;
   inputs.reserve(candidates.size());
@@ -56,7 +59,8 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
   };
   const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, stop, on_step);
   reached_s = real::scale(end, problem.units.time_exponent);
-  drift_rad = drift.axis.value;
+  status = drift.status;
+  drift_rad = status == RunStatus::completed ? drift.axis.value : std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < drift.responses.size(); ++i) sized[i].responses = drift.responses[i];
   return sized;
 }
@@ -82,15 +86,16 @@ EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const Natur
 }
 
 /// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
-/// within a minute; in proportion to the time elsewhere.
+/// within half a minute; in proportion to the time elsewhere.
 double drift_growth(Scenario scenario, DriftProblem<double> problem, double followed_s, double in_proportion) {
-  constexpr double kAffordable_s = 60;
+  constexpr double kAffordable_s = 30;
   if (!(followed_s > 0) || !(followed_s < scenario.duration_s)) return 1;
   if (scenario.precision != Precision::bits53) {
     scenario.precision = Precision::bits53;
     scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
   }
-  if (estimated_seconds(scenario) > kAffordable_s || method_refusal(scenario.numerics.method, scenario)) return in_proportion;
+  if (method_refusal(scenario.numerics.method, scenario)) return in_proportion;
+  if (estimated_seconds(scenario, method_choice(scenario).options) > kAffordable_s) return in_proportion;
   problem.times_s = {0, followed_s, scenario.duration_s};
   const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options);
   if (drift.samples.size() < 3 || !(drift.samples[1].measures.axis > 0)) return in_proportion;
@@ -153,7 +158,9 @@ Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
   const std::vector<Candidate> candidates = effect_candidates(scenario, problem);
   const double time_s = followed_time(scenario, problem);
   Budget budget;
-  const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, stop);
+  RunStatus status = RunStatus::completed;
+  const std::vector<Sized> sized =
+      size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, status, stop);
   const double later = budget.followed_s > 0 ? scenario.duration_s / budget.followed_s : 1;
   const double drift_later = drift_growth(scenario, problem, budget.followed_s, later);
   budget.earth_drift_rad *= drift_later;
@@ -161,6 +168,9 @@ Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
     budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later, drift_later));
   for (EffectEntry& entry : effects_of_unknown_size(scenario)) budget.effects.push_back(std::move(entry));
   budget.warnings = warnings_of(budget.effects);
+  if (status != RunStatus::completed)
+    budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",
+                                          budget.followed_s, to_string(status)));
   add_inputs(scenario, problem, budget.followed_s, later, drift_later, stop, budget);
   return budget;
 }

@@ -7,6 +7,7 @@
 #include "drift/stability.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
+#include "scenario/pace.hpp"
 
 namespace earthtop {
 namespace {
@@ -31,7 +32,7 @@ void switch_on(Scenario& scenario, std::string_view name) {
 std::vector<double> changes_of(const Scenario& scenario, const Problem& problem, const std::vector<Candidate>& candidates,
                                const std::atomic<bool>* stop) {
   std::vector<double> changes(candidates.size(), HUGE_VAL);
-  const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
+  const double phase = std::max(fastest_rate_rad_s(scenario) * scenario.duration_s, pace_of(scenario).damping);
   const bool regular = is_regular(problem);
   if (!regular && phase > kLongestPhase) return changes;
   const double share = regular ? std::min(1.0, kRegularPhase / phase) : 1;

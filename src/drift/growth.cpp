@@ -21,8 +21,9 @@ using State = std::array<double, kSize>;  // q, w, then theta and dw of each dis
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
-constexpr double kToldApart = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
-constexpr long kStepLimit = 50'000'000;
+constexpr double kToldApart = 2;    // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr std::int64_t kStepLimit = 50'000'000;
+constexpr int kStages = 13;         // of Fehlberg's method of order 8
 constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
 
 Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
@@ -238,16 +239,22 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance);
   GrowthReport report;
   double t = 0, dt = std::min(end, 0.1 / rate);
-  long steps = 0;
-  for (; t < end && steps < kStepLimit; ++steps) {
+  const WorkLimit limit = variational_limit(problem, duration_s, tolerance);
+  const std::int64_t most = std::min(kStepLimit, limit.steps);
+  std::int64_t steps = 0;
+  StepCounters& counters = report.counters;
+  for (; t < end && steps < most; ++steps) {
     if (stop != nullptr && *stop) return report;
     dt = std::min(dt, end - t);
     if (model.applied.coulomb != 0 && dt < std::min(kTurning / rate, end - t)) return report;
     const double before = t;
+    counters.evaluations += kStages;
     if (stepper.try_step(Variations<kEarth, K>{&model}, x, t, dt) == odeint::fail) {
+      ++counters.rejected;
       if (!(t + dt > t)) return report;
       continue;
     }
+    ++counters.accepted;
     const double log_growth = follower.include(x);
     if (!std::isfinite(log_growth)) return report;
     const Motion<double> motion = motion_in(x);
@@ -263,7 +270,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }
-  report.completed = steps < kStepLimit;
+  report.completed = steps < most;
   return report;
 }
 

@@ -175,6 +175,12 @@ class LongHorizonDrift {
     if (counters_.accepted > options_.step_limit) trajectory_status_ = RunStatus::step_limit;
     return trajectory_status_ == RunStatus::completed;
   }
+  /// Whether so many steps to the next row are within the limit.
+  bool has_room_for(T steps) {
+    if (static_cast<T>(counters_.accepted) + steps > static_cast<T>(options_.step_limit))
+      trajectory_status_ = RunStatus::step_limit;
+    return trajectory_status_ == RunStatus::completed;
+  }
   static bool finite(const Pair& p) {
     return real::isfinite(p.e_w + p.y.sum() + p.across.re + p.across.im + p.ref_q_LF.w + p.ref_across.re + p.ref_across.im);
   }
@@ -187,6 +193,7 @@ class LongHorizonDrift {
     for (std::size_t i = 0; i < times_.size() && goes_on(); ++i) {
       if (i > 0) {
         const T begin = times_[i - 1];
+        if (!has_room_for((times_[i] - begin) / plan.step)) return;
         walk.advance(times_[i] - begin, looks_every,
                      [&](T since, const TiltedTopState<T>& x) { look(begin + since, pair(x, top, begin + since, epsilon)); });
       }

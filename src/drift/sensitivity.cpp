@@ -309,7 +309,13 @@ void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::siz
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
   const double end = problem.units.time_from_s(time_s);
   double t = 0, dt = std::min(end, 0.1 / problem.fastest_rate);
+  const std::int64_t before = result.counters.accepted + result.counters.rejected;
+  const std::int64_t most = variational_limit(problem, time_s, relative_tolerance).steps;
   while (t < end) {
+    if (result.counters.accepted + result.counters.rejected - before >= most) {
+      result.status = RunStatus::step_limit;
+      return;
+    }
     if (stop != nullptr && *stop) {
       result.status = RunStatus::interrupted;
       return;

@@ -10,6 +10,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/integrate/pace.hpp"
 
 namespace earthtop {
 
@@ -25,6 +26,7 @@ struct DriveOptions {
   bool fixed_step_given = true;  ///< or else the method may find one that meets the tolerance
   Composition composition = Composition::automatic;
   std::int64_t step_limit = 0;
+  WorkLimit limit = {};  ///< by the work estimated
   const std::atomic<bool>* stop = nullptr;
   std::vector<T> joints = {};  ///< ascending; times at which the equations have no higher derivatives: steps end there
 };
@@ -102,13 +104,14 @@ constexpr bool is_bound_only() {
     return false;
 }
 
-/// Whether another step may be taken. Ends at the step limit, and as soon as a million steps have come so little forward that
-/// the limit is out of reach of the end.
+/// Whether another step may be taken. Ends at the limits, rejected steps counted, and as soon as a million steps have come so
+/// little forward that the limit is out of reach of the end.
 template <class T>
 RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters, T now, T begin, T end) {
   constexpr std::int64_t kReview = 1'000'000;
   const std::int64_t steps = counters.accepted + counters.rejected;
-  if (steps >= options.step_limit) return RunStatus::step_limit;
+  if (steps >= std::min(options.step_limit, options.limit.steps) || counters.evaluations >= options.limit.evaluations)
+    return RunStatus::step_limit;
   if (steps % kReview == 0 && steps > 0) {
     const auto part = static_cast<double>((now - begin) / (end - begin));
     if (static_cast<double>(steps) > part * static_cast<double>(options.step_limit)) return RunStatus::step_limit;

@@ -7,6 +7,14 @@
 
 namespace earthtop {
 
+/// Where an integration of a problem stops.
+template <class T>
+WorkLimit work_limit(const MotionProblem<T>& problem, const IntegrationOptions& options) {
+  if (!options.stops_beyond_estimate || !problem.pace.known()) return {};
+  constexpr double kLeast = std::is_same_v<T, float128> ? 3e4 : 1e6;  // a second's
+  return limit_of(estimated_work(problem.pace, options, takes_reduced_form(problem.model, options)), kLeast);
+}
+
 template <class T>
 DriveOptions<T> drive_options(const MotionProblem<T>& problem, const IntegrationOptions& options,
                               const std::atomic<bool>* stop) {
@@ -19,6 +27,7 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.composition = options.composition;
   drive.rate = problem.fastest_rate;
   drive.step_limit = options.step_limit;
+  drive.limit = work_limit(problem, options);
   drive.stop = stop;
   if (const auto& table = problem.model.platform.turn.table) drive.joints = table->joints();
   return drive;

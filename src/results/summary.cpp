@@ -143,16 +143,18 @@ Json headline_json(const std::optional<HeadlineCheck>& check) {
 }
 
 Json integration_json(const IntegrationReport& report) {
-  return {{"reason", report.reason},
-          {"observer", to_string(report.observer)},
-          {"model", to_string(report.form)},
-          {"method", to_string(report.method)},
-          {"precision", report.precision},
-          {"relative_tolerance", report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json()},
-          {"step_s", or_null(report.step_s)},
-          {"steps_accepted", report.counters.accepted},
-          {"steps_rejected", report.counters.rejected},
-          {"right_hand_side_evaluations", report.counters.evaluations}};
+  Json json = {{"reason", report.reason},
+               {"observer", to_string(report.observer)},
+               {"model", to_string(report.form)},
+               {"method", to_string(report.method)},
+               {"precision", report.precision},
+               {"relative_tolerance", report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json()},
+               {"step_s", or_null(report.step_s)},
+               {"steps_accepted", report.counters.accepted},
+               {"steps_rejected", report.counters.rejected},
+               {"right_hand_side_evaluations", report.counters.evaluations}};
+  if (report.status != RunStatus::completed) json["status"] = to_string(report.status);
+  return json;
 }
 
 Json invariants_json(const std::vector<InvariantReport>& invariants) {

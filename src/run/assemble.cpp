@@ -76,6 +76,17 @@ std::optional<std::string> note_on_air(const RunResult& result) {
 
 }  // namespace
 
+std::string why_limited(const RunResult& result) {
+  if (result.status != RunStatus::step_limit) return "";
+  const bool first = result.solution.status == RunStatus::step_limit;
+  const IntegrationReport& stopped = first ? result.solution : result.certificate;
+  return fmt::format("{} ({}) was stopped after {} steps, {} of them rejected: ten times the work estimated; {}",
+                     first ? "the integration" : "the second integration, from which the bounds come,",
+                     to_string(stopped.method), stopped.counters.accepted + stopped.counters.rejected,
+                     stopped.counters.rejected,
+                     first ? "later rows were not reached" : "later rows would have no bound and are left out");
+}
+
 template <class T>
 void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units) {
   problem.rotating = RotatingMotion::composed;
@@ -94,6 +105,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
   if (!closed_form) report.relative_tolerance = options.relative_tolerance;
   report.step_s = trajectory.step_s;
   report.counters = trajectory.counters;
+  report.status = trajectory.status;
 }
 
 template <class T>
@@ -147,6 +159,7 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
   }
   result.ledger = assess_ledger(result);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
+  if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
   return result;
 }

@@ -8,57 +8,12 @@
 #include "earthtop/arithmetic.hpp"
 #include "run/assemble.hpp"
 #include "scenario/problem.hpp"
+#include "scenario/second_integration.hpp"
 
 namespace earthtop {
 namespace {
 
 std::atomic<bool> stop_asked = false;
-
-/// The second integration: in another observer's equations, of the same form, and by another method wherever one is affordable.
-/// Two runs of one method make the same error where output times, not the tolerance, cut their steps: their distance then says
-/// nothing. extrapolation, the cheapest of those that know nothing of the model, stands against all others, and rkf78 against
-/// it; only in float128, where rkf78 would take ten times as long as both runs, does extrapolation stand against itself.
-///
-/// The tolerance is a thousandth, or the least one that the digits allow, so that the distance is the error of the rows. Two
-/// methods may differ by a factor of a hundred in the error that they make at one tolerance: at a tenth or a hundredth of it,
-/// or at ten times as much, both could err alike, and to the same side. Of doubles the least one is 1e-13, where the second
-/// integration errs by rounding as much as by its steps. In long double, where rkf78 at the least tolerance would cost a third
-/// more than all the rest, it stands against extrapolation at ten times the tolerance.
-///
-/// closed_form has no error that an integration could see: its own statement is far below. What is left is what the rounding of
-/// the scene makes of the motion, and the same closed form of the nudged scene shows that at the price of the rows. That the
-/// formula is the motion, no comparison within a run has to show: the tests hold it against integrations of every scene it
-/// fits.
-///
-/// With dry friction both are in body axes, where a motion at rest is held.
-///
-/// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
-/// against itself in steps that are shorter and have no common measure with the first ones (the observer names them), which
-/// excite other nutation; a trial would but find the first steps again. Where a run has few nutations, extrapolation.
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
-                                  bool dry_friction) {
-  IntegrationOptions second = first;
-  second.form = form;
-  second.step_s.reset();
-  const Observer other =
-      form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
-  second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
-  if (first.method == Method::closed_form) return second;
-  if (dry_friction) second.observer = first.observer;
-  const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
-  second.method = unlike ? Method::extrapolation : Method::rkf78;
-  const double asked = first.relative_tolerance;
-  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);
-  second.relative_tolerance = std::max(asked / 1000, least);
-  if (precision == Precision::bits64 && second.method == Method::rkf78 && second.relative_tolerance > asked / 30)
-    second.relative_tolerance = 10 * asked;
-  constexpr double kAffordable = 3e4;  // rad; a tenth of a second
-  if (first.method == Method::long_horizon && phase > kAffordable) {
-    second.method = Method::long_horizon;
-    second.relative_tolerance = asked;
-  }
-  return second;
-}
 
 template <class T>
 DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const IntegrationOptions& options, Precision precision,
@@ -70,6 +25,18 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
   return trajectory;
 }
 
+/// The methods that know beforehand how many steps they take are limited in those. Whether long_horizon steps over the nutation
+/// it finds by trial; in a short run it may follow it.
+IntegrationOptions within_estimate(const Scenario& scenario, IntegrationOptions options) {
+  constexpr double kShortRun = 1e6;  // steps
+  const bool long_horizon = options.method == Method::long_horizon;
+  if (!options.stops_beyond_estimate || !(long_horizon || options.method == Method::closed_form)) return options;
+  Work work = estimated_work(scenario, options);
+  if (long_horizon) work.steps = std::max(work.steps, kShortRun);
+  options.step_limit = std::min(options.step_limit, limit_of(work).steps);
+  return options;
+}
+
 template <class T>
 RunResult run_in(const Scenario& scenario) {
   auto problem = make_problem<T>(scenario);
@@ -77,7 +44,7 @@ RunResult run_in(const Scenario& scenario) {
   const MethodChoice choice = method_choice(scenario);
 
   TwoIntegrations<T> made;
-  made.options = choice.options;
+  made.options = within_estimate(scenario, choice.options);
   made.first = integrate_timed(problem, made.options, precision, made.solution);
   made.solution.reason = choice.reason;
   make_second(problem, made.first);
@@ -85,6 +52,7 @@ RunResult run_in(const Scenario& scenario) {
   const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
   made.other_options = second_options(made.options, made.solution.form, precision, phase, dry_friction);
   if (made.other_options.method == Method::long_horizon) made.other_options.kick_steps = made.first.kick_steps;
+  made.other_options = within_estimate(scenario, made.other_options);
   made.second = integrate_timed(problem, made.other_options, precision, made.certificate);
   return assemble_result(scenario, made);
 }

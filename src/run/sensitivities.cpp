@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scenario/input_derivatives.hpp"
+#include "scenario/pace.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -17,7 +18,7 @@ std::optional<std::string> no_sensitivities(const Scenario& scenario, double tim
   if (scenario.effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
   if (scenario.rotation_rate_rad_s == 0) return "the Earth does not turn: there is no drift";
   if (time_s == 0) return "no row of the drift is reliable";
-  const double phase = fastest_rate_rad_s(scenario) * time_s;
+  const double phase = std::max(fastest_rate_rad_s(scenario), pace_of(scenario).damping / scenario.duration_s) * time_s;
   if (phase > kAffordablePhase)
     return fmt::format("{:.1e} rad of the fastest rate would take minutes; at most {:.0e} are done", phase, kAffordablePhase);
   return std::nullopt;

@@ -82,11 +82,16 @@ bool check_start(const Section& release, const Scenario& scenario) {
   return false;
 }
 
-void check_cost(const Section& motion, const Scenario& scenario) {
+void check_cost(const Section& root, const Scenario& scenario) {
   try {
     require_affordable(scenario);
   } catch (const ScenarioError& error) {
-    for (const Diagnostic& diagnostic : error.diagnostics()) motion.refuse("duration_s", diagnostic.message);
+    constexpr std::string_view kEffects = "/effects/";
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      if (diagnostic.pointer.starts_with(kEffects))
+        root.section("effects").refuse_key(diagnostic.pointer.substr(kEffects.size()), diagnostic.message);
+      else
+        root.section("motion").refuse("duration_s", diagnostic.message);
   }
 }
 
@@ -120,7 +125,7 @@ void decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));
-  if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root.section("motion"), scenario);
+  if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root, scenario);
   warn_of_implausible(root, scenario);
 }
 

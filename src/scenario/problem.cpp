@@ -1,5 +1,7 @@
 #include "scenario/problem.hpp"
 
+#include "scenario/pace.hpp"
+
 namespace earthtop {
 
 namespace {
@@ -56,6 +58,7 @@ DriftProblem<T> make_problem(const Scenario& scenario) {
                                 on_platform ? &platform_double : nullptr);
   problem.model = make_model<T>(scenario, problem.units);
   problem.fastest_rate = problem.units.rate_from_rad_s(T(fastest_rate_rad_s(scenario)));
+  if (scenario.numerics.stops_beyond_estimate) problem.pace = pace_of(scenario);
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;
   return problem;

@@ -79,6 +79,8 @@ constexpr Field kStudyFields[] = {
     {"study:/limits/points", number, "", kCounts, "", "10000000", "points"},
     {"study:/limits/core_hours", number, "h", {0, kNoLimit, true}, "", "1000", "time on one core"},
     {"study:/limits/disk_gb", number, "GB", {0, kNoLimit, true}, "", "20", "size of the store and of the exported table"},
+    {"study:/limits/stops_beyond_estimate", flag, "", kAny, "", "true",
+     "a point that takes ten times the steps estimated of it ends with step_limit"},
 };
 
 }  // namespace

@@ -98,6 +98,7 @@ std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::str
     refusal = first_message(report);
     return std::nullopt;
   }
+  report.scenario->numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
   if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
   if (!sensitivities_) {
     report.scenario->sensitivities = false;

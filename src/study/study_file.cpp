@@ -76,6 +76,7 @@ class Decoder {
     study_.limits.points = static_cast<std::uint64_t>(limits.number("points").value_or(1));
     study_.limits.core_hours = limits.number("core_hours").value_or(1);
     study_.limits.disk_gb = limits.number("disk_gb").value_or(1);
+    study_.limits.stops_beyond_estimate = limits.flag("stops_beyond_estimate").value_or(true);
     return std::move(study_);
   }
 

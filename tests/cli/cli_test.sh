@@ -225,6 +225,18 @@ on_stdout '"left_out_drift_rad"'
 expect 3 run top.json --out chosen --force --set /accuracy/drift_rad=1e-18
 on_stderr 'was not reached'
 
+# What a run takes is said beforehand; stiff friction is refused with the reason, before anything is written; slow is not stiff.
+expect 0 check top.json
+on_stdout 'steps, less than 0.1 s'
+expect 0 explain top.json
+on_stdout 'steps, less than 0.1 s'
+expect 0 check top.json --set /motion/duration_s=60 --set /effects/viscous_torque_N_m_s=1
+on_stdout 'steps, about [0-9.]* s'
+expect 2 run top.json --out stiff --set /motion/duration_s=60 --set /effects/viscous_torque_N_m_s=2e8
+on_stderr '/effects/viscous_torque_N_m_s: this friction is too stiff'
+[ ! -e stiff ] || fault "something was written of a scene that was refused"
+expect 0 run top.json --out unlimited --no-step-limit --quiet
+
 # Numerical failure: a fixed step of three turns of the top. The rows up to it are kept.
 failing="run top.json --set /motion/duration_s=60 --set /numerics/method=abm8 --set /numerics/step_s=0.1 --out failed"
 # shellcheck disable=SC2086

@@ -66,14 +66,16 @@ std::string inputs_text(const Budget& budget) {
 
 std::string explained(const Budget& budget, const Scenario& scenario) {
   const MethodChoice choice = method_choice(scenario);
-  std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: about {:.3e} rad; {}\n\n", scenario.name,
-                                 scenario.duration_s, budget.earth_drift_rad, matching_rule(scenario));
+  const std::string drift =
+      std::isfinite(budget.earth_drift_rad) ? fmt::format("about {:.3e} rad", budget.earth_drift_rad) : "not known";
+  std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: {}; {}\n\n", scenario.name, scenario.duration_s,
+                                 drift, matching_rule(scenario));
   text += effects_text(budget) + '\n' + inputs_text(budget);
   if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
     text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
-  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, about {:.1g} s\n", to_string(choice.options.method),
-                      choice.reason, estimated_steps(scenario), estimated_seconds(scenario));
+  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
+                      estimated_steps(scenario), about_seconds(estimated_seconds(scenario)));
   for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
   return text;
 }

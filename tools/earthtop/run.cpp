@@ -25,6 +25,7 @@ struct RunArguments {
   bool force = false;
   bool json = false;
   bool quiet = false;
+  bool no_step_limit = false;
   std::vector<std::string> sets;
 };
 
@@ -57,6 +58,7 @@ RequestedScene read_scenario(const RunArguments& arguments) {
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
+  report.scenario->numerics.stops_beyond_estimate = !arguments.no_step_limit;
   const bool is_changed = !arguments.sets.empty() && is_another_scene(*report.scenario, source);
   return {*std::move(report.scenario), is_changed};
 }
@@ -107,6 +109,13 @@ int run_verb(const RunArguments& arguments) try {
     return kNumericalFailure;
   }
   if (result.status == RunStatus::completed) return kDone;
+  if (result.status == RunStatus::step_limit) {
+    message(fmt::format(
+        "earthtop: error: stopped ({}) at t = {} s of {} s: {}; the rows up to it are in {}; "
+        "--no-step-limit goes on",
+        to_string(result.status), result.reached_s, scenario.duration_s, why_limited(result), printable(dir.string())));
+    return kNumericalFailure;
+  }
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
                       to_string(result.status), result.reached_s, scenario.duration_s, printable(dir.string())));
   return kNumericalFailure;
@@ -124,6 +133,8 @@ void add_run(CLI::App& app, Action& action) {
   run->add_flag("--force", arguments->force, "overwrite the results of another scenario");
   run->add_flag("--json", arguments->json, "print the summary as one JSON document, errors too");
   run->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  run->add_flag("--no-step-limit", arguments->no_step_limit,
+                "go on where the run takes more than ten times the steps estimated; without it, it stops there");
   add_set_option(*run, arguments->sets);
   run->callback([&action, arguments] { action = [arguments] { return run_verb(*arguments); }; });
 }

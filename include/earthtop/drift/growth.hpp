@@ -37,6 +37,7 @@ struct GrowthReport {
   /// When friction had braked an upright symmetric top to its critical spin; 0 of one that was released below it.
   std::optional<double> critical_spin_s;
   bool completed = false;
+  StepCounters counters;
 
   /// When the growth first passed exp(log_growth).
   std::optional<double> passes_s(double log_growth) const;

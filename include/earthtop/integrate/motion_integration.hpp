@@ -7,6 +7,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/integrate/pace.hpp"
 #include "earthtop/model/reduced_top.hpp"
 
 namespace earthtop {
@@ -19,7 +20,15 @@ struct MotionProblem {
   NaturalUnits units;
   T fastest_rate = T(1);        ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
   std::vector<double> times_s;  ///< output times; the first is the release, 0
+  Pace pace = {};               ///< limits the work of everything that integrates the problem; not known: nothing does
 };
+
+/// Where the variational equations of a problem's motion stop that are followed for `time_s`.
+template <class T>
+WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, double relative_tolerance) {
+  if (!problem.pace.known()) return {};
+  return limit_of(variational_work(problem.pace, time_s, relative_tolerance));
+}
 
 /// Whether these options mean the reduced form for this model (reduced_top.hpp). `splitting` knows no other.
 template <class T>

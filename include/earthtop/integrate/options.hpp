@@ -72,6 +72,7 @@ struct IntegrationOptions {
   std::optional<double> step_s;                      ///< fixed-step methods; the step taken divides the output step
   Composition composition = Composition::automatic;  ///< of `splitting`
   std::int64_t step_limit = 2'000'000'000;
+  bool stops_beyond_estimate = true;    ///< at ten times the work estimated, where the problem's pace is known
   std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
 };
 

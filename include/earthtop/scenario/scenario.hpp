@@ -12,6 +12,7 @@
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/frames/tide.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/integrate/pace.hpp"
 #include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/ledger.hpp"
@@ -137,11 +138,29 @@ MethodChoice method_choice(const Scenario& scenario);
 /// Angular frequencies of the motion (rad/s): a rough upper bound on free nutation, pendulum, spin, Earth and platform.
 double fastest_rate_rad_s(const Scenario& scenario);
 
-/// Steps that an integration will take, within a factor of a few.
+/// Work of one integration of a scenario, within a factor of a few. @param options  with a method, as `method_choice` gives
+Work estimated_work(const Scenario& scenario, const IntegrationOptions& options);
+
+/// What a run will take, within a factor of a few.
+struct RunEstimate {
+  Work solution;
+  Work certificate;    ///< the second integration, from which the bounds come
+  Work growth;         ///< of disturbances along both motions
+  double seconds = 0;  ///< on one core, of all of them, and of sensitivities and rows
+};
+RunEstimate estimated_run(const Scenario& scenario);
+
+/// Steps that the first integration will take.
 double estimated_steps(const Scenario& scenario);
 
-/// Wall time of both integrations on one core (s), within a factor of a few.
+/// Time of the whole run on one core (s).
 double estimated_seconds(const Scenario& scenario);
+
+/// "about 20 s", "less than 0.1 s"
+std::string about_seconds(double seconds);
+
+/// Of one integration alone (s).
+double estimated_seconds(const Scenario& scenario, const IntegrationOptions& options);
 
 /// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`, or in
 /// extended precision more than a day.

@@ -64,6 +64,7 @@ struct StudyLimits {
   std::uint64_t points = 10'000'000;
   double core_hours = 1000;
   double disk_gb = 20;
+  bool stops_beyond_estimate = true;  ///< a point at ten times the work estimated of it
 };
 
 struct Study {

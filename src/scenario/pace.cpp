@@ -1,0 +1,205 @@
+// The rates of a scene and how long they last: what turns, what drives it, and what brings it to rest.
+#include "scenario/pace.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scenario/platform_demand.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The body as it is released, in the numbers that rates are made of.
+struct Released {
+  Body<double> body;
+  Release<double> release;
+  Vec3<double> moments;  ///< principal, ascending
+  int axis;              ///< of symmetry, or -1
+  double momentum;
+
+  explicit Released(const Scenario& s)
+      : body(make_body<double>(s.body)),
+        release(make_release<double>(s.release, body, s.site.gravity_m_s2)),
+        moments(Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.I_BP_B, Eigen::EigenvaluesOnly).eigenvalues()),
+        axis(symmetry_axis(body)),
+        momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B))) {}
+
+  double least() const { return moments[0]; }
+  double largest() const { return moments[2]; }
+  /// The least moment about which gravity can turn the body: of a symmetric one, its torque has no part along the axis.
+  double swinging() const { return axis >= 0 ? body.I_BP_B((axis + 1) % 3, (axis + 1) % 3) : least(); }
+
+  /// How fast the body turns, and how fast its axes go round its momentum.
+  double turning_rate() const {
+    const Vec3<double>& w = release.w_XB_B;
+    if (axis >= 0) return std::max(norm(w), momentum / swinging());
+    const double twice_energy = w.dot(Vec3<double>(body.I_BP_B * w));
+    return std::min(momentum / least(), std::sqrt(twice_energy / least()));
+  }
+};
+
+/// Of a pendulum that falls from upright, by this torque.
+double falling_rate(double torque, double moment) { return 2 * std::sqrt(torque / moment); }
+
+double gradient_torque(const Scenario& scenario, const Released& top) {
+  const auto& given = scenario.effects.applied.gravity_gradient;
+  if (!given) return 0;
+  double strength = 0;
+  for (const GradientTerm<double>& term : gradient_terms(gradient_L(*given, scenario.site)))
+    strength = std::max(strength, std::abs(term.strength));
+  return strength * (top.largest() - top.least());
+}
+
+/// What friction of torque c |w|^(n + 1) does to a rate w that it alone brings down, in a body of moment I: dw/dt = -r w^(n+1).
+struct Braking {
+  double r, n;
+
+  /// The rate's integral over the time.
+  double turned(double w, double time) const {
+    const double rate = r * std::pow(w, n);
+    if (!(rate * time > 0)) return w * time;
+    if (n == 0) return w * -std::expm1(-rate * time) / rate;
+    // w(t) = w0 (1 + n rate t)^(-1/n); for n >= 1 no slower than it is for n = 1.
+    return std::min(w * time, w * std::log1p(n * rate * time) / (n * rate) * (n < 1 ? 1 / (1 - n) : 1));
+  }
+  /// The damping's integral: of viscous friction the time over its time constant, of any other it grows with the logarithm.
+  double damping(double w, double time) const {
+    const double rate = r * std::pow(w, n);
+    return n == 0 ? rate * time : (1 + n) / n * std::log1p(n * rate * time);
+  }
+};
+
+/// Friction's part of the pace.
+class Friction {
+ public:
+  Friction(const Scenario& scenario, const Released& top, double rate, double driven_rate, double torque)
+      : top_(top), time_(scenario.duration_s), rate_(rate), driven_(driven_rate), torque_(torque) {
+    const AppliedTorquesSpec& applied = scenario.effects.applied;
+    turned_ = rate_ * time_;
+    swung_s_ = time_;
+    if (applied.viscous_N_m_s > 0) viscous(applied.viscous_N_m_s, top.least(), top.largest());
+    if (applied.gimbal && applied.gimbal->damping_N_m_s > 0) {
+      const double across = std::min(top.body.I_BP_B(0, 0), top.body.I_BP_B(1, 1));
+      damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
+    }
+    if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
+    if (applied.air_drag) disc(*applied.air_drag, scenario.site);
+    if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
+  }
+
+  double turned_rad() const { return turned_; }
+  /// For how long a pendulum swings before friction has brought it to rest.
+  double swung_s() const { return swung_s_; }
+  double damping() const { return damping_; }
+  double halts() const { return halts_; }
+  const StiffFriction& stiffest() const { return stiffest_; }
+
+ private:
+  void damp(std::string_view pointer, double damping) {
+    damping_ += damping;
+    if (damping > stiffest_.damping) stiffest_ = {pointer, damping};
+  }
+
+  /// A motion that decays exponentially is followed through so many of its time constants until tolerances lose sight of it.
+  static constexpr double kSeen = 10;
+
+  void viscous(double k, double least, double largest) {
+    damp("/effects/viscous_torque_N_m_s", k / least * time_);
+    turned_ = std::min(turned_, Braking{k / largest, 0}.turned(rate_, time_));
+    // Overdamped, a pendulum creeps and does not swing.
+    swung_s_ = std::min(swung_s_, kSeen * largest / k);
+  }
+  void quadratic(double c) {
+    // The Jacobian's share of the least moment; what falls does so at the rate at which drag balances the torque, once.
+    const double falling = std::sqrt(torque_ / c), of_fall = 2 * c / top_.least();
+    damp("/effects/quadratic_torque_N_m_s2",
+         top_.largest() / top_.least() * Braking{c / top_.largest(), 1}.damping(rate_, time_) +
+             of_fall * std::min(3.0, falling * time_) + of_fall * driven_ * time_);
+    turned_ = std::min(turned_, Braking{c / top_.largest(), 1}.turned(rate_, time_));
+  }
+  void disc(const AirDragSpec& drag, const Site& site) {
+    const double w3 = std::abs(top_.release.w_XB_B[2]), I3 = top_.body.I_BP_B(2, 2);
+    AppliedTorquesSpec spec;
+    spec.air_drag = drag;
+    const auto applied = make_applied_torques<double>(spec, site, w3, 0, 0);
+    const bool turbulent = applied.disc_turbulent > 0;
+    const Braking braking{std::max(applied.disc_turbulent, applied.disc_laminar) / I3, turbulent ? 0.8 : 0.5};
+    damp("/effects/air_drag", braking.damping(w3, time_) + (1 + braking.n) * braking.r * std::pow(driven_, braking.n) * time_);
+    // The spin alone is braked.
+    const double rest = std::max(0.0, rate_ - w3);
+    // Of a body that is not symmetric the rate about axis 3 changes its sign, where the drag has no higher derivatives.
+    constexpr double kSigns = 4 / std::numbers::pi;
+    if (top_.axis != 2 && stiffest_.damping > 1) halts_ += kSigns * rest * time_;
+    turned_ = std::min(turned_, rest * time_ + braking.turned(w3, time_));
+  }
+  void dry(double torque) {
+    const double spinning_s = top_.momentum / torque;
+    const double swing_s = torque_ > 0 ? std::numbers::pi / falling_rate(torque_, top_.swinging()) : time_;
+    const double swings = torque_ > 0 ? std::min(time_ / swing_s, 2 * torque_ / torque) : 0;
+    halts_ += 4 + swings;
+    swung_s_ = std::min({swung_s_, time_, spinning_s + swings * swing_s});
+    turned_ = std::min(turned_, rate_ * std::min(time_, spinning_s));
+  }
+
+  const Released& top_;
+  double time_, rate_, driven_, torque_;
+  double turned_ = 0, swung_s_ = 0, damping_ = 0, halts_ = 0;
+  StiffFriction stiffest_;
+};
+
+/// What acts on a body and how fast that moves it.
+struct Driven {
+  Released top;
+  PlatformDemand platform;
+  double gravity_torque, gradient;  ///< N m, at most
+
+  explicit Driven(const Scenario& scenario) : top(scenario) {
+    // A body that is neither carried off its centre nor rubbed feels nothing of a platform.
+    const AppliedTorquesSpec& applied = scenario.effects.applied;
+    const bool felt = scenario.platform &&
+                      (scenario.platform->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
+    if (felt) platform = demand_of(*scenario.platform, scenario.duration_s, scenario.rotation_rate_rad_s);
+    gravity_torque = top.body.mass * (scenario.site.gravity_m_s2 + platform.acceleration_m_s2) * norm(top.body.p_PBcm_B);
+    gradient = gradient_torque(scenario, top);
+  }
+  double swinging_rate() const { return falling_rate(gravity_torque, top.swinging()) + falling_rate(gradient, top.swinging()); }
+  Friction friction(const Scenario& scenario) const {
+    return {scenario, top, top.turning_rate(), platform.rate_rad_s, gravity_torque + gradient};
+  }
+};
+
+/// Of a symmetric top without its spin; of one that spins about another axis than body axis 3, angles have to be seen going
+/// round.
+double reduced_rate(const Scenario& scenario, const Released& top) {
+  const double I1 = top.body.I_BP_B(0, 0);
+  const double torque = top.body.mass * scenario.site.gravity_m_s2 * norm(top.body.p_PBcm_B);
+  return top.momentum / I1 + falling_rate(torque, I1) + std::abs(scenario.rotation_rate_rad_s);
+}
+
+}  // namespace
+
+Pace pace_of(const Scenario& scenario) {
+  const Driven driven(scenario);
+  const Friction friction = driven.friction(scenario);
+  const double time = scenario.duration_s, swinging = driven.swinging_rate();
+  const double carried = std::abs(scenario.rotation_rate_rad_s) + driven.platform.rate_rad_s;
+
+  Pace pace;
+  pace.duration_s = time;
+  pace.rows = time / scenario.output_step_s;
+  if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
+  pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
+  pace.settled_rad = swinging * (time - friction.swung_s());
+  pace.looks_rad = fastest_rate_rad_s(scenario) * time;
+  pace.damping = friction.damping();
+  pace.halts = friction.halts();
+  const bool reducible = is_plain(scenario) && driven.top.axis == 2;
+  pace.reduced_turning_rad = reducible ? std::max(1.0, reduced_rate(scenario, driven.top) * time) : pace.turning_rad;
+  return pace;
+}
+
+StiffFriction stiffest_friction(const Scenario& scenario) { return Driven(scenario).friction(scenario).stiffest(); }
+
+}  // namespace earthtop

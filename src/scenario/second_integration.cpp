@@ -1,0 +1,32 @@
+#include "scenario/second_integration.hpp"
+
+#include <algorithm>
+
+namespace earthtop {
+
+IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
+                                  bool dry_friction) {
+  IntegrationOptions second = first;
+  second.form = form;
+  second.step_s.reset();
+  const Observer other =
+      form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
+  second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
+  if (first.method == Method::closed_form) return second;
+  if (dry_friction) second.observer = first.observer;
+  const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
+  second.method = unlike ? Method::extrapolation : Method::rkf78;
+  const double asked = first.relative_tolerance;
+  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);
+  second.relative_tolerance = std::max(asked / 1000, least);
+  if (precision == Precision::bits64 && second.method == Method::rkf78 && second.relative_tolerance > asked / 30)
+    second.relative_tolerance = 10 * asked;
+  constexpr double kAffordable = 3e4;  // rad; a tenth of a second
+  if (first.method == Method::long_horizon && phase > kAffordable) {
+    second.method = Method::long_horizon;
+    second.relative_tolerance = asked;
+  }
+  return second;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,196 @@
+// What a run is promised to take, and where one stops that takes far more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "earthtop/drift/growth.hpp"
+#include "run/assemble.hpp"
+#include "scenario/pace.hpp"
+#include "scenario/problem.hpp"
+#include "work/work_scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::toy_top;
+
+/// Used over promised, of all that was integrated.
+double ratio(const testing::WorkDone& done) {
+  double promised = 0, used = 0;
+  for (std::size_t i = 0; i < 3; ++i) promised += done.promised[i].evaluations, used += done.used[i].evaluations;
+  // Less than a tenth of a second, of which nothing more is promised.
+  constexpr double kFew = 1e5;
+  return (used + kFew) / (promised + kFew);
+}
+
+/// Scenes from gentle to stiff, of every effect, method and precision: work is no more than ten times what was promised of it,
+/// where a run would be stopped, and within a factor of three for four in five.
+void expect_promises_kept(int scenes_a_kind) {
+  std::vector<double> ratios;
+  for (const testing::WorkKind& kind : testing::work_kinds())
+    for (int i = 0; i < scenes_a_kind; ++i) {
+      const Scenario scenario = testing::work_scene(kind, static_cast<std::uint64_t>(i));
+      if (method_refusal(scenario.numerics.method, scenario)) continue;
+      const testing::WorkDone done = testing::work_done(scenario);
+      if (done.status[0] != RunStatus::completed && done.status[0] != RunStatus::step_limit) continue;  // failed before its end
+      ratios.push_back(ratio(done));
+      EXPECT_LT(ratios.back(), 10) << kind.name << ' ' << i;
+      EXPECT_GT(ratios.back(), 0.02) << kind.name << ' ' << i;
+      EXPECT_NE(done.status[0], RunStatus::step_limit) << kind.name << ' ' << i;
+      EXPECT_NE(done.status[1], RunStatus::step_limit) << kind.name << ' ' << i;
+    }
+  std::sort(ratios.begin(), ratios.end());
+  const auto at = [&](double share) {
+    return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+  };
+  const auto near = std::count_if(ratios.begin(), ratios.end(), [](double r) { return r > 1.0 / 3 && r < 3; });
+  EXPECT_GT(static_cast<double>(near), 0.8 * static_cast<double>(ratios.size()));
+  ::testing::Test::RecordProperty("least_median_largest",
+                                  std::to_string(at(0)) + " " + std::to_string(at(0.5)) + " " + std::to_string(at(1)));
+}
+
+#ifdef EARTHTOP_MANY_SCENES
+constexpr int kScenesAKind = 40;
+#else
+constexpr int kScenesAKind = 2;
+#endif
+TEST(WorkEstimate, HoldsForRandomScenes) { expect_promises_kept(kScenesAKind); }
+
+/// A top with friction whose pace says that it takes next to nothing, so that it stops at what is granted in any case.
+Scenario long_enough() {
+  Scenario s = toy_top();
+  s.duration_s = 200;
+  s.output_step_s = 1;
+  s.effects.applied.viscous_N_m_s = 1e-8;
+  return s;
+}
+DriftProblem<double> understated() {
+  const Scenario s = long_enough();
+  DriftProblem<double> problem = make_problem<double>(s);
+  problem.pace.turning_rad = 1;
+  problem.pace.looks_rad = 0;
+  problem.pace.settled_rad = problem.pace.damping = 0;
+  problem.pace.rows = 1;
+  return problem;
+}
+IntegrationOptions options_of(Method method) {
+  IntegrationOptions options;
+  options.method = method;
+  options.relative_tolerance = 1e-13;
+  return options;
+}
+
+// The rows up to there are those of the run that is let go on, to the last bit; and a second run has the same.
+TEST(WorkLimit, AnIntegrationStopsWithItsRowsAtTenTimesTheEstimate) {
+  DriftProblem<double> problem = understated();
+  for (const Method method : {Method::dop853, Method::rkf78}) {
+    IntegrationOptions options = options_of(method);
+    const auto stopped = integrate_drift(problem, options), again = integrate_drift(problem, options);
+    EXPECT_EQ(stopped.status, RunStatus::step_limit) << to_string(method);
+    EXPECT_EQ(stopped.samples.size(), again.samples.size());
+    const auto steps = static_cast<double>(stopped.counters.accepted + stopped.counters.rejected);
+    const WorkLimit limit = limit_of(estimated_work(problem.pace, options, false));
+    // A step that has begun is not broken off.
+    EXPECT_TRUE(steps >= static_cast<double>(limit.steps) ||
+                (stopped.counters.evaluations >= limit.evaluations && stopped.counters.evaluations < limit.evaluations + 1000));
+    options.stops_beyond_estimate = false;
+    const auto whole = integrate_drift(problem, options);
+    EXPECT_EQ(whole.status, RunStatus::completed) << to_string(method);
+    ASSERT_GT(whole.samples.size(), stopped.samples.size());
+    ASSERT_GT(stopped.samples.size(), 1U);
+    for (std::size_t i = 0; i < stopped.samples.size(); ++i)
+      EXPECT_EQ(stopped.samples[i].measures.axis, whole.samples[i].measures.axis) << to_string(method) << ' ' << i;
+  }
+}
+
+// Friction so stiff that no step gets anywhere, of which nothing was said beforehand.
+TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
+  Scenario s = toy_top();
+  s.duration_s = 6;
+  const Pace gentle = pace_of(s);
+  s.effects.applied.viscous_N_m_s = 1e6;
+  DriftProblem<double> problem = make_problem<double>(s);
+  problem.pace = gentle;
+  for (const Method method : {Method::dop853, Method::extrapolation, Method::bulirsch_stoer}) {
+    const IntegrationOptions options = options_of(method);
+    const auto stopped = integrate_drift(problem, options);
+    EXPECT_EQ(stopped.status, RunStatus::step_limit) << to_string(method);
+    EXPECT_LT(stopped.counters.evaluations, limit_of(estimated_work(gentle, options, false)).evaluations + 1000);
+  }
+  const GrowthReport growth = disturbance_growth(problem, MotionKind::reference, s.duration_s, 1e-7);
+  EXPECT_FALSE(growth.completed);
+  const WorkLimit limit = limit_of(variational_work(gentle, s.duration_s, 1e-7));
+  EXPECT_LE(growth.counters.accepted + growth.counters.rejected, limit.steps);
+}
+
+// No row without a bound, and the reason by name.
+TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
+  const Scenario s = long_enough();
+  TwoIntegrations<double> made;
+  DriftProblem<double> problem = make_problem<double>(s);
+  made.options = options_of(Method::dop853);
+  made.first = integrate_drift(problem, made.options);
+  describe(problem, made.options, made.first, s.precision, made.solution);
+  make_second(problem, made.first);
+  problem.pace = understated().pace;
+  made.other_options = options_of(Method::rkf78);
+  made.second = integrate_drift(problem, made.other_options);
+  describe(problem, made.other_options, made.second, s.precision, made.certificate);
+  ASSERT_EQ(made.second.status, RunStatus::step_limit);
+  const RunResult result = assemble_result(s, made);
+  EXPECT_EQ(result.status, RunStatus::step_limit);
+  EXPECT_EQ(result.solution.status, RunStatus::completed);
+  EXPECT_EQ(result.certificate.status, RunStatus::step_limit);
+  EXPECT_EQ(result.rows.size(), made.second.samples.size());
+  EXPECT_LT(result.rows.size(), made.first.samples.size());
+  EXPECT_NE(why_limited(result).find("from which the bounds come"), std::string::npos) << why_limited(result);
+}
+
+std::string refusal(const Scenario& scenario) {
+  try {
+    require_affordable(scenario);
+  } catch (const ScenarioError& error) {
+    return error.diagnostics().front().pointer + ": " + error.diagnostics().front().message;
+  }
+  return "";
+}
+
+// Each kind of friction, a gradient, a precession: what needs more than anyone waits for is refused with the reason; what is
+// slow but can be done is not.
+TEST(Affordable, StiffFrictionIsRefusedWithTheReason) {
+  Scenario s = toy_top();
+  s.effects.applied.viscous_N_m_s = 1;  // 25,000 1/s for 60 s: 1.5e6 time constants
+  EXPECT_EQ(refusal(s), "");
+  s.effects.applied.viscous_N_m_s = 2e8;
+  EXPECT_NE(refusal(s).find("/effects/viscous_torque_N_m_s: this friction is too stiff"), std::string::npos) << refusal(s);
+  Scenario gimbal = toy_top();
+  gimbal.release.tilt_deg = 90;
+  gimbal.body.center_of_mass_m = {0, 0, 0};
+  gimbal.effects.applied.gimbal = GimbalSpec{1e8};
+  EXPECT_NE(refusal(gimbal).find("/effects/gimbal: this friction is too stiff"), std::string::npos) << refusal(gimbal);
+}
+TEST(Affordable, FastMotionsAreRefusedByTheirSteps) {
+  Scenario s = toy_top();
+  s.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::given, 1e20};
+  EXPECT_NE(refusal(s).find("this scene needs about"), std::string::npos) << refusal(s);
+  Scenario shaken = toy_top();
+  shaken.platform = PlatformSpec{};
+  shaken.platform->motion = PlatformMotion::harmonic;
+  shaken.platform->amplitude_rad = 0.1;
+  shaken.platform->frequency_hz = 1e9;
+  EXPECT_NE(refusal(shaken).find("this scene needs about"), std::string::npos) << refusal(shaken);
+}
+
+TEST(Affordable, SecondsAreToldAsWhatTheyAre) {
+  EXPECT_EQ(about_seconds(0), "less than 0.1 s");
+  EXPECT_EQ(about_seconds(0.0999), "less than 0.1 s");
+  EXPECT_EQ(about_seconds(21.3), "about 21 s");
+  EXPECT_EQ(about_seconds(600), "about 10 minutes");
+  EXPECT_EQ(about_seconds(1e4), "about 2.8 hours");
+  EXPECT_EQ(about_seconds(1e6), "about 12 days");
+}
+
+}  // namespace
+}  // namespace earthtop
