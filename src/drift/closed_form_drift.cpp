@@ -137,8 +137,7 @@ double passing_time(ExactPair<T>& pair, const NaturalUnits& units, T threshold, 
 }  // namespace
 
 template <class T>
-DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                     const std::atomic<bool>* stop) {
+DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const std::vector<T> times = natural_times(problem);
   const std::vector<double> seen(times.begin(), times.end());
   ExactPair<T> pair(problem, times);
@@ -172,14 +171,12 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
       trajectory.threshold_time_s = passing_time(pair, problem.units, T(*problem.threshold_rad), below, exact_t);
     below = exact_t;
   };
-  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, stop, visit);
+  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, watch, visit);
   return trajectory;
 }
-template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&,
-                                                   const std::atomic<bool>*);
+template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                        const std::atomic<bool>*);
-template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&,
-                                                     const std::atomic<bool>*);
+                                                        const Watch&);
+template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 
 }  // namespace earthtop

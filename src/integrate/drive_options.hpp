@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -25,7 +25,7 @@ struct DriveOptions {
   bool fixed_step_given = true;  ///< or else the method may find one that meets the tolerance
   Composition composition = Composition::automatic;
   std::int64_t step_limit = 0;
-  const std::atomic<bool>* stop = nullptr;
+  Watch watch = {};
   std::vector<T> joints = {};  ///< ascending; times at which the equations have no higher derivatives: steps end there
 };
 
@@ -106,14 +106,15 @@ constexpr bool is_bound_only() {
 /// the limit is out of reach of the end.
 template <class T>
 RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters, T now, T begin, T end) {
-  constexpr std::int64_t kReview = 1'000'000;
+  constexpr std::int64_t kReview = 1'000'000, kTell = 64;
   const std::int64_t steps = counters.accepted + counters.rejected;
   if (steps >= options.step_limit) return RunStatus::step_limit;
   if (steps % kReview == 0 && steps > 0) {
     const auto part = static_cast<double>((now - begin) / (end - begin));
     if (static_cast<double>(steps) > part * static_cast<double>(options.step_limit)) return RunStatus::step_limit;
   }
-  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
+  if (steps % kTell == 0) options.watch.reach(static_cast<double>((now - begin) / (end - begin)));
+  if (options.watch.asks_to_stop()) return RunStatus::interrupted;
   return RunStatus::completed;
 }
 

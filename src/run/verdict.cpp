@@ -53,17 +53,20 @@ struct Growth {
   bool completed = true;
 };
 
-Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const std::atomic<bool>& stop) {
+double growth_tolerance(const MotionProblem<double>& problem) { return is_integrable(problem) ? 1e-13 : 1e-7; }
+
+Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const Watch& watch) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
   const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
   const double log_earth = std::log(kGrownAngle / earth_share);
-  const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
+  const double tolerance = growth_tolerance(problem);
   // Dry friction damps the more the slower the motion is: at rest without end.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
-    const GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, &stop);
+    const Watch part = kind == MotionKind::reference ? watch.part(0, earth_share == 0 ? 1 : 0.5) : watch.part(0.5, 1);
+    const GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, part);
     growth.exponent_1_s = std::max(growth.exponent_1_s, report.exponent_1_s);
     growth.completed = growth.completed && report.completed;
     if (!report.exponential_s) continue;
@@ -134,7 +137,13 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
 
 }  // namespace
 
-VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& stop) {
+std::optional<double> growth_tolerance(const Scenario& scenario) {
+  const auto problem = make_problem<double>(scenario);
+  if (marginal_reason(problem) || is_regular(problem)) return std::nullopt;
+  return growth_tolerance(problem);
+}
+
+VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   VerdictReport report;
   const auto problem = make_problem<double>(result.scenario);
   if (const auto reason = marginal_reason(problem)) {
@@ -146,7 +155,7 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
   if (is_regular(problem))
     report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem), report);
+    judge_growth(follow_growth(result, problem, watch), result.rows, is_integrable(problem), report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
   if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
     report.verdict = Verdict::noise_floor;
@@ -180,6 +189,7 @@ std::string_view to_string(Verdict verdict) {
     case Verdict::unstable: return "unstable";
     case Verdict::chaotic: return "chaotic";
     case Verdict::marginal: return "marginal";
+    case Verdict::unassessed: return "unassessed";
   }
   return "unknown";
 }
