@@ -38,10 +38,6 @@ Comparand open_results(const fs::path& directory) {
   results.summary = read_json_file(file, "summary");
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
-  if (results.word("/outcome/status") == to_string(RunStatus::interrupted))
-    refuse_path(directory,
-                "is a partial result: its run was interrupted before the bounds on its errors were there, and without them "
-                "nothing can be judged; run the scenario again");
   const auto rows = results.number("/outcome/rows");
   if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
     refuse_path(file, "does not state its rows (/outcome/rows), a whole number; write the results anew");

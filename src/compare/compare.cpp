@@ -109,7 +109,17 @@ void find_attitude_errors(const Comparand& reference, const Comparand& candidate
   }
 }
 
+/// Rows that were kept of an interrupted run have no bounds, and nobody has judged their motion.
+void require_assessed(const Comparand& side) {
+  if (side.word("/outcome/status") == to_string(RunStatus::interrupted))
+    refuse_path(side.path,
+                "is a partial result: its run was interrupted before error bounds and verdict were there, and without them "
+                "nothing can be judged; run the scenario again");
+}
+
 void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
+  require_assessed(reference);
+  require_assessed(candidate);
   compare_scenarios(reference, candidate, options, report);
   RowsContext context;
   find_attitude_errors(reference, candidate, context);

@@ -69,7 +69,8 @@ std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Ru
       continue;
     }
     if (known.insert(criterion.set).second) work += estimated_seconds(runs.scenario(criterion.set));
-    if (criterion.kind == CriterionKind::equivalence && known.insert({}).second) work += estimated_seconds(runs.scenario());
+    if (criterion.kind == CriterionKind::equivalence && known.insert(Changes()).second)
+      work += estimated_seconds(runs.scenario());
     if (criterion.kind == CriterionKind::exactly_zero) work *= kMethodsHeld;
   }
   return all;

@@ -1,13 +1,15 @@
 #include "interrupt.hpp"
 
-#include <signal.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
+#include <ctime>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
@@ -28,7 +30,7 @@ std::atomic<int> g_signal = 0;
 std::atomic<bool> g_orderly = false;
 std::atomic<std::int64_t> g_used_before = 0;  // processor time at the last look
 bool g_json = false;
-std::string g_message, g_json_message;
+const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come at the very end
 timer_t g_processor_timer, g_wall_timer;
 bool g_has_timers = false;
 
@@ -51,18 +53,18 @@ void watch_the_end(std::int64_t grace) noexcept {
   set(g_wall_timer, kIdle);
 }
 
-void say(int descriptor, const char* text, std::size_t size) noexcept {
-  if (::write(descriptor, text, size) < 0) return;  // nobody listens
+void say(int descriptor, std::string_view text) noexcept {
+  if (::write(descriptor, text.data(), text.size()) < 0) return;  // nobody listens
 }
 
 /// Only what is safe in a signal handler.
 void end_at_once() noexcept {
   if (!discard_temporaries()) return watch_the_end(kMoment);
-  if (is_line_shown()) say(STDERR_FILENO, "\r\033[K", 4);
+  if (is_line_shown()) say(STDERR_FILENO, "\r\033[K");
   if (!g_json)
-    say(STDERR_FILENO, g_message.data(), g_message.size());
+    say(STDERR_FILENO, *g_message);
   else if (!has_printed())
-    say(STDOUT_FILENO, g_json_message.data(), g_json_message.size());
+    say(STDOUT_FILENO, *g_json_message);
   ::_exit(interrupted_status());
 }
 
@@ -110,8 +112,8 @@ bool make_timers() {
 void install_stop_handlers(bool json) {
   const std::vector<Diagnostic> errors = {{0, 0, "", "interrupted; the same command starts it again"}};
   g_json = json;
-  g_message = errors_text("", errors);
-  g_json_message = errors_json("", errors);
+  g_message = new std::string(errors_text("", errors));
+  g_json_message = new std::string(errors_json("", errors));
   g_has_timers = make_timers();
   struct sigaction action {};
   action.sa_handler = on_stop_signal;
