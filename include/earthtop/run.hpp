@@ -145,6 +145,9 @@ struct RunOptions {
 /// `RunOptions::partial`: then bounds are not numbers, and the verdict is `unassessed`.
 RunResult run(const Scenario& scenario, const RunOptions& options = {});
 
+/// What a run costs with all that it assesses, roughly, in the seconds of `estimated_seconds`: for its progress.
+double estimated_run_seconds(const Scenario& scenario);
+
 /// Whether a result has rows without bounds and verdict.
 bool is_partial(const RunResult& result);
 

@@ -32,8 +32,10 @@ std::atomic<bool> stop_asked = false;
 /// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
 /// against itself in steps that are shorter and have no common measure with the first ones (the observer names them), which
 /// excite other nutation; a trial would but find the first steps again. Where a run has few nutations, extrapolation.
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
-                                  bool dry_friction) {
+IntegrationOptions second_options(const Scenario& scenario, const IntegrationOptions& first, ModelForm form) {
+  const Precision precision = scenario.precision;
+  const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
+  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
@@ -76,9 +78,7 @@ RunResult run_in(const Scenario& scenario, const RunOptions& run_options) {
   TwoIntegrations<T> made;
   made.options = choice.options;
   const ModelForm form = form_taken(problem, made.options);
-  const double phase = fastest_rate_rad_s(scenario) * problem.times_s.back();
-  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
-  made.other_options = second_options(made.options, form, precision, phase, dry_friction);
+  made.other_options = second_options(scenario, made.options, form);
   const Watch& watch = run_options.watch;
   const RunWork work = watch.is_told() ? estimated_work(scenario, made.options, made.other_options, form) : RunWork();
   Parts parts(watch, work.all());
@@ -90,12 +90,6 @@ RunResult run_in(const Scenario& scenario, const RunOptions& run_options) {
   made.second =
       integrate_timed(problem, made.other_options, precision, parts.next(work.bound, "error bound"), made.certificate);
   return assemble_result(scenario, made, work, parts, run_options.partial);
-}
-
-/// What the choice of effects costs of all.
-double selection_share(const Scenario& scenario) {
-  const double choice = selection_work(scenario), rest = estimated_seconds(scenario);
-  return choice > 0 ? choice / (choice + rest) : 0;
 }
 
 RunResult run_once(const Scenario& scenario, const RunOptions& options) {
@@ -151,13 +145,21 @@ void withdraw_interrupt() noexcept { stop_asked = false; }
 
 const std::atomic<bool>& interrupt_flag() noexcept { return stop_asked; }
 
+double estimated_run_seconds(const Scenario& scenario) {
+  const IntegrationOptions first = method_choice(scenario).options;
+  const ModelForm form = form_taken(make_problem<double>(scenario), first);
+  const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
+  return choice + estimated_work(scenario, first, second_options(scenario, first, form), form).all();
+}
+
 RunResult run(const Scenario& scenario, const RunOptions& options) {
   require_ieee_arithmetic();
   Scenario modelled = scenario;
   std::optional<Selection> selection;
   RunOptions after = options;
   if (scenario.effects.automatic) {
-    const double share = options.watch.is_told() ? selection_share(scenario) : 0;
+    const double choice = options.watch.is_told() ? selection_work(scenario) : 0;
+    const double share = choice > 0 ? choice / estimated_run_seconds(scenario) : 0;
     selection = select_effects(modelled, options.watch.part(0, share, "choice of effects"));
     after.watch = options.watch.part(share, 1);
   }

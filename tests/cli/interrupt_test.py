@@ -73,11 +73,11 @@ def main_cases():
     sensitive = scene("toy-top", motion__duration_s=600, report__sensitivities=True)
     with open("study.json", "w", encoding="utf-8") as file:
         json.dump({"name": "many", "base": long_top, "axes": [{"name": "tilt", "pointer": "/release/tilt_deg",
-                                                             "from": 5, "to": 40, "points": 400}],
+                                                             "from": 5, "to": 40, "points": 400}}],
                    "collect": ["drift.axis_final_rad"]}, file)
     with open("wide-study.json", "w", encoding="utf-8") as file:
         json.dump({"name": "wide", "base": wide, "axes": [{"name": "tilt", "pointer": "/release/tilt_deg",
-                                                          "from": 5, "to": 40, "points": 40}],
+                                                          "from": 5, "to": 40, "points": 40}}],
                    "collect": ["drift.axis_final_rad"]}, file)
     cases = [
         ("run: series, bound", ["run", long_top], (0.3, 2.0)),

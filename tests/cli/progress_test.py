@@ -32,7 +32,7 @@ def watched(arguments, environment=None):
     master, slave = pty.openpty()
     seen, text = [], ""
     with subprocess.Popen([TOOL, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave,
-                          env=dict(os.environ, TERM="xterm", **(environment or {}))) as process:
+                          env={**os.environ, "TERM": "xterm", **(environment or {})}) as process:
         os.close(slave)
         while True:
             if select.select([master], [], [], 0.05)[0]:
@@ -97,8 +97,8 @@ def main():
     rows = scene("toy-top", "rows", motion__output_step_s=0.0004)
     friction = scene("asymmetric-top", "friction", motion__duration_s=1200, motion__output_step_s=1,
                      effects__coulomb_torque_N_m=1e-9)
-    points = {"name": "points", "base": "top.json", "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "from": 5,
-                                                             "to": 40, "points": 8}], "collect": ["drift.axis_final_rad"]}
+    points = {"name": "points", "base": "top.json", "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5,
+                                                             "to": 40, "points": 8}}], "collect": ["drift.axis_final_rad"]}
     with open("points.json", "w", encoding="utf-8") as file:
         json.dump(points, file)
     check("run, rows to be written", ["run", rows, "--out", "rows"])

@@ -84,7 +84,7 @@ WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& 
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
-  const double writing = writing_work(scenario), share = writing / (writing + estimated_seconds(scenario));
+  const double writing = writing_work(scenario), share = writing / (writing + estimated_run_seconds(scenario));
   WrittenRun run{earthtop::run(scenario, {watch.part(0, 1 - share), arguments.partial})};
   run.was_interrupted = run.result.status == RunStatus::interrupted;
   run.is_written = !run.was_interrupted || is_partial(run.result);
