@@ -92,13 +92,13 @@ def scene(name, file, **sets):
 
 
 def main():
-    top = scene("toy-top", "top", motion__duration_s=2400, motion__output_step_s=1)
-    body = scene("asymmetric-top", "body", motion__duration_s=60 if not ALL else 200)
-    rows = scene("toy-top", "rows", motion__output_step_s=0.0004)
-    friction = scene("asymmetric-top", "friction", motion__duration_s=1200, motion__output_step_s=1,
+    top = scene("toy-top", "top", motion__duration_s=600, motion__output_step_s=1)
+    body = scene("asymmetric-top", "body", motion__duration_s=600)
+    rows = scene("toy-top", "rows", motion__output_step_s=0.0002)
+    friction = scene("asymmetric-top", "friction", motion__duration_s=120, motion__output_step_s=1,
                      effects__coulomb_torque_N_m=1e-9)
-    points = {"name": "points", "base": "top.json", "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5,
-                                                             "to": 40, "points": 8}}], "collect": ["drift.axis_final_rad"]}
+    points = {"name": "points", "base": top, "collect": ["drift.axis_final_rad"],
+              "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5, "to": 40, "points": 8}}]}
     with open("points.json", "w", encoding="utf-8") as file:
         json.dump(points, file)
     check("run, rows to be written", ["run", rows, "--out", "rows"])
