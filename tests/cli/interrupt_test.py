@@ -156,12 +156,12 @@ def check(name, arguments, number, at_s, second=False):
 def never_looks():
     """What ends a program that does not end by itself: its processor time, or that it uses none."""
     for name, arguments, least_s in (("computes", [], 0.09), ("waits", ["waits"], 0)):
-        done = Interrupted([DEAF, *arguments], signal.SIGTERM, 0.001, ".")
+        done = Interrupted([DEAF, *arguments], signal.SIGTERM, 0.03, ".")
         print(f"deaf, {name}: {1000 * done.after_s:.0f} ms, {done.waited_s:.1f} s by the clock")
         if done.status != 128 + signal.SIGTERM or not least_s <= done.after_s <= MOST_S or "interrupted" not in done.err:
             fault(f"deaf, {name}: status {done.status} after {done.after_s:.3f} s of processor time; {done.err.strip()}")
-        done = Interrupted([DEAF, *arguments], signal.SIGINT, 0.001, ".", second=True)
-        if done.status != 128 + signal.SIGINT or done.after_s > 0.05:
+        done = Interrupted([DEAF, *arguments], signal.SIGINT, 0.03, ".", second=True)
+        if done.status != 128 + signal.SIGINT or done.after_s > 0.06:
             fault(f"deaf, {name}, twice: status {done.status} after {done.after_s:.3f} s of processor time")
 
 

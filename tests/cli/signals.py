@@ -56,6 +56,7 @@ class Interrupted:
             process.send_signal(number)
             used = processor_time(process.pid) or used
             if second:
+                time.sleep(0.02)  # two of a kind that wait together are one
                 process.send_signal(number)
         timeout = time.monotonic() + PATIENCE
         while True:
