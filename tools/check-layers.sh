@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers='real text error arithmetic
+layers='real text error arithmetic watch
 frames
 model
 closed_form

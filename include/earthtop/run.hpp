@@ -8,6 +8,7 @@
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scenario/scenario.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -58,7 +59,7 @@ enum class Verdict {
   unstable,     ///< disturbances grow exponentially along this one motion
   chaotic,      ///< they do wherever the motion goes: what Earth rotation does cannot be told from any other disturbance
   marginal,     ///< at a limit of stability: the motion's character hangs on digits that no experiment knows
-  unassessed    ///< there is nothing to judge: no row beyond the release
+  unassessed    ///< nothing is known of it: no row beyond the release, or the run was interrupted before
 };
 std::string_view to_string(Verdict verdict);
 
@@ -106,7 +107,9 @@ struct RunResult {
   std::optional<Selection> selection;      ///< where the scenario leaves the choice of effects open
   std::optional<AccuracyReport> accuracy;  ///< where it asks for one
   RunStatus status = RunStatus::completed;
-  double reached_s = 0;  ///< time of the last row
+  double reached_s = 0;  ///< time of the last row, or of an interrupted solution
+  /// Of an interrupted run: the solution had come to its end; what was cut short came after it.
+  bool solution_is_whole = false;
   std::vector<DriftRow> rows;
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full; none in double precision
   DriftSummary drift;
@@ -134,12 +137,27 @@ const DriftRow* last_reliable_row(const RunResult& result);
 /// Asks a running integration to stop; safe in a signal handler.
 void request_interrupt() noexcept;
 bool interrupt_requested() noexcept;
+/// Takes the request back, so that what is to be kept can be written. Safe in a signal handler, too.
+void withdraw_interrupt() noexcept;
 /// What `request_interrupt` sets, for other work that can be stopped.
 const std::atomic<bool>& interrupt_flag() noexcept;
 
+struct RunOptions {
+  Watch watch{&interrupt_flag()};  ///< whoever stops the run and sees its progress
+  /// Of a run that is interrupted when its solution is whole: keep the rows, without error bounds and verdict.
+  bool partial = false;
+};
+
 /// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run;
 /// ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers.
-/// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none.
-RunResult run(const Scenario& scenario);
+/// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none but with
+/// `RunOptions::partial`: then bounds are not numbers, and the verdict is `unassessed`.
+RunResult run(const Scenario& scenario, const RunOptions& options = {});
+
+/// What a run costs with all that it assesses, roughly, in the seconds of `estimated_seconds`: for its progress.
+double estimated_run_seconds(const Scenario& scenario);
+
+/// Whether a result has rows without bounds and verdict.
+bool is_partial(const RunResult& result);
 
 }  // namespace earthtop

@@ -17,8 +17,8 @@ struct BatchOutcome {
 };
 
 /// Runs scenarios; the outcome of each depends on it alone, not on its neighbours or on how many there are. An interrupt
-/// leaves outcomes with RunStatus::interrupted.
+/// (of the watch) leaves outcomes with RunStatus::interrupted.
 /// @throws ArithmeticError as `run` does.
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios);
+std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {&interrupt_flag()});
 
 }  // namespace earthtop

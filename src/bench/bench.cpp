@@ -44,7 +44,7 @@ void prepare(const Compute& compute, double most_seconds, Racer& racer) {
   racer.status = trajectory.status;
   racer.counters = trajectory.counters;
   for (const auto& sample : trajectory.samples) racer.checkpoints.push_back(checkpoint_of(sample));
-  racer.compute = [compute] { compute(nullptr); };
+  racer.compute = [compute] { compute(Watch()); };
 }
 
 PeerDrift subtract(const MotionTrajectory<double>& rotating, const MotionTrajectory<double>& reference) {
@@ -68,14 +68,14 @@ void prepare_peer(const Contender& contender, const Scenario& scenario, const st
   const double tolerance = contender.options.relative_tolerance;
   const MotionProblem<double> rotating = problem_of(scenario);
   if (contender.workload != Workload::drift)
-    return prepare([=](const std::atomic<bool>* stop) { return integrate_with_peer(peer, rotating, tolerance, stop); },
-                   most_seconds, racer);
+    return prepare([=](const Watch& watch) { return integrate_with_peer(peer, rotating, tolerance, watch); }, most_seconds,
+                   racer);
   Scenario still = scenario;
   still.rotation_rate_rad_s = 0;
   prepare(
-      [=, reference = problem_of(still)](const std::atomic<bool>* stop) {
-        const auto first = integrate_with_peer(peer, rotating, tolerance, stop);
-        return subtract(first, integrate_with_peer(peer, reference, tolerance, stop));
+      [=, reference = problem_of(still)](const Watch& watch) {
+        const auto first = integrate_with_peer(peer, rotating, tolerance, watch);
+        return subtract(first, integrate_with_peer(peer, reference, tolerance, watch));
       },
       most_seconds, racer);
 }
@@ -87,10 +87,9 @@ void prepare(const Contender& contender, const Scenario& scenario, const std::ve
   problem.times_s = times_s;
   const IntegrationOptions& options = contender.options;
   if (contender.workload == Workload::drift)
-    return prepare([=](const std::atomic<bool>* stop) { return integrate_drift(problem, options, stop); }, most_seconds, racer);
+    return prepare([=](const Watch& watch) { return integrate_drift(problem, options, watch); }, most_seconds, racer);
   const MotionSought sought = contender.workload == Workload::axis ? MotionSought::symmetry_axis : MotionSought::attitude;
-  prepare([=](const std::atomic<bool>* stop) { return integrate_motion<T>(problem, options, sought, stop); }, most_seconds,
-          racer);
+  prepare([=](const Watch& watch) { return integrate_motion<T>(problem, options, sought, watch); }, most_seconds, racer);
 }
 
 /// @throws std::invalid_argument for a method that does not fit the scene

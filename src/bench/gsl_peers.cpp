@@ -17,9 +17,9 @@ int rates(double, const double* x, double* dxdt, void* system) {
 }  // namespace
 
 MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                            const std::atomic<bool>* stop) {
+                                            const Watch& watch) {
   const ReturnedGslErrors returned;
-  PeerSystem top(problem, stop);
+  PeerSystem top(problem, watch);
   gsl_odeiv2_system system{rates, nullptr, PeerSystem::kSize, &top};
   const gsl_odeiv2_step_type* type = peer == Peer::gsl_msadams ? gsl_odeiv2_step_msadams : gsl_odeiv2_step_rk8pd;
   const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(

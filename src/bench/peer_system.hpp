@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
 
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/model/equations.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -15,7 +15,7 @@ class PeerSystem {
   static constexpr std::size_t kSize = 7;
   using State = std::array<double, kSize>;
 
-  PeerSystem(const MotionProblem<double>& problem, const std::atomic<bool>* stop) : problem_(problem), stop_(stop) {}
+  PeerSystem(const MotionProblem<double>& problem, const Watch& watch) : problem_(problem), watch_(watch) {}
 
   State initial_state() const {
     const Release<double>& release = problem_.release;
@@ -35,7 +35,7 @@ class PeerSystem {
     for (int i = 0; i < 3; ++i) dxdt[1 + i] = rate.q.v[i], dxdt[4 + i] = rate.m[i];
     return !is_stopped();
   }
-  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  bool is_stopped() const { return watch_.asks_to_stop(); }
   std::int64_t evaluations() const { return evaluations_; }
 
   MotionSample<double> sample(const double* x, double t_s) const {
@@ -69,16 +69,14 @@ class PeerSystem {
   static Motion<double> load(const double* x) { return {{x[0], {x[1], x[2], x[3]}}, {x[4], x[5], x[6]}}; }
 
   const MotionProblem<double>& problem_;
-  const std::atomic<bool>* stop_;
+  Watch watch_;
   std::int64_t evaluations_ = 0;
 };
 
 MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                            const std::atomic<bool>* stop);
-MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& problem, double tolerance,
-                                              const std::atomic<bool>* stop);
-MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& problem, double tolerance,
-                                               const std::atomic<bool>* stop);
+                                            const Watch& watch);
+MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
+MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
 std::string sundials_version();
 
 }  // namespace earthtop

@@ -43,15 +43,15 @@ std::string peers_description() {
 }
 
 MotionTrajectory<double> integrate_with_peer(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                             const std::atomic<bool>* stop) {
+                                             const Watch& watch) {
   if (problem.model.kind != SceneKind::plain)
     throw std::invalid_argument("bench: peers are made for scenes without a platform, with all torques");
   switch (peer) {
     case Peer::gsl_rk8pd:
-    case Peer::gsl_msadams: return integrate_with_gsl(peer, problem, tolerance, stop);
+    case Peer::gsl_msadams: return integrate_with_gsl(peer, problem, tolerance, watch);
 #ifdef EARTHTOP_SUNDIALS
-    case Peer::cvode_adams: return integrate_with_cvode(problem, tolerance, stop);
-    case Peer::arkode_erk: return integrate_with_arkode(problem, tolerance, stop);
+    case Peer::cvode_adams: return integrate_with_cvode(problem, tolerance, watch);
+    case Peer::arkode_erk: return integrate_with_arkode(problem, tolerance, watch);
 #else
     case Peer::cvode_adams:
     case Peer::arkode_erk: break;

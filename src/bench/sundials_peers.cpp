@@ -43,9 +43,8 @@ RunStatus status_of(int flag, const PeerSystem& top) {
 
 std::string sundials_version() { return SUNDIALS_VERSION; }
 
-MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& problem, double tolerance,
-                                              const std::atomic<bool>* stop) {
-  PeerSystem top(problem, stop);
+MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& problem, double tolerance, const Watch& watch) {
+  PeerSystem top(problem, watch);
   PeerSystem::State x = top.initial_state();
   const Workspace workspace(x);
   const auto free_memory = [](void* memory) { CVodeFree(&memory); };
@@ -71,9 +70,8 @@ MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& probl
   return trajectory;
 }
 
-MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& problem, double tolerance,
-                                               const std::atomic<bool>* stop) {
-  PeerSystem top(problem, stop);
+MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& problem, double tolerance, const Watch& watch) {
+  PeerSystem top(problem, watch);
   PeerSystem::State x = top.initial_state();
   const Workspace workspace(x);
   const auto free_memory = [](void* memory) { ERKStepFree(&memory); };

@@ -12,6 +12,7 @@
 #include "scenario/input_derivatives.hpp"
 #include "scenario/pace.hpp"
 #include "scenario/problem.hpp"
+#include "scenario/work.hpp"
 
 namespace earthtop {
 namespace {
@@ -43,7 +44,7 @@ double in_newton_metres(double torque, const NaturalUnits& units) {
 }
 
 std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const DriftProblem<double>& problem, double time_s,
-                           double& drift_rad, double& reached_s, RunStatus& status, const std::atomic<bool>* stop) {
+                           double& drift_rad, double& reached_s, RunStatus& status, const Watch& watch) {
   std::vector<Sized> sized(candidates.size());
   std::vector<ProblemDerivative> inputs;
   inputs.reserve(candidates.size());
@@ -57,7 +58,7 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
       sized[i].torque_largest = std::max(sized[i].torque_largest, torque);
     }
   };
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, stop, on_step);
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, watch, on_step);
   reached_s = real::scale(end, problem.units.time_exponent);
   status = drift.status;
   drift_rad = status == RunStatus::completed ? drift.axis.value : std::numeric_limits<double>::quiet_NaN();
@@ -85,19 +86,34 @@ EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const Natur
   return entry;
 }
 
+void in_double(Scenario& scenario) {
+  if (scenario.precision == Precision::bits53) return;
+  scenario.precision = Precision::bits53;
+  scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
+}
+
+bool has_affordable_drift(const Scenario& scenario) {
+  constexpr double kAffordable_s = 60;
+  return estimated_seconds(scenario) <= kAffordable_s && !method_refusal(scenario.numerics.method, scenario);
+}
+
+/// What the drift at the end costs where the motion is followed for a part of its time.
+double drift_work(Scenario scenario, double followed_s) {
+  in_double(scenario);
+  if (!(followed_s < scenario.duration_s) || !has_affordable_drift(scenario)) return 0;
+  scenario.output_step_s = scenario.duration_s;
+  return estimated_seconds(scenario) / 2;
+}
+
 /// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
-/// within half a minute; in proportion to the time elsewhere.
-double drift_growth(Scenario scenario, DriftProblem<double> problem, double followed_s, double in_proportion) {
-  constexpr double kAffordable_s = 30;
+/// within a minute; in proportion to the time elsewhere.
+double drift_growth(Scenario scenario, DriftProblem<double> problem, double followed_s, double in_proportion,
+                    const Watch& watch) {
   if (!(followed_s > 0) || !(followed_s < scenario.duration_s)) return 1;
-  if (scenario.precision != Precision::bits53) {
-    scenario.precision = Precision::bits53;
-    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
-  }
-  if (method_refusal(scenario.numerics.method, scenario)) return in_proportion;
-  if (estimated_seconds(scenario, method_choice(scenario).options) > kAffordable_s) return in_proportion;
+  in_double(scenario);
+  if (!has_affordable_drift(scenario)) return in_proportion;
   problem.times_s = {0, followed_s, scenario.duration_s};
-  const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options);
+  const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options, watch);
   if (drift.samples.size() < 3 || !(drift.samples[1].measures.axis > 0)) return in_proportion;
   return drift.samples[2].measures.axis / drift.samples[1].measures.axis;
 }
@@ -129,13 +145,13 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
 }
 
 void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, double time_s, double later, double drift_later,
-                const std::atomic<bool>* stop, Budget& budget) {
+                const Watch& watch, Budget& budget) {
   if (scenario.rotation_rate_rad_s == 0) {
     budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
     return;
   }
   const InputDerivatives inputs = input_derivatives(scenario, problem.units);
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, time_s, kTolerance, stop);
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, time_s, kTolerance, watch);
   if (drift.status != RunStatus::completed) {
     budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
     return;
@@ -151,18 +167,38 @@ void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, d
   }
 }
 
+struct BudgetWork {
+  double effects = 0, drift = 0, inputs = 0;
+  double all() const { return effects + drift + inputs; }
+};
+
+BudgetWork work_of(const Scenario& scenario, double time_s, std::size_t candidates) {
+  BudgetWork work;
+  work.effects = sensitivity_work(scenario, time_s, kTolerance, candidates);
+  work.drift = drift_work(scenario, time_s);
+  if (scenario.rotation_rate_rad_s != 0) work.inputs = sensitivity_work(scenario, time_s, kTolerance, kInputNames.size());
+  return work;
+}
+
 }  // namespace
 
-Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
+double budget_work(const Scenario& scenario) {
+  const auto problem = make_problem<double>(scenario);
+  return work_of(scenario, followed_time(scenario, problem), effect_candidates(scenario, problem).size()).all();
+}
+
+Budget effect_budget(const Scenario& scenario, const Watch& watch) {
   const auto problem = make_problem<double>(scenario);
   const std::vector<Candidate> candidates = effect_candidates(scenario, problem);
   const double time_s = followed_time(scenario, problem);
+  const BudgetWork work = work_of(scenario, time_s, candidates.size());
+  Parts parts(watch, work.all());
   Budget budget;
   RunStatus status = RunStatus::completed;
-  const std::vector<Sized> sized =
-      size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, status, stop);
+  const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, status,
+                                           parts.next(work.effects, "effects"));
   const double later = budget.followed_s > 0 ? scenario.duration_s / budget.followed_s : 1;
-  const double drift_later = drift_growth(scenario, problem, budget.followed_s, later);
+  const double drift_later = drift_growth(scenario, problem, budget.followed_s, later, parts.next(work.drift, "drift"));
   budget.earth_drift_rad *= drift_later;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later, drift_later));
@@ -171,7 +207,7 @@ Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop) {
   if (status != RunStatus::completed)
     budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",
                                           budget.followed_s, to_string(status)));
-  add_inputs(scenario, problem, budget.followed_s, later, drift_later, stop, budget);
+  add_inputs(scenario, problem, budget.followed_s, later, drift_later, parts.next(work.inputs, "inputs"), budget);
   return budget;
 }
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -47,10 +47,10 @@ Quaternion<T> with_sign_of(const Quaternion<double>& near, const Quaternion<T>& 
 }
 
 /// Visits the times in order and as many between two of them as it takes to go no further than `longest_step`.
-/// @param visit  (t, row): the row's number, or -1 between rows   @param stop  may be null
+/// @param visit  (t, row): the row's number, or -1 between rows   @param watch  may end it
 template <class Visit>
-RunStatus visit_times(const std::vector<double>& times, double longest_step, std::int64_t step_limit,
-                      const std::atomic<bool>* stop, Visit&& visit) {
+RunStatus visit_times(const std::vector<double>& times, double longest_step, std::int64_t step_limit, const Watch& watch,
+                      Visit&& visit) {
   std::int64_t visited = 0;
   for (std::size_t row = 0; row < times.size(); ++row) {
     const double before = row == 0 ? times[0] : times[row - 1], interval = times[row] - before;
@@ -59,7 +59,8 @@ RunStatus visit_times(const std::vector<double>& times, double longest_step, std
     const auto count = static_cast<std::int64_t>(steps);
     visited += count;
     for (std::int64_t k = 1; k <= count; ++k) {
-      if (stop != nullptr && *stop) return RunStatus::interrupted;
+      if (watch.asks_to_stop()) return RunStatus::interrupted;
+      if (k % 64 == 1 && times.back() > 0) watch.reach((before + interval * (static_cast<double>(k) / steps)) / times.back());
       if (k == count)
         visit(times[row], static_cast<std::int64_t>(row));
       else

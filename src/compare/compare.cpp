@@ -109,7 +109,17 @@ void find_attitude_errors(const Comparand& reference, const Comparand& candidate
   }
 }
 
+/// Rows that were kept of an interrupted run have no bounds, and nobody has judged their motion.
+void require_assessed(const Comparand& side) {
+  if (side.word("/outcome/status") == to_string(RunStatus::interrupted))
+    refuse_path(side.path,
+                "is a partial result: its run was interrupted before error bounds and verdict were there, and without them "
+                "nothing can be judged; run the scenario again");
+}
+
 void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
+  require_assessed(reference);
+  require_assessed(candidate);
   compare_scenarios(reference, candidate, options, report);
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
@@ -140,6 +150,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
       report.quantities.push_back(std::move(figure));
     if (!same_rows) report.notes.emplace_back("not compared: largest values and means of the rows, which are others now");
   }
+  options.watch.reach(1);
   report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
 }
 
@@ -179,6 +190,15 @@ void require_distinct(const fs::path& directory, const std::vector<std::pair<std
                                          list[i - 1].second.filename().string(), list[i].second.filename().string()));
 }
 
+/// How much there is to read of a member, for the progress: its rows, and something for its other files.
+double bytes_of(const fs::path& member) {
+  constexpr double kOthers = 1e5;
+  std::error_code error;
+  const fs::path rows = fs::is_directory(member, error) ? member / "trajectory.csv" : member;
+  const auto size = fs::file_size(rows, error);
+  return kOthers + (error ? 0 : static_cast<double>(size));
+}
+
 /// Everything in two directories, by name.
 void compare_collections(const fs::path& reference, const fs::path& candidate, const Mapping* mapping,
                          const CompareOptions& options, CompareReport& report) {
@@ -188,7 +208,12 @@ void compare_collections(const fs::path& reference, const fs::path& candidate, c
   const auto find = [](const auto& list, const std::string& name) {
     return std::find_if(list.begin(), list.end(), [&](const auto& member) { return member.first == name; });
   };
+  double bytes = 0;
+  for (const auto& member : old_members) bytes += bytes_of(member.second);
+  Parts parts(options.watch, bytes);
+  CompareOptions of_pair = options;
   for (const auto& [name, path] : old_members) {
+    of_pair.watch = parts.next(bytes_of(path));
     PairReport pair;
     pair.name = name;
     pair.reference = path.string();
@@ -202,7 +227,7 @@ void compare_collections(const fs::path& reference, const fs::path& candidate, c
     } else {
       pair.candidate = now->second.string();
       try {
-        pair = compare_pair(path, now->second, name, mapping, options);
+        pair = compare_pair(path, now->second, name, mapping, of_pair);
       } catch (const ScenarioError& error) {
         pair.refusal = error.what();
       }

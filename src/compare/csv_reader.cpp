@@ -1,6 +1,7 @@
 #include "compare/csv_reader.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <charconv>
@@ -45,6 +46,8 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
 
 CsvReader::CsvReader(std::string file, CsvFormat format)
     : file_(std::move(file)), format_(format), descriptor_(scenario::open_regular_file(file_, file_, kCsvFile)) {
+  struct stat status = {};
+  if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
   if (!read_line(line)) refuse("is empty; a header line and rows of numbers are needed");
   if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
@@ -98,6 +101,7 @@ bool CsvReader::read_line(std::string_view& line) {
         refuse("the last line has no end, as if its writing had broken off; write the file anew");
       }
       end_ += got;
+      read_ += got;
       continue;
     }
     ++line_;

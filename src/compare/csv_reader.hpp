@@ -38,7 +38,9 @@ class CsvReader {
   std::span<const double> numbers() const { return numbers_; }  ///< in the wanted order; NaN where there is none
   std::span<const CellKind> kinds() const { return kinds_; }
   std::string_view text(std::size_t wanted) const { return cells_[wanted_[wanted]]; }  ///< as it stands in the file
-  std::uint64_t line() const { return line_; }                                         ///< counted from 1
+  /// The part of the file that has been read, by its length when it was opened.
+  double share_read() const { return size_ > 0 ? static_cast<double>(read_) / static_cast<double>(size_) : 0; }
+  std::uint64_t line() const { return line_; }  ///< counted from 1
   /// Where the cell stands in its line (bytes), counted from 1.
   std::size_t column(std::size_t wanted) const { return static_cast<std::size_t>(text(wanted).data() - whole_.data()) + 1; }
 
@@ -50,6 +52,7 @@ class CsvReader {
   std::string file_;
   CsvFormat format_;
   scenario::Descriptor descriptor_;
+  std::uint64_t size_ = 0, read_ = 0;  // bytes
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what is in the buffer and not yet given out
   std::uint64_t line_ = 0;

@@ -110,7 +110,7 @@ bool has_drifts(const Measurement& measurement) {
   });
 }
 
-PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const std::atomic<bool>* stop) {
+PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const Watch& watch) {
   prepare(scenario, times_s.back());
   if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
   require_affordable(scenario);
@@ -121,7 +121,7 @@ PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, b
   predicted.axes.reserve(times_s.size());
   // A motion that dry friction brings to rest is held at rest where drifts are computed.
   if (drift || scenario.effects.applied.coulomb_N_m != 0) {
-    const DriftTrajectory<double> motion = integrate_drift(problem, options, stop);
+    const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
       PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}};
@@ -132,18 +132,18 @@ PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, b
   }
   const bool axis_alone = symmetry_axis(make_body<double>(scenario.body)) == 2;
   const MotionTrajectory<double> motion =
-      integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, stop);
+      integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
   for (const MotionSample<double>& sample : motion.samples)
     predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}});
   return predicted;
 }
 
-VerdictReport verdict_at(Scenario scenario, double end_s, RunStatus& status) {
+VerdictReport verdict_at(Scenario scenario, double end_s, const Watch& watch, RunStatus& status) {
   constexpr double kLooks = 200;  // at which bounds are looked at
   prepare(scenario, end_s);
   scenario.output_step_s = scenario.duration_s / kLooks;
-  const RunResult result = run(scenario);
+  const RunResult result = run(scenario, {watch, false});
   status = result.status;
   return result.verdict;
 }

@@ -57,7 +57,11 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
   }
 }
 
-void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs) {
+/// Two for each parameter's step, and as many for the derivatives of each of some iterations.
+double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
+
+void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs,
+                   const Watch& watch) {
   const std::vector<double> times = measured_times(measurement);
   const bool drift = has_drifts(measurement);
   if (report.residuals.size() < inputs.list().size())
@@ -74,13 +78,18 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
     problem.standard_error.push_back(residual.standard_error_rad);
     problem.period.push_back(period_of(residual));
   }
-  problem.stopped = interrupt_requested;
+  problem.stopped = [&] { return watch.asks_to_stop(); };
+  // How many predictions it takes is not known: each has the same part of what is left.
+  const double part = 1 / expected_predictions(inputs.list().size());
+  double share = 0;
   problem.residuals_at = [&](const std::vector<double>& values, std::vector<double>& residuals) {
     const std::optional<Scenario> scenario = inputs.scenario(values);
     if (!scenario) return false;
     try {
       ++report.predictions;
-      const PredictedMotion motion = predict(*scenario, times, drift, &interrupt_flag());
+      const double begun = share;
+      share += part * (1 - share);
+      const PredictedMotion motion = predict(*scenario, times, drift, watch.part(begun, share));
       if (motion.status != RunStatus::completed) return false;
       latest = residuals_of(measurement, motion);
     } catch (const ScenarioError&) {  // no steady precession for these values, an axis that is vertical, days of work
@@ -109,9 +118,9 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
 }
 
 /// Refuses rows that no computation can predict; notes what hangs on digits that are not known.
-void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scenario& scenario) {
+void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scenario& scenario, const Watch& watch) {
   RunStatus status = RunStatus::completed;
-  const VerdictReport verdict = verdict_at(scenario, measurement.values.back().t_s, status);
+  const VerdictReport verdict = verdict_at(scenario, measurement.values.back().t_s, watch, status);
   if (status == RunStatus::interrupted) report.status = status;
   if (status != RunStatus::completed) return;
   report.verdict = verdict.verdict;
@@ -161,7 +170,8 @@ bool MeasurementReport::agrees() const {
 
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
-                                           const Measurement& measurement, const std::vector<std::string>& estimates) {
+                                           const Measurement& measurement, const std::vector<std::string>& estimates,
+                                           const Watch& watch) {
   using namespace compare;
   if (measurement.values.empty()) throw ScenarioError("", "no measured value");
   const Scenario given = parse_scenario(source, overrides);
@@ -180,16 +190,21 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   for (const MeasuredValue& value : measurement.values) ++counts[value.quantity];
   report.quantities.assign(counts.begin(), counts.end());
 
-  const PredictedMotion motion = predict(scenario, measured_times(measurement), has_drifts(measurement), &interrupt_flag());
+  // In predictions, of which a verdict costs as many as its two integrations and the growth of disturbances do.
+  constexpr double kVerdict = 6;
+  const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
+  Parts parts(watch, 1 + kVerdict + of_fit);
+  const PredictedMotion motion =
+      predict(scenario, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
   report.predictions = 1;
   report.status = motion.status;
   report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
   report.residuals = residuals_of(measurement, motion);
   report.as_given = chi_squared_of(report.residuals, 0);
-  if (report.status == RunStatus::completed) require_reliable(report, measurement, scenario);
+  if (report.status == RunStatus::completed) require_reliable(report, measurement, scenario, parts.next(kVerdict, "verdict"));
   if (!estimates.empty()) {
     if (report.status == RunStatus::completed) {
-      fit_estimates(report, measurement, inputs);
+      fit_estimates(report, measurement, inputs, parts.next(of_fit, "fit"));
     } else {
       report.fit = report.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
       report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(report.status));

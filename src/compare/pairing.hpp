@@ -23,6 +23,7 @@ class CountedRows : public RowSource {
   }
   bool has_column(std::size_t column) const override { return rows_.has_column(column); }
   std::string where() const override { return rows_.where(); }
+  double share_read() const override { return rows_.share_read(); }
   std::vector<std::string> other_columns() const override { return rows_.other_columns(); }
   std::uint64_t count() const { return count_; }
   double last_s() const { return last_s_; }

@@ -69,6 +69,7 @@ class OwnRows : public RowSource {
   bool has_column(std::size_t column) const override {
     return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
   }
+  double share_read() const override { return reader_.share_read(); }
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
   std::vector<std::string> other_columns() const override {
     std::vector<std::string> others;
@@ -123,6 +124,7 @@ class MappedRows : public RowSource {
     };
     return in(quaternion_) || in(rates_) || in(axis_);
   }
+  double share_read() const override { return reader_.share_read(); }
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
 
  private:

@@ -22,6 +22,8 @@ class RowSource {
   virtual bool next(Row& row) = 0;
   virtual bool has_column(std::size_t column) const = 0;
   virtual std::string where() const = 0;  ///< file and line of the last row
+  /// The part of the file that has been read; 0 where nobody knows.
+  virtual double share_read() const { return 0; }
   /// What the file has beside the table's columns.
   virtual std::vector<std::string> other_columns() const { return {}; }
 

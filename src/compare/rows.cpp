@@ -183,7 +183,8 @@ class Comparison {
 
   /// One pass over both files. @returns whether it came to its end: not where rows must be interpolated between and `known`
   /// does not say how well that goes
-  bool pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known);
+  bool pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known,
+            const Watch& watch);
   RowsComparison take();
 
  private:
@@ -297,7 +298,8 @@ void Comparison::require_fine_rows(const Survey& known) const {
     }
 }
 
-bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known) {
+bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known,
+                      const Watch& watch) {
   choose_measures(reference_rows, candidate_rows, known);
   const bool interpolates = !known.interpolation_error.empty();
   if (interpolates) require_fine_rows(known);
@@ -305,9 +307,11 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
     result_.findings.push_back(
         {"not finite", fmt::format("{} times of the reference are no finite numbers", known.not_finite_times)});
   Pairing pairing(reference_rows, candidate_rows, known, reference.has_some_rows_only);
-  std::uint64_t interpolated = 0, elsewhere = 0;
+  constexpr std::uint64_t kTell = 1024;
+  std::uint64_t interpolated = 0, elsewhere = 0, paired_rows = 0;
   for (;;) {
     const PairedRow paired = pairing.next();
+    if (++paired_rows % kTell == 0) watch.reach(candidate_rows.share_read());
     if (paired.kind == PairKind::end) break;
     if (paired.kind == PairKind::no_time) {
       if (not_finite_times_++ == 0)
@@ -378,17 +382,18 @@ void require_stated(const Comparand& comparand, const Table& table, const Counte
 RowsComparison compare_tables(const Comparand& reference, const Comparand& candidate, const Table& table,
                               const std::function<std::unique_ptr<RowSource>()>& open_reference,
                               const std::function<std::unique_ptr<RowSource>()>& open_candidate, const RowsContext& context,
-                              const CompareOptions& options) {
+                              const CompareOptions& options, const Watch& watch) {
+  constexpr double kSurvey = 0.3;  // of the work: one file is read of two
   for (const bool interpolates : {false, true}) {
     const auto surveyed = open_reference();
     CountedRows surveyed_rows(*surveyed);
-    const Survey known = survey(surveyed_rows, table, interpolates);
+    const Survey known = survey(surveyed_rows, table, interpolates, watch.part(0, kSurvey));
     require_stated(reference, table, surveyed_rows);
     Comparison comparison(table, context, options);
     const auto reference_rows = open_reference();
     const auto candidate_rows = open_candidate();
     CountedRows counted(*candidate_rows);
-    if (!comparison.pass(reference, *reference_rows, counted, known)) continue;
+    if (!comparison.pass(reference, *reference_rows, counted, known, watch.part(kSurvey, 1))) continue;
     require_stated(candidate, table, counted);
     return comparison.take();
   }
@@ -399,13 +404,14 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
 
 RowsComparison compare_rows(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
                             const CompareOptions& options) {
-  return compare_tables(reference, candidate, trajectory_table(), reference.open_rows, candidate.open_rows, context, options);
+  return compare_tables(reference, candidate, trajectory_table(), reference.open_rows, candidate.open_rows, context, options,
+                        options.watch.part(0, reference.open_torques ? 0.5 : 1));
 }
 
 RowsComparison compare_torques(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
                                const CompareOptions& options) {
-  return compare_tables(reference, candidate, torques_table(), reference.open_torques, candidate.open_torques, context,
-                        options);
+  return compare_tables(reference, candidate, torques_table(), reference.open_torques, candidate.open_torques, context, options,
+                        options.watch.part(0.5, 1));
 }
 
 }  // namespace earthtop::compare

@@ -141,6 +141,7 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
   std::string first_missing, first_extra, first_moved, first_other;
   std::map<std::string, std::uint64_t> statuses;
   Store::Points old_points = reference.points(), new_points = candidate.points();
+  const auto all = static_cast<double>(std::max<std::uint64_t>(reference.count(), 1));
   PointResult a, b;
   bool has_a = old_points.next(a), has_b = new_points.next(b);
   while (has_a || has_b) {
@@ -155,7 +156,7 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
       if (same_study && a.scenario_sha256 != b.scenario_sha256 && other_scenarios++ == 0)
         first_other = name_of(b, candidate.study());
       if (a.status != b.status) ++statuses[fmt::format("{} in the reference, {} now", a.status, b.status)];
-      ++report.rows;
+      if (++report.rows % 1024 == 0) options.watch.reach(static_cast<double>(report.rows) / all);
       if (!a.failed() && !b.failed())
         for (SharedQuantity& quantity : quantities) judge(quantity, a, b, reference.study());
       has_a = old_points.next(a);

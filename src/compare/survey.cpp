@@ -55,13 +55,14 @@ class LeaveOneOut {
 
 }  // namespace
 
-Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
+Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch) {
   Survey found;
   found.largest.assign(table.measures.size(), 0);
   found.interpolation_error.assign(with_interpolation ? table.measures.size() : 0, 0);
   const Measure* rates = find_measure(table, "rates_rad_s");
   const Measure* reference_rates = find_measure(table, "ref_rates_rad_s");
   LeaveOneOut left_out(table, found.interpolation_error);
+  constexpr std::uint64_t kTell = 1024;
   Row row;
   while (rows.next(row)) {
     if (!std::isfinite(row.t_s)) {
@@ -76,7 +77,7 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation) {
       found.largest_step_s = std::max(found.largest_step_s, step);
     }
     found.last_s = row.t_s;
-    ++found.rows;
+    if (++found.rows % kTell == 0) watch.reach(rows.share_read());
     for (std::size_t i = 0; i < table.measures.size(); ++i)
       if (presence(table.measures[i], row) == Presence::whole)
         found.largest[i] = std::max(found.largest[i], size(table.measures[i], row));

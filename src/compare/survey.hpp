@@ -21,6 +21,6 @@ struct Survey {
 };
 
 /// Reads all rows. @throws as `RowSource`
-Survey survey(RowSource& rows, const Table& table, bool with_interpolation);
+Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch);
 
 }  // namespace earthtop::compare

@@ -147,25 +147,24 @@ class LooksAtPair {
 }  // namespace
 
 template <class T>
-DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                     const std::atomic<bool>* stop) {
+DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const std::vector<T> times = natural_times(problem);
   const std::vector<double> seen(times.begin(), times.end());
   ExactPair<T> pair(problem, times);
   AngleFollower angles(pair);
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
-  std::optional<ThresholdWatch<T>> watch;
+  std::optional<ThresholdWatch<T>> threshold;
   if (problem.threshold_rad)
-    watch.emplace(T(*problem.threshold_rad), std::max(problem.fastest_rate, T(1 / pair.longest_step())));
+    threshold.emplace(T(*problem.threshold_rad), std::max(problem.fastest_rate, T(1 / pair.longest_step())));
   LooksAtPair<T> look_at(pair);
   const auto visit = [&](double t, std::int64_t row) {
     ++trajectory.counters.accepted;
     ++trajectory.counters.evaluations;
     angles.follow_to(t);
     const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
-    if (watch && !watch->done())
-      watch->follow(watch->has_passed() ? axis_look(exact_t, pair.state(exact_t)) : look_at(exact_t), look_at);
+    if (threshold && !threshold->done())
+      threshold->follow(threshold->has_passed() ? axis_look(exact_t, pair.state(exact_t)) : look_at(exact_t), look_at);
     if (row < 0) return;
     const DriftState<T> state = pair.state(exact_t);
     const DriftMeasures<T> measures = measure_drift(state);
@@ -181,15 +180,13 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
     if (row == 0) set_release_rates(problem, sample.state);
     trajectory.samples.push_back(sample);
   };
-  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, stop, visit);
-  if (watch) trajectory.threshold = watch->record().in_seconds(problem.units.time_exponent);
+  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, watch, visit);
+  if (threshold) trajectory.threshold = threshold->record().in_seconds(problem.units.time_exponent);
   return trajectory;
 }
-template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&,
-                                                   const std::atomic<bool>*);
+template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                        const std::atomic<bool>*);
-template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&,
-                                                     const std::atomic<bool>*);
+                                                        const Watch&);
+template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 
 }  // namespace earthtop

@@ -10,13 +10,11 @@ namespace earthtop {
 /// differ by W, and what that makes of the motion is found in 113 bits (rate_change.hpp).
 /// @throws std::logic_error for a scene without a closed form
 template <class T>
-DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                     const std::atomic<bool>* stop);
-extern template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&,
-                                                          const std::atomic<bool>*);
+DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);
+extern template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 extern template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                               const std::atomic<bool>*);
+                                                               const Watch&);
 extern template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&,
-                                                            const std::atomic<bool>*);
+                                                            const Watch&);
 
 }  // namespace earthtop

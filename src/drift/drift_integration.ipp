@@ -16,9 +16,9 @@ namespace {
 
 template <class T, class System>
 DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
-                                    const IntegrationOptions& options, const std::atomic<bool>* stop, T largest_step) {
+                                    const IntegrationOptions& options, const Watch& watch, T largest_step) {
   const std::vector<T> times = natural_times(problem);
-  DriveOptions<T> drive = drive_options(problem, options, stop);
+  DriveOptions<T> drive = drive_options(problem, options, watch);
   drive.largest_step = largest_step;
 
   DriftTrajectory<T> trajectory;
@@ -44,8 +44,7 @@ DriftTrajectory<T> integrate_system(System& system, typename System::State x, co
 }
 
 template <class T, Observer O, SceneKind K, RotatingMotion R>
-DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                     const std::atomic<bool>* stop) {
+DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   DriftSystem<T, O, K, R> system(problem.model);
   const Release<T>& release = problem.release;
   const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
@@ -53,51 +52,48 @@ DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const Integ
   // steps are shorter.
   const T largest_step =
       options.method == Method::extrapolation || options.method == Method::dop853 ? T(1.5) / problem.fastest_rate : T(0);
-  return integrate_system(system, x, problem, options, stop, largest_step);
+  return integrate_system(system, x, problem, options, watch, largest_step);
 }
 
 template <class T, Observer O, RotatingMotion R = RotatingMotion::integrated>
-DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                const std::atomic<bool>* stop) {
-  if (problem.model.kind == SceneKind::plain) return integrate_general<T, O, SceneKind::plain, R>(problem, options, stop);
-  return integrate_general<T, O, SceneKind::full, R>(problem, options, stop);
+DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  if (problem.model.kind == SceneKind::plain) return integrate_general<T, O, SceneKind::plain, R>(problem, options, watch);
+  return integrate_general<T, O, SceneKind::full, R>(problem, options, watch);
 }
 
 template <class T, Observer O>
-DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                     const std::atomic<bool>* stop) {
+DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   ReducedDriftSystem<T, O> system(problem.model, problem.release, problem.units);
-  return integrate_system(system, system.initial_state(), problem, options, stop, system.largest_step());
+  return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
 }
 
 }  // namespace
 
 template <class T>
-DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                   const std::atomic<bool>* stop) {
-  if (options.method == Method::closed_form) return closed_form_drift(problem, options, stop);
+DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  if (options.method == Method::closed_form) return closed_form_drift(problem, options, watch);
   if (options.method == Method::long_horizon) {
     if constexpr (std::is_same_v<T, double>)
-      return long_horizon_drift(problem, options, stop);
+      return long_horizon_drift(problem, options, watch);
     else
       throw std::logic_error("long_horizon is built for double only");
   }
   const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
     case Observer::laboratory:
-      if (reduced) return integrate_reduced<T, Observer::laboratory>(problem, options, stop);
-      return integrate_as<T, Observer::laboratory>(problem, options, stop);
+      if (reduced) return integrate_reduced<T, Observer::laboratory>(problem, options, watch);
+      return integrate_as<T, Observer::laboratory>(problem, options, watch);
     case Observer::body:
       if (reduced) throw std::logic_error("the reduced form has no body axes");
       if ((problem.rotating == RotatingMotion::composed && problem.model.applied.coulomb == T(0)) ||
           options.method == Method::taylor)
-        return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, stop);
-      return integrate_as<T, Observer::body>(problem, options, stop);
+        return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, watch);
+      return integrate_as<T, Observer::body>(problem, options, watch);
     case Observer::inertial:
-      if (reduced) return integrate_reduced<T, Observer::inertial>(problem, options, stop);
+      if (reduced) return integrate_reduced<T, Observer::inertial>(problem, options, watch);
       if (problem.rotating == RotatingMotion::composed)
-        return integrate_as<T, Observer::inertial, RotatingMotion::composed>(problem, options, stop);
-      return integrate_as<T, Observer::inertial>(problem, options, stop);
+        return integrate_as<T, Observer::inertial, RotatingMotion::composed>(problem, options, watch);
+      return integrate_as<T, Observer::inertial>(problem, options, watch);
   }
   throw std::logic_error("unknown observer");
 }

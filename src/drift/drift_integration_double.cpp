@@ -1,6 +1,5 @@
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {
-template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&,
-                                                 const std::atomic<bool>*);
+template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 }  // namespace earthtop

@@ -1,6 +1,5 @@
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {
-template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&,
-                                                   const std::atomic<bool>*);
+template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 }  // namespace earthtop

@@ -2,5 +2,5 @@
 
 namespace earthtop {
 template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                      const std::atomic<bool>*);
+                                                      const Watch&);
 }  // namespace earthtop

@@ -219,7 +219,7 @@ class Departure {
 };
 
 template <bool kEarth, SceneKind K>
-GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const std::atomic<bool>* stop) {
+GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
   const Model<double>& model = problem.model;
   const double rate = problem.fastest_rate, end = problem.units.time_from_s(duration_s);
   const auto seconds = [&](double t) { return real::scale(t, problem.units.time_exponent); };
@@ -244,7 +244,8 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   std::int64_t steps = 0;
   StepCounters& counters = report.counters;
   for (; t < end && steps < most; ++steps) {
-    if (stop != nullptr && *stop) return report;
+    if (watch.asks_to_stop()) return report;
+    if (steps % 64 == 0) watch.reach(t / end);
     dt = std::min(dt, end - t);
     if (model.applied.coulomb != 0 && dt < std::min(kTurning / rate, end - t)) return report;
     const double before = t;
@@ -276,9 +277,9 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
 
 template <SceneKind K>
 GrowthReport follow(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
-                    const std::atomic<bool>* stop) {
-  return kind == MotionKind::rotating ? follow<true, K>(problem, duration_s, tolerance, stop)
-                                      : follow<false, K>(problem, duration_s, tolerance, stop);
+                    const Watch& watch) {
+  return kind == MotionKind::rotating ? follow<true, K>(problem, duration_s, tolerance, watch)
+                                      : follow<false, K>(problem, duration_s, tolerance, watch);
 }
 
 }  // namespace
@@ -290,9 +291,9 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
 }
 
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
-                                const std::atomic<bool>* stop) {
-  return problem.model.kind == SceneKind::plain ? follow<SceneKind::plain>(problem, kind, duration_s, tolerance, stop)
-                                                : follow<SceneKind::full>(problem, kind, duration_s, tolerance, stop);
+                                const Watch& watch) {
+  return problem.model.kind == SceneKind::plain ? follow<SceneKind::plain>(problem, kind, duration_s, tolerance, watch)
+                                                : follow<SceneKind::full>(problem, kind, duration_s, tolerance, watch);
 }
 
 }  // namespace earthtop

@@ -74,10 +74,10 @@ class PairSystem {
 
 class LongHorizonDrift {
  public:
-  LongHorizonDrift(const DriftProblem<T>& problem, const IntegrationOptions& options, const std::atomic<bool>* stop)
+  LongHorizonDrift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch)
       : problem_(problem),
         options_(options),
-        stop_(stop),
+        watch_(watch),
         model_(problem.model),
         symmetric_(reduced_top(problem.model)),
         w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
@@ -128,6 +128,7 @@ class LongHorizonDrift {
   static constexpr T kDifferenceError = 1e-12;  ///< of a difference (rad)
   static constexpr T kUnseenError = 5e-12;      ///< of averaging (rad), at the end
   static constexpr T kApart = 1e-3;             ///< of a turn of the nutation, between the states that a rate is taken from
+  static constexpr double kWalkShare = 0.75;    ///< of what is to be done, what a walk leaves, as far as is known before it
   static constexpr T kGoldenPart = 0.6180339887498949;
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
@@ -146,7 +147,7 @@ class LongHorizonDrift {
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
     }
     LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps)
-                                                  : find_plan(top, duration, shortest_interval(), tolerance, counters_);
+                                                  : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
     found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks, plan.averages};
     // Another observer asks for a witness: steps without a common measure with these, and an average over twice the time, whose
     // own error is four times as large.
@@ -171,7 +172,7 @@ class LongHorizonDrift {
   }
 
   bool goes_on() {
-    if (stop_ != nullptr && *stop_) trajectory_status_ = RunStatus::interrupted;
+    if (watch_.asks_to_stop()) trajectory_status_ = RunStatus::interrupted;
     if (counters_.accepted > options_.step_limit) trajectory_status_ = RunStatus::step_limit;
     return trajectory_status_ == RunStatus::completed;
   }
@@ -188,15 +189,18 @@ class LongHorizonDrift {
   /// One walk, each row's pair noted. @param look  called between the rows, with time and pair
   template <class Look>
   void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T looks_every, Look&& look) {
-    LongHorizonWalk<T> walk(top, plan, counters_);
+    LongHorizonWalk<T> walk(top, plan, counters_, watch_);
+    const Watch part = next_walk();
     pairs_.clear();
     for (std::size_t i = 0; i < times_.size() && goes_on(); ++i) {
+      part.reach(static_cast<double>(i) / static_cast<double>(times_.size()));
       if (i > 0) {
         const T begin = times_[i - 1];
         if (!has_room_for((times_[i] - begin) / plan.step)) return;
         walk.advance(times_[i] - begin, looks_every,
                      [&](T since, const TiltedTopState<T>& x) { look(begin + since, pair(x, top, begin + since, epsilon)); });
       }
+      if (!goes_on()) return;
       const Pair p = i == 0 ? pair(top.start(), top, T(0), epsilon) : pair(walk.state(), top, times_[i], epsilon);
       if (!finite(p)) {
         trajectory_status_ = RunStatus::not_finite;
@@ -206,7 +210,6 @@ class LongHorizonDrift {
       look(times_[i], p);
     }
   }
-
   /// The search for the threshold goes from row to row once more. Between two rows it takes walks that start at the first one:
   /// only where a walk stops is its state complete, so that what walks pass on their way is no look. Looks lie as close as the
   /// nutation asks for wherever the drift and its nutation might reach the threshold.
@@ -259,6 +262,14 @@ class LongHorizonDrift {
     return fastest + norm(model_.W_IL_L);
   }
 
+  /// A first walk with a drift to be seen is the only one. Where the drift is small there are five more, if the first rates
+  /// tried for them are right.
+  Watch next_walk() {
+    const bool is_alone = walks_ == 0 && norm(model_.W_IL_L) * times_.back() > kSmall;
+    const double done = walks_ == 0 ? 0 : 1 - std::pow(kWalkShare, walks_);
+    ++walks_;
+    return watch_.part(done, is_alone ? 1 : 1 - std::pow(kWalkShare, walks_));
+  }
   T looks_every(const Top& top) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
     return rate > T(0) ? T(1.5) / rate : times_.back();
@@ -407,7 +418,7 @@ class LongHorizonDrift {
 
   const DriftProblem<T>& problem_;
   const IntegrationOptions& options_;
-  const std::atomic<bool>* stop_;
+  Watch watch_;
   const Model<T>& model_;
   ReducedTop<T> symmetric_;
   Vec3<T> w_XB_B_;
@@ -415,6 +426,7 @@ class LongHorizonDrift {
   Top reference_;
   Top::Flow reference_flow_;
   StepCounters counters_;
+  int walks_ = 0;
   RunStatus trajectory_status_ = RunStatus::completed;
   std::optional<double> step_s_;
   std::optional<KickSteps> found_;
@@ -432,9 +444,9 @@ class LongHorizonDrift {
 }  // namespace
 
 DriftTrajectory<double> long_horizon_drift(const DriftProblem<double>& problem, const IntegrationOptions& options,
-                                           const std::atomic<bool>* stop) {
+                                           const Watch& watch) {
   if (reduced_top(problem.model).axis != 2) throw std::logic_error("long_horizon: the top is not symmetric about body axis 3");
-  return LongHorizonDrift(problem, options, stop).run();
+  return LongHorizonDrift(problem, options, watch).run();
 }
 
 }  // namespace earthtop

@@ -12,6 +12,6 @@ namespace earthtop {
 
 /// @throws std::logic_error for a model that is not a top symmetric about body axis 3
 DriftTrajectory<double> long_horizon_drift(const DriftProblem<double>& problem, const IntegrationOptions& options,
-                                           const std::atomic<bool>* stop);
+                                           const Watch& watch);
 
 }  // namespace earthtop

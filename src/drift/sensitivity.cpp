@@ -14,7 +14,7 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kInputs = 4;  // followed at once: with more the motion is repeated less often, and each step costs more
+constexpr std::size_t kInputs = kInputsAtOnce;
 using Inputs = std::array<ProblemDerivative, kInputs>;
 using Jet = real::Jet<kInputs>;
 constexpr std::size_t kVariables = 14;  // q and w of the reference; w, y and p of the deviation
@@ -292,7 +292,7 @@ FollowedStep followed_step(const State& x, const Model<double>& model, double t)
 /// Follows one group of inputs, of which `count` are asked for, and adds what they do to the result.
 template <SceneKind K>
 void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count, double time_s,
-            double relative_tolerance, const std::atomic<bool>* stop, const std::function<void(const FollowedStep&)>& on_step,
+            double relative_tolerance, const Watch& watch, const std::function<void(const FollowedStep&)>& on_step,
             DriftSensitivity& result) {
   const Model<Jet> model = jet_model(problem.model, inputs);
   System<K> equations(problem.model, model, inputs);
@@ -316,7 +316,8 @@ void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::siz
       result.status = RunStatus::step_limit;
       return;
     }
-    if (stop != nullptr && *stop) {
+    watch.reach(t / end);
+    if (watch.asks_to_stop()) {
       result.status = RunStatus::interrupted;
       return;
     }
@@ -354,7 +355,7 @@ void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::siz
 }  // namespace
 
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
-                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop,
+                                   double time_s, double relative_tolerance, const Watch& watch,
                                    const std::function<void(const FollowedStep&)>& on_step) {
   const bool plain = problem.model.kind == SceneKind::plain &&
                      std::none_of(inputs.begin(), inputs.end(),
@@ -364,11 +365,14 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
     const std::size_t count = std::min(kInputs, inputs.size() - first);
     Inputs group;
     std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
+    const auto all = static_cast<double>((inputs.size() + kInputs - 1) / kInputs),
+               before = static_cast<double>(first / kInputs);
+    const Watch part = watch.part(before / all, (before + 1) / all);
     const auto& watched = first == 0 ? on_step : nullptr;
     if (plain)
-      follow<SceneKind::plain>(problem, group, count, time_s, relative_tolerance, stop, watched, result);
+      follow<SceneKind::plain>(problem, group, count, time_s, relative_tolerance, part, watched, result);
     else
-      follow<SceneKind::full>(problem, group, count, time_s, relative_tolerance, stop, watched, result);
+      follow<SceneKind::full>(problem, group, count, time_s, relative_tolerance, part, watched, result);
   }
   return result;
 }

@@ -8,8 +8,7 @@
 namespace earthtop {
 
 template <class T>
-MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                       const std::atomic<bool>* stop) {
+MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const ExactBody<T> body = exact_body(problem.model);
   const Vec3<T> w0_B = inertial_release_rate(problem);
   const ExactMotion<T> motion(body, problem.release.q_LB, w0_B);
@@ -19,7 +18,7 @@ MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const In
   const std::vector<double> seen(times.begin(), times.end());
   MotionTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
-  trajectory.status = visit_times(seen, 1 / followed.turn_rate(), options.step_limit, stop, [&](double t, std::int64_t row) {
+  trajectory.status = visit_times(seen, 1 / followed.turn_rate(), options.step_limit, watch, [&](double t, std::int64_t row) {
     followed.advance(t);
     ++trajectory.counters.accepted;
     ++trajectory.counters.evaluations;
@@ -35,11 +34,9 @@ MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const In
   return trajectory;
 }
 
-template MotionTrajectory<double> closed_form_motion(const MotionProblem<double>&, const IntegrationOptions&,
-                                                     const std::atomic<bool>*);
+template MotionTrajectory<double> closed_form_motion(const MotionProblem<double>&, const IntegrationOptions&, const Watch&);
 template MotionTrajectory<long double> closed_form_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                          const std::atomic<bool>*);
-template MotionTrajectory<float128> closed_form_motion(const MotionProblem<float128>&, const IntegrationOptions&,
-                                                       const std::atomic<bool>*);
+                                                          const Watch&);
+template MotionTrajectory<float128> closed_form_motion(const MotionProblem<float128>&, const IntegrationOptions&, const Watch&);
 
 }  // namespace earthtop

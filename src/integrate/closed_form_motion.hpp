@@ -16,13 +16,12 @@ Vec3<T> inertial_release_rate(const MotionProblem<T>& problem) {
 
 /// @throws std::logic_error for a scene without a closed form
 template <class T>
-MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                       const std::atomic<bool>* stop);
+MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);
 extern template MotionTrajectory<double> closed_form_motion(const MotionProblem<double>&, const IntegrationOptions&,
-                                                            const std::atomic<bool>*);
+                                                            const Watch&);
 extern template MotionTrajectory<long double> closed_form_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                                 const std::atomic<bool>*);
+                                                                 const Watch&);
 extern template MotionTrajectory<float128> closed_form_motion(const MotionProblem<float128>&, const IntegrationOptions&,
-                                                              const std::atomic<bool>*);
+                                                              const Watch&);
 
 }  // namespace earthtop

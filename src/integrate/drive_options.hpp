@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/integrate/pace.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -27,7 +27,7 @@ struct DriveOptions {
   Composition composition = Composition::automatic;
   std::int64_t step_limit = 0;
   WorkLimit limit = {};  ///< by the work estimated
-  const std::atomic<bool>* stop = nullptr;
+  Watch watch = {};
   std::vector<T> joints = {};  ///< ascending; times at which the equations have no higher derivatives: steps end there
 };
 
@@ -108,7 +108,7 @@ constexpr bool is_bound_only() {
 /// little forward that the limit is out of reach of the end.
 template <class T>
 RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters, T now, T begin, T end) {
-  constexpr std::int64_t kReview = 1'000'000;
+  constexpr std::int64_t kReview = 1'000'000, kTell = 64;
   const std::int64_t steps = counters.accepted + counters.rejected;
   if (steps >= std::min(options.step_limit, options.limit.steps) || counters.evaluations >= options.limit.evaluations)
     return RunStatus::step_limit;
@@ -116,7 +116,8 @@ RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters
     const auto part = static_cast<double>((now - begin) / (end - begin));
     if (static_cast<double>(steps) > part * static_cast<double>(options.step_limit)) return RunStatus::step_limit;
   }
-  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return RunStatus::interrupted;
+  if (steps % kTell == 0) options.watch.reach(static_cast<double>((now - begin) / (end - begin)));
+  if (options.watch.asks_to_stop()) return RunStatus::interrupted;
   return RunStatus::completed;
 }
 

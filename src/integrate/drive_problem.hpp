@@ -16,8 +16,7 @@ WorkLimit work_limit(const MotionProblem<T>& problem, const IntegrationOptions& 
 }
 
 template <class T>
-DriveOptions<T> drive_options(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                              const std::atomic<bool>* stop) {
+DriveOptions<T> drive_options(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   DriveOptions<T> drive;
   drive.method = options.method;
   drive.relative_tolerance = T(options.relative_tolerance);
@@ -28,7 +27,7 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.rate = problem.fastest_rate;
   drive.step_limit = options.step_limit;
   drive.limit = work_limit(problem, options);
-  drive.stop = stop;
+  drive.watch = watch;
   if (const auto& table = problem.model.platform.turn.table) drive.joints = table->joints();
   return drive;
 }

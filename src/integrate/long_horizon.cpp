@@ -46,8 +46,9 @@ Looks looks_in(double part, double step) {
 template <class T>
 class Trial {
  public:
-  Trial(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T part, int looks, StepCounters& counters) : looks_(looks) {
-    LongHorizonWalk<T> walk(top, plan, counters);
+  Trial(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T part, int looks, StepCounters& counters, const Watch& watch)
+      : looks_(looks) {
+    LongHorizonWalk<T> walk(top, plan, counters, watch);
     for (int i = 0; i < looks; ++i) {
       walk.advance(part / T(looks), T(0), [](T, const TiltedTopState<T>&) {});
       seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(looks));
@@ -112,7 +113,8 @@ bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
 }
 
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters) {
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
+                             const Watch& watch) {
   const bool averages = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
   const T tolerance = std::max(asked, T(averages ? kLeastAveraged : kLeastError));
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
@@ -142,13 +144,14 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
   const T growth = duration / part;
   const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
   plan.step = step = part / T(looks.steps * looks.count);
-  Trial<T> coarse(top, plan, part, looks.count, counters);
+  Trial<T> coarse(top, plan, part, looks.count, counters, watch);
   T before = std::numeric_limits<T>::infinity();
   int stalls = 0;
   for (int halvings = 0; halvings < 16; ++halvings) {
+    if (watch.asks_to_stop()) return plan;
     LongHorizonPlan<T> finer = plan;
     finer.step /= T(2);
-    const Trial<T> fine(top, finer, part, looks.count, counters);
+    const Trial<T> fine(top, finer, part, looks.count, counters, watch);
     const T distance = coarse.distance(fine);
     if (distance * growth < tolerance) return plan;
     if (distance * growth < T(kLeastGain) * tolerance) return finer;
@@ -163,7 +166,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
       } else {
         plan.schedule = kick_schedules::aba864();
         plan.step = step;
-        coarse = Trial<T>(top, plan, part, looks.count, counters);
+        coarse = Trial<T>(top, plan, part, looks.count, counters, watch);
         before = std::numeric_limits<T>::infinity();
         continue;
       }
@@ -176,7 +179,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
 }
 
 template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, bool);
-template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&);
+template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
 template double averaging_error(const TiltedTop<double>&, double);
 template bool may_average(const TiltedTop<double>&, double, double, double);
 

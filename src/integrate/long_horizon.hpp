@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/watch.hpp"
 #include "integrate/kick_schedule.hpp"
 #include "integrate/tilted_top.hpp"
 
@@ -44,8 +45,10 @@ LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedu
 /// The plan whose error over `duration` is about `tolerance` (rad, of the axis): from an estimate, and from a trial on a part
 /// of the duration whose step is halved until two results agree.
 /// @param interval  between output times, which no step exceeds   @param counters  is told what the trial cost
+/// @param watch  may end the trial: then any plan is returned
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters);
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters,
+                             const Watch& watch = {});
 
 /// Whether steps of this length, long against the nutation, keep this tolerance (rad).
 template <class T>
@@ -60,8 +63,9 @@ T averaging_error(const TiltedTop<T>& top, T duration);
 template <class T>
 class LongHorizonWalk {
  public:
-  LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters)
-      : top_(top), plan_(plan), counters_(counters), x_(top.start()) {
+  /// @param watch  may stop the walk on its way, wherever that is
+  LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
+      : top_(top), plan_(plan), counters_(counters), watch_(watch), x_(top.start()) {
     if (plan.averages) ripple(T(-1), x_);
   }
 
@@ -83,6 +87,7 @@ class LongHorizonWalk {
     };
     const int kicks = plan_.schedule.kicks, parts = plan_.averages ? kSpread : 1;
     for (std::int64_t i = 0; i < steps_; ++i, backward_ = !backward_) {
+      if (watch_.asks_to_stop()) return;
       for (int j = 0; j < kicks; ++j) {
         const bool backward = 2 * j + 1 == kicks ? backward_ : 2 * j + 1 > kicks;
         for (int part = 0; part < parts; ++part) {
@@ -142,6 +147,7 @@ class LongHorizonWalk {
   const TiltedTop<T>& top_;
   const LongHorizonPlan<T>& plan_;
   StepCounters& counters_;
+  Watch watch_;
   TiltedTopState<T> x_;
   std::int64_t steps_ = 1;
   T step_ = T(0);

@@ -9,7 +9,7 @@
 namespace earthtop {
 
 MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& problem, const IntegrationOptions& options,
-                                             const std::atomic<bool>* stop) {
+                                             const Watch& watch) {
   using Top = TiltedTop<double>;
   const ReducedTop<double> symmetric = reduced_top(problem.model);
   if (symmetric.axis != 2) throw std::logic_error("long_horizon: the top is not symmetric about body axis 3");
@@ -26,7 +26,7 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     const double step = problem.units.time_from_s(*options.step_s);
     plan = make_plan(top, kick_schedules::gauss(4), step, may_average(top, times.back(), step, tolerance));
   } else if (times.back() > 0) {
-    plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters);
+    plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters, watch);
   }
   // Looks so often that the frame's attitude, which has two quaternions, is followed on one side.
   const double looks_every = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
@@ -35,17 +35,21 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     if (q.w * last.w + q.v.dot(last.v) < 0) q = {-q.w, -q.v};
     last = q;
   };
-  LongHorizonWalk<double> walk(top, plan, trajectory.counters);
+  LongHorizonWalk<double> walk(top, plan, trajectory.counters, watch);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (stop != nullptr && *stop) trajectory.status = RunStatus::interrupted;
     if (trajectory.counters.accepted > options.step_limit) trajectory.status = RunStatus::step_limit;
     if (trajectory.status != RunStatus::completed) break;
+    watch.reach(static_cast<double>(i) / static_cast<double>(times.size()));
     TiltedTopState<double> x = top.start();
     if (i > 0) {
       const double begin = times[i - 1];
       walk.advance(times[i] - begin, looks_every,
                    [&](double since, const TiltedTopState<double>& between) { follow(top.seen(between, begin + since).q_LF); });
       x = walk.state();
+    }
+    if (watch.asks_to_stop()) {
+      trajectory.status = RunStatus::interrupted;
+      break;
     }
     const Top::Seen seen = top.seen(x, times[i]);
     follow(seen.q_LF);

@@ -7,6 +7,6 @@ namespace earthtop {
 
 /// @throws std::logic_error for a model that is not a top symmetric about body axis 3
 MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& problem, const IntegrationOptions& options,
-                                             const std::atomic<bool>* stop);
+                                             const Watch& watch);
 
 }  // namespace earthtop

@@ -12,10 +12,10 @@ namespace {
 
 template <class T, class System>
 MotionTrajectory<T> integrate_motion_of(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                        const std::atomic<bool>* stop) {
+                                        const Watch& watch) {
   System system(problem);
   const std::vector<T> times = natural_times(problem);
-  const DriveOptions<T> drive = drive_options(problem, options, stop);
+  const DriveOptions<T> drive = drive_options(problem, options, watch);
   MotionTrajectory<T> trajectory;
   trajectory.samples.reserve(times.size());
   using State = typename System::State;
@@ -32,43 +32,43 @@ MotionTrajectory<T> integrate_motion_of(const MotionProblem<T>& problem, const I
 
 template <class T, Observer O>
 MotionTrajectory<T> integrate_general_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                             const std::atomic<bool>* stop) {
+                                             const Watch& watch) {
   if (problem.model.kind == SceneKind::plain)
-    return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::plain>>(problem, options, stop);
-  return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::full>>(problem, options, stop);
+    return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::plain>>(problem, options, watch);
+  return integrate_motion_of<T, GeneralMotionSystem<T, O, SceneKind::full>>(problem, options, watch);
 }
 
 template <class T, Observer O>
 MotionTrajectory<T> integrate_reduced_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                             MotionSought sought, const std::atomic<bool>* stop) {
+                                             MotionSought sought, const Watch& watch) {
   if (sought == MotionSought::symmetry_axis)
-    return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::symmetry_axis>>(problem, options, stop);
-  return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::attitude>>(problem, options, stop);
+    return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::symmetry_axis>>(problem, options, watch);
+  return integrate_motion_of<T, ReducedMotionSystem<T, O, MotionSought::attitude>>(problem, options, watch);
 }
 
 }  // namespace
 
 template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, MotionSought sought,
-                                     const std::atomic<bool>* stop) {
-  if (options.method == Method::closed_form) return closed_form_motion(problem, options, stop);
+                                     const Watch& watch) {
+  if (options.method == Method::closed_form) return closed_form_motion(problem, options, watch);
   if (options.method == Method::long_horizon) {
     if constexpr (std::is_same_v<T, double>)
-      return long_horizon_motion(problem, options, stop);
+      return long_horizon_motion(problem, options, watch);
     else
       throw std::logic_error("long_horizon is built for double only");
   }
   const bool reduced = takes_reduced_form(problem.model, options);
   switch (options.observer) {
     case Observer::laboratory:
-      if (reduced) return integrate_reduced_motion<T, Observer::laboratory>(problem, options, sought, stop);
-      return integrate_general_motion<T, Observer::laboratory>(problem, options, stop);
+      if (reduced) return integrate_reduced_motion<T, Observer::laboratory>(problem, options, sought, watch);
+      return integrate_general_motion<T, Observer::laboratory>(problem, options, watch);
     case Observer::body:
       if (reduced) throw std::logic_error("the reduced form has no body axes");
-      return integrate_general_motion<T, Observer::body>(problem, options, stop);
+      return integrate_general_motion<T, Observer::body>(problem, options, watch);
     case Observer::inertial:
-      if (reduced) return integrate_reduced_motion<T, Observer::inertial>(problem, options, sought, stop);
-      return integrate_general_motion<T, Observer::inertial>(problem, options, stop);
+      if (reduced) return integrate_reduced_motion<T, Observer::inertial>(problem, options, sought, watch);
+      return integrate_general_motion<T, Observer::inertial>(problem, options, watch);
   }
   throw std::logic_error("unknown observer");
 }

@@ -2,5 +2,5 @@
 
 namespace earthtop {
 template MotionTrajectory<double> integrate_motion(const MotionProblem<double>&, const IntegrationOptions&, MotionSought,
-                                                   const std::atomic<bool>*);
+                                                   const Watch&);
 }  // namespace earthtop

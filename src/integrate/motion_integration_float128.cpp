@@ -2,5 +2,5 @@
 
 namespace earthtop {
 template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&, MotionSought,
-                                                     const std::atomic<bool>*);
+                                                     const Watch&);
 }  // namespace earthtop

@@ -2,5 +2,5 @@
 
 namespace earthtop {
 template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                        MotionSought, const std::atomic<bool>*);
+                                                        MotionSought, const Watch&);
 }  // namespace earthtop

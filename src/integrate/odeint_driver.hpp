@@ -320,6 +320,7 @@ class Driver {
       Stepper half = stepper;
       stepper.reset(), half.reset();
       for (std::int64_t k = 0; k < count && all_finite(coarse) && all_finite(fine); ++k) {
+        if (options_.watch.asks_to_stop()) return h;
         const T t = times.front() + static_cast<T>(k) * h;
         const bool converged = stepper.do_step(system, coarse, t, h) && half.do_step(system, fine, t, h / T(2)) &&
                                half.do_step(system, fine, t + h / T(2), h / T(2));

@@ -29,14 +29,15 @@ void stop_if_asked() {
 }
 
 // What a signal handler needs to know: the names that must not stay, and whether files are being put in place.
-std::array<std::atomic<const char*>, 16> names_on_disk{};
+using Names = std::array<std::atomic<const char*>, 16>;
+Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
 
 /// Keeps a name known to `discard_temporaries` while it lives.
 class KnownName {
  public:
-  explicit KnownName(const char* name) {
-    for (auto& slot : names_on_disk) {
+  explicit KnownName(const char* name, Names& names = names_on_disk) {
+    for (auto& slot : names) {
       const char* none = nullptr;
       if (slot.compare_exchange_strong(none, name)) {
         slot_ = &slot;
@@ -102,6 +103,8 @@ bool discard_temporaries() noexcept {
   if (committing) return false;
   for (const auto& slot : names_on_disk)
     if (const char* name = slot.load()) ::unlink(name);
+  for (auto slot = directories_made.rbegin(); slot != directories_made.rend(); ++slot)  // the innermost one first
+    if (const char* name = slot->load()) ::rmdir(name);                                 // only what is empty
   return true;
 }
 
@@ -168,6 +171,7 @@ void FileSet::make_directory() {
   std::error_code error;
   for (fs::path at = dir_; !at.empty() && !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path())
     made_.insert(made_.begin(), at);
+  for (const fs::path& made : made_) known_.push_back(std::make_shared<KnownName>(made.c_str(), directories_made));
   fs::create_directories(dir_, error);
   if (error) throw WriteError(dir_.string(), error.message());
 }

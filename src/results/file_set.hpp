@@ -52,7 +52,8 @@ class FileSet {
   void put_back() noexcept;
 
   std::filesystem::path dir_;
-  std::vector<std::filesystem::path> made_;  // directories, the outermost first
+  std::vector<std::filesystem::path> made_;   // directories, the outermost first
+  std::vector<std::shared_ptr<void>> known_;  // keeps their names known to `discard_temporaries`
   std::vector<std::unique_ptr<File>> files_;
   int directory_ = -1;
   bool locked_ = false;

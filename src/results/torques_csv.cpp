@@ -53,7 +53,7 @@ void append_torques(std::string& text, const LedgerEntry<T>& entry, const Effect
 
 }  // namespace
 
-void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
+void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
   const EffectsSpec& effects = result.modelled.effects;
   const auto append_row = [&](std::string& text, std::size_t i) {
@@ -66,7 +66,7 @@ void write_torques_csv(const RunResult& result, const std::function<void(std::st
                      [&](float128 value) { text += digits(value, result.scenario.precision); });
     text += '\n';
   };
-  write_csv(header_of(effects), rows, append_row, sink);
+  write_csv(header_of(effects), rows, append_row, sink, watch);
 }
 
 std::string torques_csv(const RunResult& result) {

@@ -36,14 +36,14 @@ void append_row(std::string& text, const ExtendedDriftRow& row, Precision precis
 
 }  // namespace
 
-void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink) {
+void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
   const auto append = [&](std::string& text, std::size_t i) {
     if (result.extended_rows.empty())
       append_row(text, result.rows[i]);
     else
       append_row(text, result.extended_rows[i], result.scenario.precision);
   };
-  write_csv(header(), result.rows.size(), append, sink);
+  write_csv(header(), result.rows.size(), append, sink, watch);
 }
 
 std::string trajectory_csv(const RunResult& result) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -52,12 +53,38 @@ void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   }
 }
 
-/// What is known of a run that was asked to stop: how far it came.
-RunResult stopped(RunResult result, double reached_s) {
+/// The rows of a whole solution of which nobody has found the error bounds.
+template <class T>
+void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const DriftBound<T> none(0);
+  for (const DriftSample<T>& sample : made.first.samples) {
+    BasicDriftRow<T> row = make_row(sample, none);
+    row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
+    add_row(row, result);
+  }
+  result.drift = summarize_drift(result.rows, result.scenario.rotation_rate_rad_s);
+  result.drift.threshold_time_s = made.first.threshold_time_s;
+  result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
+  result.stops = made.first.stops;
+  result.verdict.verdict = Verdict::unassessed;
+  result.verdict.from_s = 0;
+  result.verdict.reason = "interrupted when the rows were there, but not the bounds on their errors";
+  result.notes.emplace_back("partial: interrupted before error bounds and verdict were there; another run computes them");
+  mark_rows(result);
+}
+
+/// What is known of a run that was asked to stop: how far its solution came, and the rows if they are to be kept.
+template <class T>
+RunResult stopped(const Scenario& scenario, const TwoIntegrations<T>& made, bool partial) {
+  RunResult result;
+  result.scenario = scenario;
+  result.solution = made.solution;
+  result.certificate = made.certificate;
   result.status = RunStatus::interrupted;
-  result.reached_s = reached_s;
-  result.rows.clear();
-  result.extended_rows.clear();
+  result.reached_s = made.first.samples.empty() ? 0 : static_cast<double>(made.first.samples.back().state.t_s);
+  result.solution_is_whole = made.first.status == RunStatus::completed;
+  if (partial && result.solution_is_whole) keep_rows(made, result);
   return result;
 }
 
@@ -87,6 +114,8 @@ std::string why_limited(const RunResult& result) {
                      first ? "later rows were not reached" : "later rows would have no bound and are left out");
 }
 
+bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
+
 template <class T>
 void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units) {
   problem.rotating = RotatingMotion::composed;
@@ -99,7 +128,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
               Precision precision, IntegrationReport& report) {
   report.observer = options.observer;
   const bool closed_form = options.method == Method::closed_form;
-  report.form = !closed_form && takes_reduced_form(problem.model, options) ? ModelForm::reduced : ModelForm::general;
+  report.form = form_taken(problem, options);
   report.method = options.method;
   report.precision = to_string(precision);
   if (!closed_form) report.relative_tolerance = options.relative_tolerance;
@@ -109,21 +138,23 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 }
 
 template <class T>
-RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made) {
-  const std::atomic<bool>& stop = interrupt_flag();
+RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made, const RunWork& work, Parts parts,
+                          bool partial) {
+  const Watch rows = parts.next(work.rows);
+  const auto stop = [&] { return rows.asks_to_stop(); };
   RunResult result;
   result.scenario = scenario;
   result.solution = made.solution;
   result.certificate = made.certificate;
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
-  const double reached_s = made.first.samples.empty() ? 0 : static_cast<double>(made.first.samples.back().state.t_s);
 
   // What follows takes seconds where the rows are millions.
   const int safety = bound_safety(made.options, made.other_options, scenario.precision);
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
-  for (std::size_t i = 0; i < count && !stop; ++i) {
+  for (std::size_t i = 0; i < count && !stop(); ++i) {
+    if (i % 64 == 0) rows.reach(static_cast<double>(i) / static_cast<double>(count));
     for (const std::size_t ahead = std::min(count, rows_compared(i)); compared < ahead; ++compared) {
       const DriftSample<T>& sample = made.first.samples[compared];
       bound.include(sample.measures, made.second.samples[compared].measures, sample.state.epsilon);
@@ -137,27 +168,28 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
     result.attitude_bound_rad =
         std::max(result.attitude_bound_rad, safety * distance + static_cast<double>(sample.attitude_error));
   }
-  if (stop) return stopped(std::move(result), reached_s);
+  if (stop()) return stopped(scenario, made, partial);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
   if (scenario.threshold_rad) assess_threshold(made, *scenario.threshold_rad, safety, result.drift);
   result.stops = assess_stops(made, safety);
-  if (stop) return stopped(std::move(result), reached_s);
-  result.verdict = assess_verdict(result, stop);
+  if (stop()) return stopped(scenario, made, partial);
+  result.verdict = assess_verdict(result, parts.next(work.growth, "growth of disturbances"));
   mark_rows(result);
   // What rounding has made of a motion by then, no two integrations show.
   if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s)
     result.drift.threshold_crossing = ThresholdCrossing::uncertain, result.drift.threshold_time_bound_s.reset();
-  if (stop) return stopped(std::move(result), reached_s);
+  if (stop()) return stopped(scenario, made, partial);
   if (has_drift(result)) {
-    result.sensitivities = assess_sensitivities(result, stop);
-    if (stop) return stopped(std::move(result), reached_s);
-    result.invariants = assess_invariants(result);
-    if (stop) return stopped(std::move(result), reached_s);
+    result.sensitivities = assess_sensitivities(result, parts.next(work.sensitivities, "sensitivities"));
+    if (stop()) return stopped(scenario, made, partial);
+    result.invariants = assess_invariants(result, rows);
+    if (stop()) return stopped(scenario, made, partial);
     result.theory = assess_theory(scenario, result.rows, result.drift);
-    if (stop) return stopped(std::move(result), reached_s);
+    if (stop()) return stopped(scenario, made, partial);
   }
-  result.ledger = assess_ledger(result);
+  result.ledger = assess_ledger(result, parts.next(work.ledger, "ledger"));
+  if (stop()) return stopped(scenario, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
@@ -168,7 +200,7 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
   template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&, T);                                      \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
-  template RunResult assemble_result(const Scenario&, const TwoIntegrations<T>&);
+  template RunResult assemble_result(const Scenario&, const TwoIntegrations<T>&, const RunWork&, Parts, bool);
 EARTHTOP_ASSEMBLE(double)
 EARTHTOP_ASSEMBLE(long double)
 EARTHTOP_ASSEMBLE(float128)

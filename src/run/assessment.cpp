@@ -44,7 +44,8 @@ Vec3<T> vector(const std::array<T, 3>& v) {
 }
 
 template <class T>
-std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows) {
+std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows,
+                                               const Watch& watch) {
   const auto body = make_body<T>(scenario.body);
   const Vec3<T> mass_moment_B = body.mass * body.p_PBcm_B;
   const Vec3<T> gravity_L = apparent_gravity_L<T>(scenario.site);
@@ -52,6 +53,7 @@ std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const s
   const int axis = symmetry_axis(body);
   InvariantFollower<T> jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s");
   for (const BasicDriftRow<T>& row : rows) {
+    if (watch.asks_to_stop()) break;
     const Quaternion<T> q = quaternion(row.q_LB);
     const Vec3<T> w_LB_B = vector(row.w_LB_B);
     const auto J = jacobi_integral(body.I_BP_B, mass_moment_B, gravity_L, W_L, q, w_LB_B);
@@ -70,12 +72,16 @@ std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const s
 }
 
 template <class T>
-std::vector<LedgerEntry<T>> ledger_entries(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows) {
+std::vector<LedgerEntry<T>> ledger_entries(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows,
+                                           const Watch& watch) {
   const auto model = make_model<T>(scenario);
   std::vector<LedgerEntry<T>> entries;
   entries.reserve(rows.size());
-  for (const BasicDriftRow<T>& row : rows)
+  for (const BasicDriftRow<T>& row : rows) {
+    if (watch.asks_to_stop()) break;
+    if (entries.size() % 64 == 0) watch.reach(static_cast<double>(entries.size()) / static_cast<double>(rows.size()));
     entries.push_back(ledger_entry(*scenario.ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B)));
+  }
   return entries;
 }
 
@@ -91,11 +97,11 @@ LedgerEntry<double> in_double(const LedgerEntry<float128>& entry) {
 
 }  // namespace
 
-std::vector<InvariantReport> assess_invariants(const RunResult& result) {
+std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scenario& scenario = result.scenario;
   if (!is_plain(scenario)) return {};
-  return result.extended_rows.empty() ? follow_invariants(scenario, result.rows)
-                                      : follow_invariants(scenario, result.extended_rows);
+  return result.extended_rows.empty() ? follow_invariants(scenario, result.rows, watch)
+                                      : follow_invariants(scenario, result.extended_rows, watch);
 }
 
 std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows,
@@ -141,15 +147,15 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
   return theory;
 }
 
-std::optional<LedgerReport> assess_ledger(const RunResult& result) {
+std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch) {
   const Scenario& scenario = result.scenario;
   if (!scenario.ledger) return std::nullopt;
   LedgerReport report;
   report.observer = *scenario.ledger;
   if (result.extended_rows.empty()) {
-    report.entries = ledger_entries(scenario, result.rows);
+    report.entries = ledger_entries(scenario, result.rows, watch);
   } else {
-    report.extended_entries = ledger_entries(scenario, result.extended_rows);
+    report.extended_entries = ledger_entries(scenario, result.extended_rows, watch);
     report.entries.reserve(report.extended_entries.size());
     for (const LedgerEntry<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
   }

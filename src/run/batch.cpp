@@ -55,9 +55,10 @@ constexpr double kNudgeUnits = 128;
 
 /// Integrates points side by side; each one's time is its share of the work.
 std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftProblem<double>> problems,
-                                                        const IntegrationOptions& options, std::vector<double>& seconds) {
+                                                        const IntegrationOptions& options, const Watch& watch,
+                                                        std::vector<double>& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  std::vector<DriftTrajectory<double>> trajectories = integrate_drift_in_lanes(problems, options, &interrupt_flag());
+  std::vector<DriftTrajectory<double>> trajectories = integrate_drift_in_lanes(problems, options, watch);
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   double evaluations = 0;
   for (const auto& trajectory : trajectories) evaluations += static_cast<double>(trajectory.counters.evaluations);
@@ -67,7 +68,8 @@ std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftPro
 }
 
 /// Runs points that share what they must.
-void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint> points, std::vector<BatchOutcome>& outcomes) {
+void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint> points, const Watch& watch,
+                  std::vector<BatchOutcome>& outcomes) {
   const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
   std::vector<DriftProblem<double>> problems;
   problems.reserve(points.size());
@@ -76,12 +78,12 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
 
   std::vector<double> seconds;
   seconds.reserve(2 * points.size());
-  auto trajectories = integrate_together(problems, options, seconds);
+  auto trajectories = integrate_together(problems, options, watch.part(0, 0.5), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     made[i].first = std::move(trajectories[i]);
     make_second(problems[i], made[i].first, kNudgeUnits);
   }
-  trajectories = integrate_together(problems, other_options, seconds);
+  trajectories = integrate_together(problems, other_options, watch.part(0.5, 1), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     TwoIntegrations<double>& both = made[i];
     const Scenario& scenario = scenarios[points[i].index];
@@ -93,7 +95,7 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
     both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
-    RunResult result = assemble_result(scenario, both);
+    RunResult result = assemble_result(scenario, both, {}, Parts(watch, 0));
     result.modelled = scenario;
     outcomes[points[i].index].result = std::move(result);
     both = {};
@@ -102,10 +104,12 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
 
 }  // namespace
 
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
+std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch) {
   require_ieee_arithmetic();
   std::vector<BatchOutcome> outcomes(scenarios.size());
   std::map<Shared, std::vector<LanePoint>> lanes;
+  Parts parts(watch, static_cast<double>(scenarios.size()));
+  const auto share_of = [&](std::size_t points) { return parts.next(static_cast<double>(points)); };
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     const Scenario& scenario = scenarios[i];
     try {
@@ -121,7 +125,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
           continue;
         }
       }
-      outcomes[i].result = run(scenario);
+      outcomes[i].result = run(scenario, {share_of(1), false});
     } catch (const ScenarioError& refusal) {
       outcomes[i].refusal = refusal.what();
     }
@@ -129,7 +133,8 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios) {
   constexpr std::size_t kTogether = 64;  // so that the samples of few are in memory
   for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
-      run_in_lanes(scenarios, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)), outcomes);
+      run_in_lanes(scenarios, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)),
+                   share_of(std::min(kTogether, points.size() - begin)), outcomes);
   return outcomes;
 }
 

@@ -7,6 +7,7 @@
 
 #include "earthtop/arithmetic.hpp"
 #include "run/assemble.hpp"
+#include "run/run_work.hpp"
 #include "scenario/problem.hpp"
 #include "scenario/second_integration.hpp"
 
@@ -17,9 +18,9 @@ std::atomic<bool> stop_asked = false;
 
 template <class T>
 DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const IntegrationOptions& options, Precision precision,
-                                   IntegrationReport& report) {
+                                   const Watch& watch, IntegrationReport& report) {
   const auto start = std::chrono::steady_clock::now();
-  DriftTrajectory<T> trajectory = integrate_drift(problem, options, &stop_asked);
+  DriftTrajectory<T> trajectory = integrate_drift(problem, options, watch);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   describe(problem, options, trajectory, precision, report);
   return trajectory;
@@ -38,39 +39,43 @@ IntegrationOptions within_estimate(const Scenario& scenario, IntegrationOptions 
 }
 
 template <class T>
-RunResult run_in(const Scenario& scenario) {
+RunResult run_in(const Scenario& scenario, const RunOptions& run_options) {
   auto problem = make_problem<T>(scenario);
   const Precision precision = scenario.precision;
   const MethodChoice choice = method_choice(scenario);
 
   TwoIntegrations<T> made;
   made.options = within_estimate(scenario, choice.options);
-  made.first = integrate_timed(problem, made.options, precision, made.solution);
+  const ModelForm form = form_taken(problem, made.options);
+  made.other_options = second_options(scenario, made.options, form);
+  const Watch& watch = run_options.watch;
+  const RunWork work = watch.is_told() ? work_of_run(scenario, made.options, made.other_options, form) : RunWork();
+  Parts parts(watch, work.all());
+
+  made.first = integrate_timed(problem, made.options, precision, parts.next(work.solution, "solution"), made.solution);
   made.solution.reason = choice.reason;
   make_second(problem, made.first);
-  const double phase = fastest_rate_rad_s(scenario) * problem.times_s.back();
-  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
-  made.other_options = second_options(made.options, made.solution.form, precision, phase, dry_friction);
   if (made.other_options.method == Method::long_horizon) made.other_options.kick_steps = made.first.kick_steps;
   made.other_options = within_estimate(scenario, made.other_options);
-  made.second = integrate_timed(problem, made.other_options, precision, made.certificate);
-  return assemble_result(scenario, made);
+  made.second =
+      integrate_timed(problem, made.other_options, precision, parts.next(work.bound, "error bound"), made.certificate);
+  return assemble_result(scenario, made, work, parts, run_options.partial);
 }
 
-RunResult run_once(const Scenario& scenario) {
+RunResult run_once(const Scenario& scenario, const RunOptions& options) {
   require_affordable(scenario);
   switch (scenario.precision) {
     case Precision::bits53: break;
-    case Precision::bits64: return run_in<long double>(scenario);
-    case Precision::bits113: return run_in<float128>(scenario);
+    case Precision::bits64: return run_in<long double>(scenario, options);
+    case Precision::bits113: return run_in<float128>(scenario, options);
   }
-  return run_in<double>(scenario);
+  return run_in<double>(scenario, options);
 }
 
 /// Where an error is asked for, and method and tolerance are free, from the loosest tolerance that may reach it to finer ones.
 /// @param left_out_rad  what the effects left out may cost of it
-RunResult run_to_accuracy(Scenario scenario, double left_out_rad) {
-  if (!scenario.accuracy_rad) return run_once(scenario);
+RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptions& options) {
+  if (!scenario.accuracy_rad) return run_once(scenario, options);
   constexpr double kLoosest = 1e-6, kFiner = 1e-3;
   constexpr int kAttempts = 4;
   AccuracyReport accuracy{*scenario.accuracy_rad, 0, 0};
@@ -79,8 +84,13 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad) {
   const bool free = scenario.numerics.method == Method::automatic && tolerance == default_tolerance(scenario.precision);
   // A tenth of the error asked for: steps are many, and the second run's error counts as the first one's.
   if (free) tolerance = std::clamp(accuracy.asked_rad / 10, least, kLoosest);
-  for (;;) {
-    RunResult result = run_once(scenario);
+  // As a rule the first attempt is enough: what comes after it has what is left of the progress.
+  constexpr double kShare = 0.7;
+  RunOptions attempt = options;
+  for (double done = 0;;) {
+    const double next = free ? done + kShare * (1 - done) : 1;
+    attempt.watch = options.watch.part(std::exchange(done, next), next);
+    RunResult result = run_once(scenario, attempt);
     ++accuracy.attempts;
     accuracy.reached_rad = result.drift.axis_bound_rad + left_out_rad;
     const bool may_be_finer = free && tolerance > least && accuracy.attempts < kAttempts;
@@ -101,15 +111,30 @@ void request_interrupt() noexcept { stop_asked = true; }
 
 bool interrupt_requested() noexcept { return stop_asked; }
 
+void withdraw_interrupt() noexcept { stop_asked = false; }
+
 const std::atomic<bool>& interrupt_flag() noexcept { return stop_asked; }
 
-RunResult run(const Scenario& scenario) {
+double estimated_run_seconds(const Scenario& scenario) {
+  const IntegrationOptions first = method_choice(scenario).options;
+  const ModelForm form = form_taken(make_problem<double>(scenario), first);
+  const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
+  return choice + estimated_work(scenario, first, second_options(scenario, first, form), form).all();
+}
+
+RunResult run(const Scenario& scenario, const RunOptions& options) {
   require_ieee_arithmetic();
   Scenario modelled = scenario;
   std::optional<Selection> selection;
-  if (scenario.effects.automatic) selection = select_effects(modelled, &stop_asked);
+  RunOptions after = options;
+  if (scenario.effects.automatic) {
+    const double choice = options.watch.is_told() ? selection_work(scenario) : 0;
+    const double share = choice > 0 ? choice / estimated_run_seconds(scenario) : 0;
+    selection = select_effects(modelled, options.watch.part(0, share, "choice of effects"));
+    after.watch = options.watch.part(share, 1);
+  }
   if (const auto reason = method_refusal(modelled.numerics.method, modelled)) throw ScenarioError("/numerics/method", *reason);
-  RunResult result = run_to_accuracy(modelled, selection ? selection->left_out_drift_rad : 0);
+  RunResult result = run_to_accuracy(modelled, selection ? selection->left_out_drift_rad : 0, after);
   result.modelled = std::move(result.scenario);
   result.scenario = scenario;
   result.selection = std::move(selection);

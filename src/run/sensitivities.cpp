@@ -26,7 +26,12 @@ std::optional<std::string> no_sensitivities(const Scenario& scenario, double tim
 
 }  // namespace
 
-std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const std::atomic<bool>& stop) {
+std::optional<double> sensitivity_tolerance(const Scenario& scenario) {
+  if (!scenario.sensitivities || no_sensitivities(scenario, scenario.duration_s)) return std::nullopt;
+  return kTolerance;
+}
+
+std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const Watch& watch) {
   const Scenario& scenario = result.scenario;
   if (!scenario.sensitivities) return std::nullopt;
   SensitivityReport report;
@@ -38,7 +43,7 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
   }
   const auto problem = make_problem<double>(scenario);
   const InputDerivatives inputs = input_derivatives(scenario, problem.units);
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, report.at_s, kTolerance, &stop);
+  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, report.at_s, kTolerance, watch);
   if (drift.status != RunStatus::completed) {
     report.unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
     return report;

@@ -1,7 +1,6 @@
 /// How the drift of a run changes with its inputs, and what their errors make of it.
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "earthtop/run.hpp"
@@ -9,6 +8,9 @@
 namespace earthtop {
 
 /// The derivatives of the last reliable drift; none where the scenario does not ask for them.
-std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const std::atomic<bool>& stop);
+std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const Watch& watch);
+
+/// The tolerance of their integration; none where the scenario asks for none, or they could not be had to its end.
+std::optional<double> sensitivity_tolerance(const Scenario& scenario);
 
 }  // namespace earthtop

@@ -53,18 +53,21 @@ struct Growth {
   bool completed = true;
 };
 
+/// The tolerance of the first look at the growth: motions with a closed form are followed closely, as they leave a separatrix by
+/// the integration's own error.
+double growth_tolerance(const MotionProblem<double>& problem) { return is_integrable(problem) ? 1e-13 : 1e-7; }
+
 /// The growth along one motion. What a coarse integration calls growth may be its own error, so that a finer one has to say so,
 /// too.
-GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s,
-                              const std::atomic<bool>& stop) {
-  constexpr double kCoarse = 1e-7, kFine = 1e-10, kOfSeparatrices = 1e-13;
-  if (is_integrable(problem)) return disturbance_growth(problem, kind, until_s, kOfSeparatrices, &stop);
-  GrowthReport report = disturbance_growth(problem, kind, until_s, kCoarse, &stop);
-  if (!report.exponential_s && report.late_exponent_1_s.value_or(0) <= 0) return report;
-  return disturbance_growth(problem, kind, until_s, kFine, &stop);
+GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s, const Watch& watch) {
+  constexpr double kFine = 1e-10;
+  const double tolerance = growth_tolerance(problem);
+  GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, watch);
+  const bool grows = report.exponential_s || report.late_exponent_1_s.value_or(0) > 0;
+  return grows && tolerance > kFine ? disturbance_growth(problem, kind, until_s, kFine, watch) : report;
 }
 
-Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const std::atomic<bool>& stop) {
+Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const Watch& watch) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
   const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
   const double log_earth = std::log(kGrownAngle / earth_share);
@@ -73,7 +76,8 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
-    const GrowthReport report = confirmed_growth(problem, kind, until_s, stop);
+    const Watch part = kind == MotionKind::reference ? watch.part(0, earth_share == 0 ? 1 : 0.5) : watch.part(0.5, 1);
+    const GrowthReport report = confirmed_growth(problem, kind, until_s, part);
     growth.mean_exponent_1_s = std::max(growth.mean_exponent_1_s, report.mean_exponent_1_s);
     if (report.late_exponent_1_s)
       growth.late_exponent_1_s = std::max(growth.late_exponent_1_s.value_or(-HUGE_VAL), *report.late_exponent_1_s);
@@ -166,7 +170,13 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
 
 }  // namespace
 
-VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& stop) {
+std::optional<double> growth_tolerance(const Scenario& scenario) {
+  const auto problem = make_problem<double>(scenario);
+  if (marginal_reason(problem) || is_regular(problem)) return std::nullopt;
+  return growth_tolerance(problem);
+}
+
+VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   VerdictReport report;
   if (!has_drift(result)) {
     report.verdict = Verdict::unassessed;
@@ -183,7 +193,7 @@ VerdictReport assess_verdict(const RunResult& result, const std::atomic<bool>& s
   if (is_regular(problem))
     report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, stop), result.rows, is_integrable(problem),
+    judge_growth(follow_growth(result, problem, watch), result.rows, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
   if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {

@@ -126,8 +126,7 @@ double seconds_a_variation(const Scenario& scenario) {
 /// What the run's second integration takes.
 IntegrationOptions certificate_options(const Scenario& scenario, const IntegrationOptions& first) {
   const ModelForm form = takes_reduced_form(scenario, first) ? ModelForm::reduced : ModelForm::general;
-  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
-  return second_options(first, form, scenario.precision, fastest_rate_rad_s(scenario) * scenario.duration_s, dry_friction);
+  return second_options(scenario, first, form);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace earthtop {
 
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
-                                  bool dry_friction) {
+IntegrationOptions second_options(const Scenario& scenario, const IntegrationOptions& first, ModelForm form) {
+  const Precision precision = scenario.precision;
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
@@ -13,7 +13,7 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
       form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
-  if (dry_friction) second.observer = first.observer;
+  if (scenario.effects.applied.coulomb_N_m != 0) second.observer = first.observer;
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;
   const double asked = first.relative_tolerance;
@@ -22,6 +22,7 @@ IntegrationOptions second_options(const IntegrationOptions& first, ModelForm for
   if (precision == Precision::bits64 && second.method == Method::rkf78 && second.relative_tolerance > asked / 30)
     second.relative_tolerance = 10 * asked;
   constexpr double kAffordable = 3e4;  // rad; a tenth of a second
+  const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;
     second.relative_tolerance = asked;

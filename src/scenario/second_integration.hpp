@@ -1,7 +1,7 @@
 /// The integration that a run's bounds come from.
 #pragma once
 
-#include "earthtop/integrate/options.hpp"
+#include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
 
@@ -26,8 +26,7 @@ namespace earthtop {
 /// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
 /// against itself in steps that are shorter and have no common measure with the first ones (the observer names them), which
 /// excite other nutation; a trial would but find the first steps again. Where a run has few nutations, extrapolation.
-/// @param phase  of the fastest rate over the run (rad)
-IntegrationOptions second_options(const IntegrationOptions& first, ModelForm form, Precision precision, double phase,
-                                  bool dry_friction);
+/// @param first  of the run's first integration   @param form  that it takes
+IntegrationOptions second_options(const Scenario& scenario, const IntegrationOptions& first, ModelForm form);
 
 }  // namespace earthtop

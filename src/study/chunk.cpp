@@ -18,9 +18,9 @@ Value axis_cell(const StudyAxis& axis, const Setting& setting) {
   return setting.at_base ? Value() : value_of(Json::parse(axis_value(axis, setting)));
 }
 
-std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios) {
+std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const Watch& watch) {
   try {
-    return run_batch(scenarios);
+    return run_batch(scenarios, watch);
   } catch (const std::exception& error) {
     if (scenarios.size() == 1) {
       std::vector<BatchOutcome> outcome(1);
@@ -31,13 +31,13 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios) {
   // One of them is to blame: each by itself.
   std::vector<BatchOutcome> outcomes;
   outcomes.reserve(scenarios.size());
-  for (const Scenario& scenario : scenarios) outcomes.push_back(std::move(run_guarded({&scenario, 1}).front()));
+  for (const Scenario& scenario : scenarios) outcomes.push_back(std::move(run_guarded({&scenario, 1}, watch).front()));
   return outcomes;
 }
 
 }  // namespace
 
-std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk) {
+std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk, const Watch& watch) {
   std::vector<PointResult> results;
   results.reserve(chunk.size());
   std::vector<Scenario> scenarios;
@@ -50,18 +50,22 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
     result.values.resize(study.quantities.size());
     for (std::size_t a = 0; a < study.axes.size(); ++a)
       result.axis_values.push_back(axis_cell(study.axes[a], point.settings[a]));
-    if (auto scenario = collector.scenario(overrides(study, point), result.reason)) {
+    if (watch.asks_to_stop()) {
+      result.status = to_string(RunStatus::interrupted);
+    } else if (auto scenario = collector.scenario(overrides(study, point), result.reason)) {
       of_scenario.push_back(results.size() - 1);
       scenarios.push_back(*std::move(scenario));
     } else {
       result.status = "refused";
     }
   }
+  Parts parts(watch, static_cast<double>(scenarios.size()));
   for (std::size_t begin = 0; begin < scenarios.size();) {
     std::size_t end = begin + 1;
     for (double rows = rows_of(scenarios[begin]); end < scenarios.size(); ++end)
       if (rows += rows_of(scenarios[end]); rows > kMostRows) break;
-    const auto outcomes = run_guarded(std::span(scenarios).subspan(begin, end - begin));
+    const auto outcomes =
+        run_guarded(std::span(scenarios).subspan(begin, end - begin), parts.next(static_cast<double>(end - begin)));
     for (std::size_t i = begin; i < end; ++i) collector.collect(outcomes[i - begin], results[of_scenario[i]]);
     begin = end;
   }

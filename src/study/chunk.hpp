@@ -11,6 +11,7 @@ namespace earthtop::study {
 using Chunk = std::vector<PlannedPoint>;
 
 /// Runs the points of a chunk. Points whose run was interrupted are left out.
-std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk);
+std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk,
+                                 const Watch& watch = {&interrupt_flag()});
 
 }  // namespace earthtop::study

@@ -165,6 +165,10 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
       if (point.failed()) ++progress.failed;
     }
     progress.seconds = seconds_since(start);
+    const auto wanted = static_cast<double>(std::max<std::uint64_t>(progress.wanted, 1));
+    progress.share_before = static_cast<double>(progress.before) / wanted;
+    const double there = static_cast<double>(progress.before + progress.done) + workforce.points_begun();
+    progress.share = std::max(progress.share, std::min(1.0, there / wanted));
     if (!results.empty()) size.learn(progress.done, progress.seconds);
     if (open_transaction && (ends || seconds_since(last_commit) > kCommitEvery_s)) {
       store.commit();

@@ -3,6 +3,7 @@
 #include <mutex>
 #include <thread>
 
+#include "earthtop/run.hpp"
 #include "study/workforce.hpp"
 
 namespace earthtop::study {
@@ -40,6 +41,12 @@ class Threads : public Workforce {
     const std::lock_guard lock(mutex_);
     return under_way_;
   }
+  double points_begun() const override {
+    const std::lock_guard lock(mutex_);
+    double points = 0;
+    for (const Busy& busy : busy_) points += busy.progress->share() * static_cast<double>(busy.points);
+    return points;
+  }
   std::vector<PointResult> collect(std::chrono::milliseconds patience) override {
     std::unique_lock lock(mutex_);
     result_came_.wait_for(lock, patience, [&] { return came_; });
@@ -51,23 +58,32 @@ class Threads : public Workforce {
   void work() {
     for (;;) {
       Chunk chunk;
+      Progress progress;
       {
         std::unique_lock lock(mutex_);
         work_came_.wait(lock, [&] { return ends_ || !waiting_.empty(); });
         if (ends_) return;
         chunk = std::move(waiting_.front());
         waiting_.pop_front();
+        busy_.push_back({&progress, chunk.size()});
       }
-      std::vector<PointResult> results = compute(study_, collector_, chunk);
+      std::vector<PointResult> results = compute(study_, collector_, chunk, {&interrupt_flag(), &progress});
       {
         const std::lock_guard lock(mutex_);
         results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));
         --under_way_;
+        std::erase_if(busy_, [&](const Busy& busy) { return busy.progress == &progress; });
         came_ = true;
       }
       result_came_.notify_one();
     }
   }
+
+  /// A chunk that is being computed.
+  struct Busy {
+    const Progress* progress;
+    std::size_t points;
+  };
 
   const Study& study_;
   Collector collector_;
@@ -76,6 +92,7 @@ class Threads : public Workforce {
   std::condition_variable work_came_, result_came_;
   std::deque<Chunk> waiting_;
   std::vector<PointResult> results_;
+  std::vector<Busy> busy_;
   std::size_t under_way_ = 0;
   bool came_ = false, ends_ = false;
   std::vector<std::thread> threads_;

@@ -21,6 +21,8 @@ class Workforce {
   virtual void give(Chunk chunk) = 0;
   /// Chunks given and not yet given back.
   virtual std::size_t under_way() const = 0;
+  /// How many points the chunks under way have done, parts of points included; 0 where nobody knows.
+  virtual double points_begun() const { return 0; }
   /// What has been computed since the last call; waits until there is something, but no longer than `patience`.
   virtual std::vector<PointResult> collect(std::chrono::milliseconds patience) = 0;
 };

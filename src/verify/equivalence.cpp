@@ -89,14 +89,14 @@ double proportional(const Pair& pair, double until_s) {
 }
 
 /// With every rate turned back at the end, the Earth's too, the top returns to its release (rad, and rates over their size).
-double reversed_in_time(const RunResult& forth) {
+double reversed_in_time(const RunResult& forth, const Watch& watch) {
   Scenario back = forth.scenario;
   const DriftRow &start = forth.rows.front(), &end = forth.rows.back();
   back.rotation_rate_rad_s = -back.rotation_rate_rad_s;
   back.release.quaternion_LB = end.q_LB;
   back.release.angular_velocity_body_rad_s = {-end.w_LB_B[0], -end.w_LB_B[1], -end.w_LB_B[2]};
   back.release.rates_relative_to = RatesRelativeTo::laboratory;
-  const RunResult result = completed_run(back);
+  const RunResult result = completed_run(back, watch);
   const DriftRow& returned = result.rows.back();
   const Vec3<double> missed = vector(returned.w_LB_B) + vector(start.w_LB_B);
   return worse(attitude_distance(quaternion(returned.q_LB), quaternion(start.q_LB)), norm(missed) / norm(vector(start.w_LB_B)));
@@ -127,7 +127,7 @@ double reference_turned(const RunResult& result, double until_s) {
 double equivalence_error(const CriterionSpec& criterion, Runs& runs) {
   const double until_s = criterion.until_s.value_or(std::numeric_limits<double>::infinity());
   if (criterion.quantity == "reference_turned") return reference_turned(runs.run(criterion.set), until_s);
-  if (criterion.quantity == "reversed_in_time") return reversed_in_time(runs.run(criterion.set));
+  if (criterion.quantity == "reversed_in_time") return reversed_in_time(runs.run(criterion.set), runs.next_watch());
   const Pair pair{runs.run(), runs.run(criterion.set)};
   if (criterion.quantity == "same") return same(pair, until_s);
   if (criterion.quantity == "same_axis") return same_axis(pair, until_s);

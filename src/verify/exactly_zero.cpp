@@ -50,7 +50,7 @@ double exactly_zero_error(const CriterionSpec& criterion, Runs& runs) {
   }
   const auto count_of = criterion.quantity == "drift" ? nonzero_drifts : nonzero_reference_tilts;
   for (const Scenario& scene : by_all_methods(runs.scenario(criterion.set)))
-    for (const DriftRow& row : completed_run(scene).rows) count += count_of(row);
+    for (const DriftRow& row : completed_run(scene, runs.next_watch()).rows) count += count_of(row);
   return count;
 }
 

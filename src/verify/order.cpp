@@ -10,50 +10,64 @@
 namespace earthtop::verify_detail {
 namespace {
 
+/// Steps from row to row that the scene's own step makes. @throws NotJudged where it has none
+long fewest_parts(const Scenario& scenario) {
+  if (!scenario.numerics.step_s) throw NotJudged("the scene gives no step");
+  return std::lround(std::ceil(scenario.output_step_s / *scenario.numerics.step_s));
+}
+
+constexpr double kFiner = 1.01;  // from one of a resonance's steps to the next, over two octaves
+
+/// Steps from row to row, of all trajectories of a criterion together.
+double steps_of(const CriterionSpec& criterion, double fewest) {
+  return fewest * (criterion.quantity == "step_resonance" ? (4 - 1) / (kFiner - 1) : 1 + 2);
+}
+
 /// Errors of one scene's rotating motion by its method at many steps, against a series at its finest tolerance.
 class StepErrors {
  public:
-  explicit StepErrors(const Scenario& scenario) : scenario_(scenario), problem_(make_problem<double>(scenario)) {
-    if (!scenario.numerics.step_s) throw NotJudged("the scene gives no step");
+  /// @param work  steps from row to row of all that will be asked for
+  StepErrors(const Scenario& scenario, const Watch& watch, double work)
+      : scenario_(scenario), problem_(make_problem<double>(scenario)), parts_(watch, work) {
     Scenario fine = scenario;
     fine.numerics = {};
     fine.numerics.method = Method::taylor;
     fine.numerics.relative_tolerance = least_tolerance(Precision::bits53);
     fine.numerics = method_choice(fine).options;
-    reference_ = trajectory(fine.numerics);
+    reference_ = trajectory(fine.numerics, 1);
   }
   /// The largest angle between the attitudes at the rows. @param parts  steps from row to row
-  double at(long parts) const {
+  double at(long parts) {
     IntegrationOptions options = scenario_.numerics;
     options.step_s = scenario_.output_step_s / static_cast<double>(parts);
-    const auto samples = trajectory(options);
+    const auto samples = trajectory(options, static_cast<double>(parts));
     double error = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
       error = worse(error, attitude_distance(samples[i].q_LB, reference_[i].q_LB));
     return error;
   }
-  long fewest_parts() const { return std::lround(std::ceil(scenario_.output_step_s / *scenario_.numerics.step_s)); }
 
  private:
-  std::vector<MotionSample<double>> trajectory(const IntegrationOptions& options) const {
-    auto motion = integrate_motion(problem_, options);
-    if (interrupt_requested()) throw NotJudged("interrupted");
+  std::vector<MotionSample<double>> trajectory(const IntegrationOptions& options, double work) {
+    const Watch watch = parts_.next(work);
+    auto motion = integrate_motion(problem_, options, MotionSought::attitude, watch);
+    if (watch.asks_to_stop()) throw NotJudged("interrupted");
     if (motion.status != RunStatus::completed) throw NotJudged("an integration ended early");
     return std::move(motion.samples);
   }
 
   const Scenario& scenario_;
   DriftProblem<double> problem_;
+  Parts parts_;
   std::vector<MotionSample<double>> reference_;
 };
 
 /// The largest error over the median, each over the power law of its octave, in the worst of two octaves.
-double resonance(const StepErrors& errors) {
+double resonance(StepErrors& errors, double parts) {
   double worst = 0;
-  double parts = static_cast<double>(errors.fewest_parts());
   for (int octave = 0; octave < 2; ++octave) {
     std::vector<double> x, y;
-    for (const double end = 2 * parts; parts < end; parts *= 1.01) {
+    for (const double end = 2 * parts; parts < end; parts *= kFiner) {
       x.push_back(std::log(std::round(parts)));
       y.push_back(std::log(errors.at(std::lround(parts))));
     }
@@ -71,11 +85,20 @@ double resonance(const StepErrors& errors) {
 
 }  // namespace
 
+double order_work(const CriterionSpec& criterion, const Runs& runs) {
+  const Scenario scenario = runs.scenario(criterion.set);
+  if (!scenario.numerics.step_s) return 0;
+  // Of one motion, where the estimate is of two integrations of two motions and their deviation.
+  constexpr double kOfEstimate = 0.15;
+  const auto fewest = static_cast<double>(fewest_parts(scenario));
+  return kOfEstimate * estimated_seconds(scenario) * steps_of(criterion, fewest) / fewest;
+}
+
 double order_error(const CriterionSpec& criterion, Runs& runs) {
   const Scenario scenario = runs.scenario(criterion.set);
-  const StepErrors errors(scenario);
-  if (criterion.quantity == "step_resonance") return resonance(errors);
-  const long parts = errors.fewest_parts();
+  const long parts = fewest_parts(scenario);
+  StepErrors errors(scenario, runs.watch(), steps_of(criterion, static_cast<double>(parts)) + 1);
+  if (criterion.quantity == "step_resonance") return resonance(errors, static_cast<double>(parts));
   const double order = std::log2(errors.at(parts) / errors.at(2 * parts));
   return std::abs(order - criterion.values.at(0));
 }

@@ -15,11 +15,19 @@ Scenario Runs::scenario(const Changes& changes) const {
 
 const RunResult& Runs::run(const Changes& changes) {
   const auto found = done_.find(changes);
-  return found != done_.end() ? found->second : done_.emplace(changes, completed_run(scenario(changes))).first->second;
+  return found != done_.end() ? found->second
+                              : done_.emplace(changes, completed_run(scenario(changes), next_watch())).first->second;
 }
 
-RunResult completed_run(const Scenario& scenario) {
-  RunResult result = earthtop::run(scenario);
+Watch Runs::next_watch() {
+  constexpr double kMost = 0.7;
+  const double begun = share_;
+  share_ += kMost * (1 - share_);
+  return watch_.part(begun, share_);
+}
+
+RunResult completed_run(const Scenario& scenario, const Watch& watch) {
+  RunResult result = earthtop::run(scenario, {watch, false});
   if (result.status == RunStatus::completed) return result;
   throw NotJudged(fmt::format("the run ended at t = {} s: {}", result.reached_s, to_string(result.status)));
 }

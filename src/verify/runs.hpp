@@ -25,13 +25,22 @@ class Runs {
   Scenario scenario(const Changes& changes = {}) const;
   /// @throws NotJudged where the run does not complete; ScenarioError
   const RunResult& run(const Changes& changes = {});
+  bool has_run(const Changes& changes) const { return done_.contains(changes); }
+
+  /// Who watches what is run from now on.
+  void set_watch(const Watch& watch) { watch_ = watch, share_ = 0; }
+  const Watch& watch() const { return watch_; }
+  /// For the next run: most of what is left of it.
+  Watch next_watch();
 
  private:
   ScenarioSource source_;
   std::map<Changes, RunResult> done_;
+  Watch watch_{&interrupt_flag()};
+  double share_ = 0;  // of `watch_`, begun
 };
 
 /// A run to its end. @throws NotJudged
-RunResult completed_run(const Scenario& scenario);
+RunResult completed_run(const Scenario& scenario, const Watch& watch);
 
 }  // namespace earthtop::verify_detail

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <numeric>
+#include <set>
 
 #include "verify/judge.hpp"
 
@@ -37,6 +39,9 @@ const Kind& kind_of(const CriterionSpec& criterion) {
   throw std::logic_error("a criterion of no kind");
 }
 
+/// About as many methods as a scene is run by where all of them must give exactly the same.
+constexpr double kMethodsHeld = 8;
+
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void judge(const CriterionSpec& criterion, Runs& runs, VerificationRow& row) {
@@ -52,7 +57,32 @@ void judge(const CriterionSpec& criterion, Runs& runs, VerificationRow& row) {
   row.seconds = processor_seconds() - start;
 }
 
+/// Of each criterion: of a run that several ask for the first one has it all.
+std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Runs& runs, const VerificationOptions& options) {
+  std::vector<double> all;
+  std::set<Changes> known;
+  for (const CriterionSpec& criterion : criteria) {
+    double& work = all.emplace_back(0);
+    if (criterion.kind == CriterionKind::refused || (criterion.slow && !options.slow)) continue;
+    if (criterion.kind == CriterionKind::order) {
+      work = order_work(criterion, runs);
+      continue;
+    }
+    if (known.insert(criterion.set).second) work += estimated_seconds(runs.scenario(criterion.set));
+    if (criterion.kind == CriterionKind::equivalence && known.insert(Changes()).second)
+      work += estimated_seconds(runs.scenario());
+    if (criterion.kind == CriterionKind::exactly_zero) work *= kMethodsHeld;
+  }
+  return all;
+}
+
 }  // namespace
+
+double verification_work(const ScenarioSource& source, const VerificationOptions& options) {
+  const Runs runs(source);
+  const std::vector<double> work = work_of(parse_verifiable(source).criteria, runs, options);
+  return std::accumulate(work.begin(), work.end(), 0.0);
+}
 
 std::string criterion_text(const CriterionSpec& criterion) {
   std::string words(kind_of(criterion).word);
@@ -87,14 +117,19 @@ void verify(const ScenarioSource& source, const VerificationOptions& options,
             const std::function<void(const VerificationRow&)>& tell) {
   Runs runs(source);
   const Scenario scenario = parse_verifiable(source);
+  const std::vector<double> work = work_of(scenario.criteria, runs, options);
+  Parts parts(options.watch, std::accumulate(work.begin(), work.end(), 0.0));
+  std::size_t number = 0;
   for (const CriterionSpec& criterion : scenario.criteria) {
+    const Watch watch = parts.next(work[number++]);
     VerificationRow row{scenario.name, criterion_text(criterion), criterion.why, {}, 0, criterion.tolerance.value_or(0), 0, ""};
     if (criterion.slow && !options.slow) {
       row.outcome = VerificationOutcome::skipped;
       row.remark = "slow";
     } else {
+      runs.set_watch(watch);
       judge(criterion, runs, row);
-      if (interrupt_requested()) return;
+      if (watch.asks_to_stop()) return;
     }
     tell(row);
   }

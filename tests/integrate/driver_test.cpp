@@ -309,7 +309,7 @@ TEST(Driver, StepLimitAndInterruptEndARun) {
     EXPECT_EQ(limited.run({}, {1, 0, 0}, equidistant(1, 1000), options), RunStatus::step_limit);
     EXPECT_LE(limited.counters.accepted + limited.counters.rejected, 50);
     const std::atomic<bool> stop = true;
-    options.stop = &stop;
+    options.watch = &stop;
     options.step_limit = 1000;
     Recorder<Oscillator> interrupted;
     EXPECT_EQ(interrupted.run({}, {1, 0, 0}, equidistant(1, 1000), options), RunStatus::interrupted);

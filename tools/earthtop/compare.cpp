@@ -10,9 +10,11 @@
 #include "compare_text.hpp"
 #include "earthtop/compare/measurement.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
 #include "interrupt.hpp"
 #include "measurement_text.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -82,6 +84,18 @@ void require_apart(const CompareArguments& arguments) {
   }
 }
 
+MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
+                                  const CompareArguments& arguments) {
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  MeasurementReport report =
+      compare_with_measurement(source, split_sets(arguments.sets), measurement, arguments.estimates, watch);
+  if (!watch.asks_to_stop()) progress.reach(1);
+  return report;
+}
+
 int measurement_verb(const CompareArguments& arguments) {
   const bool other_options = !arguments.profile.empty() || !arguments.tolerances.empty() || !arguments.mapping.empty() ||
                              !arguments.junit.empty() || !arguments.svg.empty() || !arguments.may_change.empty() ||
@@ -93,9 +107,7 @@ int measurement_verb(const CompareArguments& arguments) {
         "--set, --json and --quiet only");
   const ScenarioSource source = read_scenario_source(arguments.reference);
   const Measurement measurement = read_measurement(arguments.candidate);
-  install_stop_handlers();
-  const MeasurementReport report =
-      compare_with_measurement(source, split_sets(arguments.sets), measurement, arguments.estimates);
+  const MeasurementReport report = measure_watched(source, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
     return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
                          interrupted_status());
@@ -107,6 +119,16 @@ int measurement_verb(const CompareArguments& arguments) {
   return report.agrees() ? kDone : kNegative;
 }
 
+CompareReport compare_watched(const CompareArguments& arguments) {
+  CompareOptions options = options_of(arguments);
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  options.watch = Watch(nullptr, &progress).part(0, 1, "rows");
+  CompareReport report = compare_results(arguments.reference, arguments.candidate, options);
+  progress.reach(1);
+  return report;
+}
+
 int compare_verb(const CompareArguments& arguments) {
   if (arguments.update) return update_verb(arguments);
   if (is_scenario(arguments.reference)) return measurement_verb(arguments);
@@ -114,7 +136,7 @@ int compare_verb(const CompareArguments& arguments) {
     throw ScenarioError("", "--estimate and --set belong to a measurement: REFERENCE is a scenario then, and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   require_apart(arguments);
-  const CompareReport report = compare_results(arguments.reference, arguments.candidate, options_of(arguments));
+  const CompareReport report = compare_watched(arguments);
   if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));
   if (arguments.json)

@@ -3,11 +3,14 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -80,18 +83,30 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
   return text;
 }
 
+/// With the effects chosen that the scenario leaves open. None if interrupted.
+std::optional<Budget> watched_budget(Scenario& scenario, bool lively) {
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(lively, progress);
+  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
+  Parts parts(watch, choice + budget_work(scenario));
+  if (scenario.effects.automatic) select_effects(scenario, parts.next(choice, "choice of effects"));
+  std::optional<Budget> budget = effect_budget(scenario, parts.next(budget_work(scenario)));
+  if (interrupt_requested()) return std::nullopt;
+  progress.reach(1);
+  return budget;
+}
+
 int explain_verb(const ExplainArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
-  install_stop_handlers();
   Scenario scenario = *std::move(report.scenario);
-  if (scenario.effects.automatic) select_effects(scenario, &interrupt_flag());
-  const Budget budget = effect_budget(scenario, &interrupt_flag());
-  if (interrupt_requested())
-    return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
-  print(arguments.json ? budget_json(budget, scenario) : explained(budget, scenario));
+  const auto budget = watched_budget(scenario, !arguments.quiet && !arguments.json);
+  if (!budget) return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
+  print(arguments.json ? budget_json(*budget, scenario) : explained(*budget, scenario));
   return kDone;
 }
 

@@ -2,27 +2,122 @@
 
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "output.hpp"
+#include "progress_line.hpp"
 
 namespace earthtop::tool {
 namespace {
 
-volatile std::sig_atomic_t g_signal = 0;
+constexpr std::int64_t kMillisecond = 1'000'000;       // ns
+constexpr std::int64_t kGrace = 100 * kMillisecond;    // of processor time, for an orderly end
+constexpr std::int64_t kMoment = 10 * kMillisecond;    // of processor time, for what must not be cut in two
+constexpr std::int64_t kIdle = 2000 * kMillisecond;    // by the clock on the wall: who has used hardly any processor time
+constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // by then waits for something, and may do so for ever
 
-extern "C" void stop_running(int signal) {
-  if (g_signal != 0 && discard_temporaries()) ::_exit(128 + signal);
-  g_signal = signal;
-  request_interrupt();
+// What a handler reads and writes. Work is asked for by one thread; any thread may be the one that takes a signal.
+std::atomic<int> g_signal = 0;
+std::atomic<bool> g_orderly = false;
+std::atomic<std::int64_t> g_used_before = 0;  // processor time at the last look
+bool g_json = false;
+const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come at the very end
+timer_t g_processor_timer, g_wall_timer;
+bool g_has_timers = false;
+
+std::int64_t processor_time() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
+}
+
+void set(timer_t timer, std::int64_t delay) noexcept {
+  itimerspec setting{};
+  setting.it_value.tv_sec = delay / 1'000'000'000;
+  setting.it_value.tv_nsec = delay % 1'000'000'000;
+  if (g_has_timers) timer_settime(timer, 0, &setting, nullptr);
+}
+
+void watch_the_end(std::int64_t grace) noexcept {
+  g_used_before = processor_time();
+  set(g_processor_timer, grace);
+  set(g_wall_timer, kIdle);
+}
+
+void say(int descriptor, std::string_view text) noexcept {
+  if (::write(descriptor, text.data(), text.size()) < 0) return;  // nobody listens
+}
+
+/// Only what is safe in a signal handler.
+void end_at_once() noexcept {
+  if (!discard_temporaries()) return watch_the_end(kMoment);
+  if (is_line_shown()) say(STDERR_FILENO, "\r\033[K");
+  if (!g_json)
+    say(STDERR_FILENO, *g_message);
+  else if (!has_printed())
+    say(STDOUT_FILENO, *g_json_message);
+  ::_exit(interrupted_status());
+}
+
+extern "C" void on_stop_signal(int signal) {
+  const int error = errno;
+  const bool is_first = g_signal.exchange(signal) == 0;
+  if (is_first && g_orderly) {
+    request_interrupt();
+    watch_the_end(kGrace);
+  } else {
+    end_at_once();
+  }
+  errno = error;
+}
+
+/// The processor time is used up, or it is time to see whether any is used at all.
+extern "C" void on_timer(int, siginfo_t* info, void*) {
+  const int error = errno;
+  const std::int64_t now = processor_time();
+  const bool is_wall = info->si_value.sival_int == 1;
+  if (!is_wall || now - g_used_before.exchange(now) < kHardlyAny)
+    end_at_once();
+  else
+    set(g_wall_timer, kIdle);
+  errno = error;
+}
+
+bool make_timers() {
+  struct sigaction action {};
+  action.sa_sigaction = on_timer;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGRTMIN;
+  if (sigaction(SIGRTMIN, &action, nullptr) != 0) return false;
+  event.sigev_value.sival_int = 0;
+  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &g_processor_timer) != 0) return false;
+  event.sigev_value.sival_int = 1;
+  return timer_create(CLOCK_MONOTONIC, &event, &g_wall_timer) == 0;
 }
 
 }  // namespace
 
-void install_stop_handlers() {
+void install_stop_handlers(bool json) {
+  const std::vector<Diagnostic> errors = {{0, 0, "", "interrupted; the same command starts it again"}};
+  g_json = json;
+  g_message = new std::string(errors_text("", errors));
+  g_json_message = new std::string(errors_json("", errors));
+  g_has_timers = make_timers();
   struct sigaction action {};
-  action.sa_handler = stop_running;
+  action.sa_handler = on_stop_signal;
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
@@ -31,6 +126,18 @@ void install_stop_handlers() {
   }
 }
 
-int interrupted_status() { return 128 + (g_signal != 0 ? g_signal : SIGINT); }
+OrderlyEnd::OrderlyEnd() { g_orderly = true; }
+OrderlyEnd::~OrderlyEnd() { g_orderly = false; }
+
+void keep_what_is_there() {
+  set(g_processor_timer, 0);
+  set(g_wall_timer, 0);
+  withdraw_interrupt();
+}
+
+int interrupted_status() {
+  const int signal = g_signal;
+  return 128 + (signal != 0 ? signal : SIGINT);
+}
 
 }  // namespace earthtop::tool

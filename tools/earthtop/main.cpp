@@ -10,15 +10,17 @@
 
 #include "earthtop/arithmetic.hpp"
 #include "earthtop/results/results.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
-namespace {
 
-bool wants_json(int argc, char** argv) {
+static bool wants_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) { return std::string_view(argument) == "--json"; });
 }
+
+namespace {
 
 int usage_error(const std::string& what, bool json) {
   const int status = report_errors("", {{0, 0, "", what}}, json, kRefused);
@@ -87,6 +89,7 @@ int guarded_main(int argc, char** argv) {
 int main(int argc, char** argv) {
   earthtop::tool::prepare_streams();
   try {
+    earthtop::tool::install_stop_handlers(earthtop::tool::wants_json(argc, argv));
     return earthtop::tool::guarded_main(argc, argv);
   } catch (const std::exception& error) {  // reporting an error failed, too
     earthtop::tool::message(std::string("earthtop: error: ") + error.what());

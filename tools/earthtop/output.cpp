@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -25,7 +26,14 @@ void prepare_streams() {
   }
 }
 
+namespace {
+std::atomic<bool> printed = false;
+}
+
+bool has_printed() noexcept { return printed; }
+
 void print(std::string_view text) {
+  printed = true;
   errno = 0;
   const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!whole || std::ferror(stdout) != 0) {
@@ -55,17 +63,32 @@ nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic
           {"message", diagnostic.message}};
 }
 
-void print_json(const nlohmann::ordered_json& document) {
-  print(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+namespace {
+std::string dump(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+}  // namespace
+
+void print_json(const nlohmann::ordered_json& document) { print(dump(document)); }
+
+std::string errors_json(const std::string& file, const std::vector<Diagnostic>& errors) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Diagnostic& error : errors) list.push_back(diagnostic_json(file, error));
+  return dump({{"errors", std::move(list)}});
+}
+
+std::string errors_text(const std::string& file, const std::vector<Diagnostic>& errors) {
+  std::string text;
+  for (const Diagnostic& error : errors) text += format_diagnostic(file.empty() ? "earthtop" : file, error) + '\n';
+  return text;
 }
 
 int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status) {
   if (json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Diagnostic& error : errors) list.push_back(diagnostic_json(file, error));
-    print_json({{"errors", std::move(list)}});
+    print(errors_json(file, errors));
   } else {
-    for (const Diagnostic& error : errors) message(format_diagnostic(file.empty() ? "earthtop" : file, error));
+    const std::string text = errors_text(file, errors);
+    std::fwrite(text.data(), 1, text.size(), stderr);
   }
   return status;
 }

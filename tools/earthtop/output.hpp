@@ -23,6 +23,9 @@ void prepare_streams();
 /// Writes to standard output and makes sure that it arrived. @throws WriteError
 void print(std::string_view text);
 
+/// Whether anything has been printed, or begun to be. Safe in a signal handler.
+bool has_printed() noexcept;
+
 /// Writes a line to standard error; what cannot be written there is lost.
 void message(std::string_view line);
 
@@ -37,6 +40,10 @@ nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic
 
 /// One JSON document on standard output. @throws WriteError
 void print_json(const nlohmann::ordered_json& document);
+
+/// Errors as a line each, and as {"errors": [...]}, with a final newline.
+std::string errors_text(const std::string& file, const std::vector<Diagnostic>& errors);
+std::string errors_json(const std::string& file, const std::vector<Diagnostic>& errors);
 
 /// Reports what went wrong: a line each on standard error or, with `json`, {"errors": [...]} on standard output.
 /// @returns `status`

@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
+#include "study_text.hpp"
+
 namespace earthtop::tool {
 namespace {
+
+std::atomic<bool> line_shown = false;
 
 void write_to_terminal(const std::string& text) {
   if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody looks
@@ -27,6 +33,7 @@ ProgressLine::ProgressLine(bool wanted) : shown_(wanted && is_lively_terminal(ST
 
 void ProgressLine::show(const std::string& line) {
   if (!shown_) return;
+  line_shown = true;
   const std::size_t width = line.size();
   write_to_terminal("\r" + line + std::string(width_ > width ? width_ - width : 0, ' '));
   width_ = width;
@@ -35,13 +42,23 @@ void ProgressLine::show(const std::string& line) {
 void ProgressLine::clear() {
   if (shown_ && width_ > 0) write_to_terminal("\r" + std::string(width_, ' ') + "\r");
   width_ = 0;
+  line_shown = false;
 }
 
-ElapsedLine::ElapsedLine(bool wanted, double expected_s) : line_(wanted) {
-  if (line_.is_shown()) thread_ = std::thread([this, expected_s] { tell(expected_s); });
+bool is_line_shown() noexcept { return line_shown; }
+
+std::string progress_text(double share, std::string_view phase, double seconds) {
+  // Before a hundredth is done, what is left is a guess.
+  const std::string left =
+      share >= 0.01 && share < 1 ? fmt::format("{} left", duration_text(seconds * (1 - share) / share)) : "";
+  return fmt::format("{:3.0f}%  {}{}{}", std::floor(100 * share), phase, !phase.empty() && !left.empty() ? ", " : "", left);
 }
 
-ElapsedLine::~ElapsedLine() {
+ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
+  if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
+}
+
+ProgressDisplay::~ProgressDisplay() {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
@@ -51,17 +68,15 @@ ElapsedLine::~ElapsedLine() {
   thread_.join();
 }
 
-void ElapsedLine::tell(double expected_s) {
-  using std::chrono::steady_clock;
-  const auto start = steady_clock::now();
+void ProgressDisplay::show() {
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (seconds >= 1) line_.show(progress_text(progress_.share(), progress_.phase(), seconds));
+}
+
+void ProgressDisplay::tell() {
   std::unique_lock lock(mutex_);
-  while (!done_.wait_for(lock, std::chrono::milliseconds(500), [this] { return is_done_; })) {
-    const double elapsed = std::chrono::duration<double>(steady_clock::now() - start).count();
-    if (elapsed < 1) continue;
-    const double left = expected_s - elapsed;
-    line_.show(left > 0 ? fmt::format("running for {:.0f} s; by estimate {:.0f} s more", elapsed, std::max(left, 1.0))
-                        : fmt::format("running for {:.0f} s; longer than the estimate of {:.1g} s", elapsed, expected_s));
-  }
+  while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return is_done_; })) show();
+  show();
 }
 
 }  // namespace earthtop::tool

@@ -1,10 +1,14 @@
 /// Progress on a terminal: a line that is written over itself.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <thread>
+
+#include "earthtop/watch.hpp"
 
 namespace earthtop::tool {
 
@@ -27,18 +31,38 @@ class ProgressLine {
   std::size_t width_ = 0;
 };
 
-/// Shows how long work has taken, of how long it may take, from its first second on, as long as this lives.
-class ElapsedLine {
+/// Whether a line stands on the terminal. Safe in a signal handler.
+bool is_line_shown() noexcept;
+
+/// "42%  error bound, 12 s left". @param seconds  since the work began
+std::string progress_text(double share, std::string_view phase, double seconds);
+
+/// Shows how much of some work is done, in which phase it is and how long it will take, from its first second on, as long as
+/// this lives.
+class ProgressDisplay {
  public:
-  /// @param expected_s  by estimate
-  ElapsedLine(bool wanted, double expected_s);
-  ~ElapsedLine();
-  ElapsedLine(const ElapsedLine&) = delete;
-  ElapsedLine& operator=(const ElapsedLine&) = delete;
+  /// @param progress  outlives this
+  ProgressDisplay(bool wanted, const Progress& progress);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  /// Whether there is anybody to show it to.
+  bool is_shown() const { return line_.is_shown(); }
+  /// Says something else, for which the line makes way.
+  template <class Say>
+  void aside(Say&& say) {
+    const std::lock_guard lock(mutex_);
+    line_.clear();
+    say();
+  }
 
  private:
-  void tell(double expected_s);
+  void show();
+  void tell();
   ProgressLine line_;
+  const Progress& progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::mutex mutex_;
   std::condition_variable done_;
   bool is_done_ = false;

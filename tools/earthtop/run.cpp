@@ -26,6 +26,7 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool no_step_limit = false;
+  bool partial = false;
   std::vector<std::string> sets;
 };
 
@@ -63,9 +64,44 @@ RequestedScene read_scenario(const RunArguments& arguments) {
   return {*std::move(report.scenario), is_changed};
 }
 
-RunResult run_watched(const Scenario& scenario, const RunArguments& arguments) {
-  const ElapsedLine line(!arguments.quiet && !arguments.json, estimated_seconds(scenario));
-  return run(scenario);
+/// A run that was interrupted and leaves nothing, and what could have been kept of it.
+int tell_of_nothing(const RunResult& result, const RunArguments& arguments) {
+  if (!result.solution_is_whole)
+    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scenario.duration_s));
+  const char* message =
+      "interrupted when the motion was whole, but not the bounds on its error or its verdict; nothing was written, the same "
+      "command starts it again; with --partial an interrupted run keeps the rows";
+  return report_errors("", {{0, 0, "", message}}, arguments.json, interrupted_status());
+}
+
+struct WrittenRun {
+  RunResult result;
+  bool is_written = true;
+  bool was_interrupted = false;  ///< before it was written
+};
+
+/// Runs and writes, with one progress for both.
+WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& dir, const RunArguments& arguments) {
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const double writing = writing_work(scenario), share = writing / (writing + estimated_run_seconds(scenario));
+  WrittenRun run{earthtop::run(scenario, {watch.part(0, 1 - share), arguments.partial})};
+  run.was_interrupted = run.result.status == RunStatus::interrupted;
+  run.is_written = !run.was_interrupted || is_partial(run.result);
+  if (!run.is_written) return run;
+  if (run.was_interrupted) keep_what_is_there();
+  try {
+    write_results(run.result, dir, arguments.force, watch.part(1 - share, 1, "writing"));
+  } catch (const Interrupted&) {
+    if (!arguments.partial) throw;
+    run.was_interrupted = true;
+    keep_what_is_there();
+    write_results(run.result, dir, arguments.force);
+  }
+  if (!run.was_interrupted) progress.reach(1);
+  return run;
 }
 
 /// The drift over time in one line of a terminal.
@@ -89,11 +125,13 @@ int run_verb(const RunArguments& arguments) try {
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scenario, arguments.force);
 
-  install_stop_handlers();
-  const RunResult result = run_watched(scenario, arguments);
-  if (result.status == RunStatus::interrupted)
-    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, scenario.duration_s));
-  write_results(result, dir, arguments.force);
+  const auto [result, is_written, was_interrupted] = run_and_write(scenario, dir, arguments);
+  if (!is_written) return tell_of_nothing(result, arguments);
+  if (was_interrupted)
+    message(fmt::format(
+        "earthtop: error: interrupted; {} in {}",
+        is_partial(result) ? "the rows are whole, without bounds on their errors and verdict," : "but the results are whole,",
+        printable(dir.string())));
   try {
     if (arguments.json)
       print(summary_json(result));
@@ -103,6 +141,7 @@ int run_verb(const RunArguments& arguments) try {
   } catch (const WriteError& error) {
     throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
   }
+  if (was_interrupted) return interrupted_status();
   if (result.status == RunStatus::completed && result.accuracy && !result.accuracy->reached()) {
     message(fmt::format("earthtop: error: the drift error asked for, {} rad, was not reached: it is {:.2g} rad",
                         result.accuracy->asked_rad, result.accuracy->reached_rad));
@@ -131,6 +170,8 @@ void add_run(CLI::App& app, Action& action) {
   run->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
   run->add_option("--out", arguments->out, "directory of the results; default: out/<name>")->type_name("DIR");
   run->add_flag("--force", arguments->force, "overwrite the results of another scenario");
+  run->add_flag("--partial", arguments->partial,
+                "if interrupted when only error bounds and verdict are missing, write the rows without them");
   run->add_flag("--json", arguments->json, "print the summary as one JSON document, errors too");
   run->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
   run->add_flag("--no-step-limit", arguments->no_step_limit,

@@ -96,9 +96,9 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
 }
 
 int study_verb(const StudyArguments& arguments) {
-  install_stop_handlers();
   StudyProcesses processes;
   if (!processes.is_first()) {
+    const OrderlyEnd orderly;
     processes.serve();
     return kDone;
   }
@@ -114,6 +114,7 @@ int study_verb(const StudyArguments& arguments) {
   options.processes = &processes;
   StudyRunReport report;
   {
+    const OrderlyEnd orderly;
     ProgressLine line(!arguments.quiet && !arguments.json);
     bool told = arguments.quiet || arguments.json;
     options.on_progress = [&](const StudyProgress& progress) {
@@ -144,7 +145,6 @@ int study_verb(const StudyArguments& arguments) {
 }
 
 int merge_verb(const StudyArguments& arguments) {
-  install_stop_handlers();
   std::vector<fs::path> stores;
   for (const std::string& given : arguments.stores) stores.push_back(store_of(given));
   const fs::path dir = arguments.out.value_or(".");

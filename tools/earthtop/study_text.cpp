@@ -192,12 +192,10 @@ std::string duration_text(double seconds) {
 std::string progress_text(const StudyProgress& progress) {
   const std::uint64_t there = progress.before + progress.done;
   const double rate = progress.seconds > 0 ? static_cast<double>(progress.done) / progress.seconds : 0;
-  std::string text =
-      fmt::format("{:3.0f}%  {} of {} points",
-                  100.0 * static_cast<double>(there) / static_cast<double>(std::max<std::uint64_t>(progress.wanted, 1)), there,
-                  progress.wanted);
-  if (rate > 0)
-    text += fmt::format(", {:.3g} a second, {} left", rate, duration_text(static_cast<double>(progress.wanted - there) / rate));
+  std::string text = fmt::format("{:3.0f}%  {} of {} points", std::floor(100 * progress.share), there, progress.wanted);
+  if (rate > 0) text += fmt::format(", {:.3g} a second", rate);
+  if (const double since = progress.share - progress.share_before; since > 0)
+    text += fmt::format(", {} left", duration_text(progress.seconds * (1 - progress.share) / since));
   if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
   return text;
 }

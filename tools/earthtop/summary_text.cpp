@@ -104,6 +104,7 @@ void write_verdict(Page& page, const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   std::string text = spoken(std::string(to_string(verdict.verdict)));
   if (verdict.from_s) text = page.warning(fmt::format("{} from {:.6g} s on", text, *verdict.from_s));
+  if (verdict.verdict == Verdict::unassessed) text = page.warning(spoken(std::string(to_string(verdict.verdict))));
   page.entry("Verdict", text);
   page.entry("", verdict.reason);
 }
@@ -288,7 +289,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   if (result.sensitivities) write_sensitivities(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
   page.entry("Computed", described(result.solution));
-  page.entry("Checked", described(result.certificate));
+  if (!is_partial(result)) page.entry("Checked", described(result.certificate));
   for (const std::string& note : result.notes) page.entry("Note", page.warning(printable(note)));
   if (const auto& ledger = result.ledger)
     page.entry("Torques", fmt::format("torques.csv, as the {} observer counts them: they miss dL'/dt by {:.1e} N m at most",

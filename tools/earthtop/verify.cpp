@@ -6,11 +6,13 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 
 #include "earthtop/run.hpp"
 #include "examples.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -127,23 +129,36 @@ int list_criteria(const std::vector<ScenarioSource>& sources) {
 int verify_verb(const VerifyArguments& arguments) {
   const auto sources = sources_of(arguments);
   if (arguments.list) return list_criteria(sources);
-  install_stop_handlers();
+  const OrderlyEnd orderly;
   if (!arguments.json) print(head());
+  Progress progress;
+  ProgressDisplay display(!arguments.json, progress);
+  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  std::vector<double> work(sources.size());
+  if (display.is_shown())
+    std::transform(sources.begin(), sources.end(), work.begin(), [&](const ScenarioSource& source) {
+      return verification_work(source, {arguments.slow, {}});
+    });
+  Parts parts(watch, std::accumulate(work.begin(), work.end(), 0.0));
   Counts counts;
   Json rows = Json::array();
-  for (const ScenarioSource& source : sources) {
-    verify(source, {arguments.slow}, [&](const VerificationRow& row) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    verify(sources[i], {arguments.slow, parts.next(work[i])}, [&](const VerificationRow& row) {
       counts.include(row);
-      arguments.json ? rows.push_back(json_of(row)) : print(line_of(row));
+      if (arguments.json)
+        rows.push_back(json_of(row));
+      else
+        display.aside([&] { print(line_of(row)); });
     });
-    if (interrupt_requested())
+    if (watch.asks_to_stop())
       return report_errors("", {{0, 0, "", "interrupted; the same command starts again"}}, arguments.json,
                            interrupted_status());
   }
+  progress.reach(1);
   if (arguments.json)
     print_json({{"passed", counts.passed}, {"failed", counts.failed}, {"skipped", counts.skipped}, {"rows", std::move(rows)}});
   else
-    print(sum_of(counts));
+    display.aside([&] { print(sum_of(counts)); });
   return counts.failed == 0 ? kDone : kNegative;
 }
 

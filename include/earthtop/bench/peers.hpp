@@ -4,12 +4,12 @@
 /// right-hand side that earthtop's methods take there; the drift is the difference of two such motions.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -26,9 +26,9 @@ std::string peers_description();
 
 /// The rotating motion at the output times, which the steps of Runge-Kutta methods land on.
 /// @param problem  a plain scene: no platform, all torques   @param tolerance  relative and absolute, in natural units
-/// @param stop  set from outside to end early with RunStatus::interrupted; may be null
+/// @param watch  may end it early with RunStatus::interrupted
 /// @throws std::invalid_argument for a scene that is not plain, and for a peer that is not compiled in
 MotionTrajectory<double> integrate_with_peer(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                             const std::atomic<bool>* stop = nullptr);
+                                             const Watch& watch = {});
 
 }  // namespace earthtop

@@ -2,12 +2,12 @@
 /// inputs must be known for the Earth's effect to be seen.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "earthtop/scenario/scenario.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -49,8 +49,10 @@ struct Budget {
 };
 
 /// Follows both predictions with the first variations by every effect's strength (variational equations of the reference motion
-/// and of the deviation). @param stop  ends it early; may be null
-Budget effect_budget(const Scenario& scenario, const std::atomic<bool>* stop = nullptr);
+/// and of the deviation). @param watch  may end it early
+Budget effect_budget(const Scenario& scenario, const Watch& watch = {});
+/// What that costs, in the seconds of `estimated_seconds`.
+double budget_work(const Scenario& scenario);
 
 /// What "auto" took, and what it left out.
 struct Selection {
@@ -62,6 +64,8 @@ struct Selection {
 /// The scene with the effects that its accuracy needs switched on, of those that have no parameter of their own: gravity
 /// gradient, and where a date is given tide and polar motion. Sized by first variations of both motions.
 /// @param scenario  with effects.automatic and an accuracy
-Selection select_effects(Scenario& scenario, const std::atomic<bool>* stop = nullptr);
+/// What the choice costs, in the seconds of `estimated_seconds`.
+double selection_work(const Scenario& scenario);
+Selection select_effects(Scenario& scenario, const Watch& watch = {});
 
 }  // namespace earthtop

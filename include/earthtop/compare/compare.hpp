@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "earthtop/plot/plot.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -47,6 +48,7 @@ struct CompareOptions {
   std::vector<std::string> may_change;  ///< pointers of scenario keys in which the two may differ; "/" for all
   bool may_lack_rows = false;           ///< rows and results of the reference that are not in the other one
   bool with_curves = false;             ///< keep the differences over time, for a picture
+  Watch watch;                          ///< sees how far it is
 };
 
 /// Whether a difference is more than the two computations' errors explain.

@@ -134,10 +134,12 @@ struct MeasurementReport {
 /// the start on; azimuths that are a turn off may have several.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
 /// until which a run of the scenario is reliable, where it is unstable or chaotic. Numerical trouble is the report's `status`.
+/// @param watch  may end it early: then status or fit is `interrupted`
 /// ArithmeticError as `run` does. While it runs, GSL's error handler, which is one for the process, is off.
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
-                                           const Measurement& measurement, const std::vector<std::string>& estimates);
+                                           const Measurement& measurement, const std::vector<std::string>& estimates,
+                                           const Watch& watch = {&interrupt_flag()});
 
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
 std::string measurement_json(const MeasurementReport& report);

@@ -2,13 +2,13 @@
 /// observer's variables, each from release to end.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <vector>
 
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/drift/threshold.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -102,17 +102,15 @@ struct DriftTrajectory {
   std::optional<KickSteps> kick_steps;          ///< those that long_horizon found last
 };
 
-/// @param stop  set from outside to end early with RunStatus::interrupted; may be null.
+/// @param watch  may end it early with RunStatus::interrupted.
 /// @throws std::logic_error for a reduced form where the model has none or in body axes; for a method that is not built for T:
 /// see `is_built`.
 template <class T>
-DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options,
-                                   const std::atomic<bool>* stop = nullptr);
-extern template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&,
-                                                        const std::atomic<bool>*);
+DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch = {});
+extern template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 extern template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                             const std::atomic<bool>*);
+                                                             const Watch&);
 extern template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&,
-                                                          const std::atomic<bool>*);
+                                                          const Watch&);
 
 }  // namespace earthtop

@@ -14,12 +14,11 @@ namespace earthtop {
 
 /// @param options  of them `form` (general: any body; else reduced), `observer` (reduced: laboratory; general: body; or
 /// inertial: other equations for the same drift), `relative_tolerance` and `step_limit` are read
-/// @param stop  set from outside to end early with RunStatus::interrupted; may be null
+/// @param watch  may end it early with RunStatus::interrupted
 /// @param set  which instructions to take; none: the widest
 /// @throws std::logic_error for a model that does not have the form, and for other axes.
 std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const DriftProblem<double>> problems,
-                                                              const IntegrationOptions& options,
-                                                              const std::atomic<bool>* stop = nullptr,
+                                                              const IntegrationOptions& options, const Watch& watch = {},
                                                               std::optional<InstructionSet> set = std::nullopt);
 
 }  // namespace earthtop

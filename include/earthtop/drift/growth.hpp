@@ -1,11 +1,11 @@
 /// How fast the smallest disturbance of a motion grows: its variational equations, integrated beside it.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -50,8 +50,8 @@ struct GrowthReport {
 /// @param relative_tolerance  of the integration. 1e-7 gives some percent of the growth, but its error can look like growth
 /// that is not there, and a motion on a separatrix leaves it by its own error as soon as that has grown: growth that matters
 /// is to be confirmed with a finer one.
-/// @param stop  ends it early, not completed; may be null
+/// @param watch  may end it early, not completed
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
-                                double relative_tolerance, const std::atomic<bool>* stop = nullptr);
+                                double relative_tolerance, const Watch& watch = {});
 
 }  // namespace earthtop

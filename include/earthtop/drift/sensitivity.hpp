@@ -2,12 +2,12 @@
 /// deviation, both differentiated exactly (jets) and integrated beside them.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -30,6 +30,9 @@ struct Differentiated {
   double value = 0;
   std::vector<double> derivatives;
 };
+
+/// Inputs followed at once: with more the motion is repeated less often, and each step costs more.
+inline constexpr std::size_t kInputsAtOnce = 4;
 
 /// How two directions move with one input, by the length of the change, per unit of it (rad).
 struct Responses {
@@ -61,7 +64,7 @@ struct FollowedStep {
 /// the release
 /// @param on_step  sees the release and every step; may be null
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
-                                   double time_s, double relative_tolerance, const std::atomic<bool>* stop = nullptr,
+                                   double time_s, double relative_tolerance, const Watch& watch = {},
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);
 
 }  // namespace earthtop

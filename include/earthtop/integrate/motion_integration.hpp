@@ -2,13 +2,13 @@
 /// knows of no drift. For comparisons of methods and of models.
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/integrate/pace.hpp"
 #include "earthtop/model/reduced_top.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -57,17 +57,17 @@ struct MotionTrajectory {
 };
 
 /// @param sought  the general form always gives the attitude
-/// @param stop  set from outside to end early with RunStatus::interrupted; may be null.
+/// @param watch  may end it early with RunStatus::interrupted.
 /// @throws std::logic_error for a method that is not built for T, and for a reduced form where the model has none or in body
 /// axes.
 template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
-                                     MotionSought sought = MotionSought::attitude, const std::atomic<bool>* stop = nullptr);
+                                     MotionSought sought = MotionSought::attitude, const Watch& watch = {});
 extern template MotionTrajectory<double> integrate_motion(const MotionProblem<double>&, const IntegrationOptions&, MotionSought,
-                                                          const std::atomic<bool>*);
+                                                          const Watch&);
 extern template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                               MotionSought, const std::atomic<bool>*);
+                                                               MotionSought, const Watch&);
 extern template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&,
-                                                            MotionSought, const std::atomic<bool>*);
+                                                            MotionSought, const Watch&);
 
 }  // namespace earthtop

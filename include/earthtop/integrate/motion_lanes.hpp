@@ -18,7 +18,7 @@ namespace earthtop {
 std::vector<MotionTrajectory<double>> integrate_motion_in_lanes(std::span<const MotionProblem<double>> problems,
                                                                 const IntegrationOptions& options,
                                                                 MotionSought sought = MotionSought::attitude,
-                                                                const std::atomic<bool>* stop = nullptr,
+                                                                const Watch& watch = {},
                                                                 std::optional<InstructionSet> set = std::nullopt);
 
 }  // namespace earthtop

@@ -9,6 +9,7 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -59,8 +60,11 @@ class Interrupted : public std::runtime_error {
 /// changes: after a failure the old results are intact, and no temporary and no empty directory are left. While files are
 /// replaced there is no summary.json: where it is, the others belong to it, even if the program is killed. Where a result is a
 /// link, the link is replaced and what it leads to is left alone.
+/// @param watch  sees how far it is; it is stopped by `request_interrupt` alone
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted.
-void write_results(const RunResult& result, const std::filesystem::path& dir, bool force);
+void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
+/// What that costs, roughly, in the seconds of `estimated_seconds`.
+double writing_work(const Scenario& scenario);
 
 /// Writes one file, making its directory; the old one stays until the new one is whole. @throws WriteError, Interrupted
 void write_file(const std::filesystem::path& file, std::string_view content);

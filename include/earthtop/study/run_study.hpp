@@ -24,6 +24,8 @@ struct StudyProgress {
   std::uint64_t done = 0;    ///< computed since
   std::uint64_t failed = 0;  ///< of those
   double seconds = 0;        ///< since the start
+  double share = 0;          ///< of the wanted points, parts of those under way included; it never falls
+  double share_before = 0;   ///< of those that were there at the start
 };
 
 struct StudyRunOptions {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {
@@ -23,7 +24,8 @@ struct VerificationRow {
 };
 
 struct VerificationOptions {
-  bool slow = false;  ///< judge criteria, too, that take over a minute
+  bool slow = false;               ///< judge criteria, too, that take over a minute
+  Watch watch{&interrupt_flag()};  ///< may stop it, and sees how far it is
 };
 
 /// A criterion in words: kind, quantity, times and changes.
@@ -33,7 +35,10 @@ std::string criterion_text(const CriterionSpec& criterion);
 /// criterion; it says which
 Scenario parse_verifiable(const ScenarioSource& source);
 
-/// Judges the criteria in their order, each row told as soon as it is known. After a `request_interrupt` there are no more.
+/// What that costs, roughly, in the seconds of `estimated_seconds`. @throws ScenarioError as parse_verifiable
+double verification_work(const ScenarioSource& source, const VerificationOptions& options);
+
+/// Judges the criteria in their order, each row told as soon as it is known. After an interrupt there are no more.
 /// @throws ScenarioError as parse_verifiable
 void verify(const ScenarioSource& source, const VerificationOptions& options,
             const std::function<void(const VerificationRow&)>& tell);

@@ -154,13 +154,13 @@ class DriftPoint {
   using State = typename System::State;
   static constexpr int kVariables = System::kVariables;
 
-  DriftPoint(const DriftProblem<double>& problem, const IntegrationOptions& options, const std::atomic<bool>* stop,
+  DriftPoint(const DriftProblem<double>& problem, const IntegrationOptions& options, const Watch& watch,
              DriftTrajectory<double>& trajectory)
       : problem_(problem),
         system_(problem),
         watcher_(system_, problem),
         times_(natural_times(problem)),
-        drive_(drive_options(problem, options, stop)),
+        drive_(drive_options(problem, options, watch)),
         trajectory_(trajectory) {
     drive_.largest_step = system_.largest_step();
     trajectory_.samples.reserve(times_.size());
@@ -194,39 +194,39 @@ class DriftPoint {
 
 template <class Drift>
 std::vector<DriftTrajectory<double>> integrate(const lanes::Kernel& kernel, std::span<const DriftProblem<double>> problems,
-                                               const IntegrationOptions& options, const std::atomic<bool>* stop) {
+                                               const IntegrationOptions& options, const Watch& watch) {
   std::vector<DriftTrajectory<double>> trajectories(problems.size());
-  const auto arguments = [&](std::size_t i) { return std::tie(problems[i], options, stop, trajectories[i]); };
+  const auto arguments = [&](std::size_t i) { return std::tie(problems[i], options, watch, trajectories[i]); };
   lanes::run_in_lanes<DriftPoint<Drift>>(lanes::plan_for(kernel, options.relative_tolerance), problems.size(), arguments);
   return trajectories;
 }
 
 std::vector<DriftTrajectory<double>> integrate_general(std::span<const DriftProblem<double>> problems,
-                                                       const IntegrationOptions& options, const std::atomic<bool>* stop,
+                                                       const IntegrationOptions& options, const Watch& watch,
                                                        InstructionSet set) {
   for (const DriftProblem<double>& problem : problems)
     if (problem.model.kind != SceneKind::plain) throw std::logic_error("no series is compiled for this scene");
   if (options.observer == Observer::body)
-    return integrate<BodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kBodyDrift), problems, options, stop);
+    return integrate<BodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kBodyDrift), problems, options, watch);
   if (options.observer == Observer::inertial)
-    return integrate<InertialBodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kInertialBodyDrift), problems, options, stop);
+    return integrate<InertialBodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kInertialBodyDrift), problems, options, watch);
   throw std::logic_error("the general form in lanes has no laboratory axes");
 }
 
 }  // namespace
 
 std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const DriftProblem<double>> problems,
-                                                              const IntegrationOptions& options, const std::atomic<bool>* stop,
+                                                              const IntegrationOptions& options, const Watch& watch,
                                                               std::optional<InstructionSet> set) {
   const InstructionSet taken = lanes::set_taken(set);
-  if (options.form == ModelForm::general) return integrate_general(problems, options, stop, taken);
+  if (options.form == ModelForm::general) return integrate_general(problems, options, watch, taken);
   switch (options.observer) {
     case Observer::laboratory:
       return integrate<ReducedTopDrift<Observer::laboratory>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kLaboratoryDrift), problems,
-                                                              options, stop);
+                                                              options, watch);
     case Observer::inertial:
       return integrate<ReducedTopDrift<Observer::inertial>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kInertialDrift), problems,
-                                                            options, stop);
+                                                            options, watch);
     case Observer::body: break;
   }
   throw std::logic_error("the reduced form has no body axes");

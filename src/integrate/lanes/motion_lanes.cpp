@@ -18,12 +18,12 @@ class MotionPoint {
   static constexpr int kVariables = System::kSize;
   static_assert(lanes::are_groups_of<System>(lanes::kMotionGroups));
 
-  MotionPoint(const MotionProblem<double>& problem, const IntegrationOptions& options, const std::atomic<bool>* stop,
+  MotionPoint(const MotionProblem<double>& problem, const IntegrationOptions& options, const Watch& watch,
               MotionTrajectory<double>& trajectory)
       : problem_(problem),
         system_(problem),
         times_(natural_times(problem)),
-        drive_(drive_options(problem, options, stop)),
+        drive_(drive_options(problem, options, watch)),
         trajectory_(trajectory) {
     trajectory_.samples.reserve(times_.size());
   }
@@ -59,9 +59,9 @@ class MotionPoint {
 
 template <MotionSought S>
 std::vector<MotionTrajectory<double>> integrate(const lanes::Kernel& kernel, std::span<const MotionProblem<double>> problems,
-                                                const IntegrationOptions& options, const std::atomic<bool>* stop) {
+                                                const IntegrationOptions& options, const Watch& watch) {
   std::vector<MotionTrajectory<double>> trajectories(problems.size());
-  const auto arguments = [&](std::size_t i) { return std::tie(problems[i], options, stop, trajectories[i]); };
+  const auto arguments = [&](std::size_t i) { return std::tie(problems[i], options, watch, trajectories[i]); };
   lanes::run_in_lanes<MotionPoint<S>>(lanes::plan_for(kernel, options.relative_tolerance), problems.size(), arguments);
   return trajectories;
 }
@@ -70,12 +70,11 @@ std::vector<MotionTrajectory<double>> integrate(const lanes::Kernel& kernel, std
 
 std::vector<MotionTrajectory<double>> integrate_motion_in_lanes(std::span<const MotionProblem<double>> problems,
                                                                 const IntegrationOptions& options, MotionSought sought,
-                                                                const std::atomic<bool>* stop,
-                                                                std::optional<InstructionSet> set) {
+                                                                const Watch& watch, std::optional<InstructionSet> set) {
   const InstructionSet taken = lanes::set_taken(set);
   if (sought == MotionSought::symmetry_axis)
-    return integrate<MotionSought::symmetry_axis>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAxisMotion), problems, options, stop);
-  return integrate<MotionSought::attitude>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAttitudeMotion), problems, options, stop);
+    return integrate<MotionSought::symmetry_axis>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAxisMotion), problems, options, watch);
+  return integrate<MotionSought::attitude>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAttitudeMotion), problems, options, watch);
 }
 
 }  // namespace earthtop

@@ -1,0 +1,15 @@
+// Work that never looks whether anybody asks it to stop: it computes, or after the twentieth of a second it waits.
+#include <unistd.h>
+
+#include <ctime>
+#include <string_view>
+
+#include "interrupt.hpp"
+
+int main(int argc, char** argv) {
+  earthtop::tool::install_stop_handlers(false);
+  const earthtop::tool::OrderlyEnd orderly;
+  const bool waits = argc > 1 && std::string_view(argv[1]) == "waits";
+  for (;;)
+    if (waits && std::clock() > CLOCKS_PER_SEC / 20) ::sleep(1000);
+}

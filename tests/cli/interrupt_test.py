@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""SIGINT, SIGTERM and SIGHUP end every verb, wherever it is, within 0.2 s of processor time, with status 128 + signal, and leave
+no half-written file.
+
+usage: interrupt_test.py PATH_OF_EARTHTOP SCENARIOS PATH_OF_DEAF_PROGRAM [--all]
+--all: many moments of every command, instead of one or two; prints a table.
+"""
+import json
+import math
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+from signals import Interrupted
+
+MOST_S = 0.2
+TOOL, SCENARIOS, DEAF = (os.path.abspath(path) for path in sys.argv[1:4])
+ALL = "--all" in sys.argv
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+faults = []
+
+
+def fault(text):
+    faults.append(text)
+    print("FAULT:", text, flush=True)
+
+
+def scene(name, **sets):
+    """The name of a copy of a shipped scenario with some values changed, written into the working directory."""
+    with open(os.path.join(SCENARIOS, name + ".json"), encoding="utf-8") as file:
+        document = json.load(file)
+    document.pop("headline", None)
+    document.pop("criteria", None)
+    for path, value in sets.items():
+        at = document
+        *above, last = path.split("__")
+        for key in above:
+            at = at.setdefault(key, {})
+        at[last] = value
+    document["name"] = f"scene-{len(os.listdir('.'))}"
+    document.pop("purpose", None)
+    file = document["name"] + ".json"
+    with open(file, "w", encoding="utf-8") as out:
+        json.dump(document, out)
+    return file
+
+
+def study(name, base, points):
+    document = {"name": name, "base": base, "collect": ["drift.axis_final_rad"],
+                "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5, "to": 40, "points": points}}]}
+    with open(name + ".json", "w", encoding="utf-8") as file:
+        json.dump(document, file)
+    return name + ".json"
+
+
+def prepared(*arguments):
+    """Something that other verbs read."""
+    subprocess.run([TOOL, *arguments, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+
+
+def measurement(name):
+    """Azimuths of a trajectory, as if measured."""
+    with open(name, encoding="utf-8") as source, open("measured.csv", "w", encoding="utf-8") as out:
+        columns = source.readline().strip().split(",")
+        t, x, y = columns.index("t_s"), columns.index("axis_L_x"), columns.index("axis_L_y")
+        out.write("t_s,azimuth_rad,azimuth_se_rad\n")
+        for number, line in enumerate(source):
+            cells = line.split(",")
+            if number % 100 == 7:
+                out.write(f"{cells[t]},{math.atan2(float(cells[x]), float(cells[y])) + 1e-3 * math.sin(number)},1e-3\n")
+    return "measured.csv"
+
+
+def main_cases():
+    """(name, arguments, processor times at which the signal comes)."""
+    long_top = scene("toy-top", motion__duration_s=20000, motion__output_step_s=1000)
+    body = scene("asymmetric-top", motion__duration_s=3000, motion__output_step_s=100)
+    friction = scene("asymmetric-top", motion__duration_s=3600, motion__output_step_s=1, effects__coulomb_torque_N_m=1e-9)
+    viscous = scene("asymmetric-top", motion__duration_s=3600, motion__output_step_s=1, effects__viscous_torque_N_m_s=1e-9)
+    form = scene("fast-gyro", motion__duration_s=1000, motion__output_step_s=0.002)
+    ledger = scene("toy-top", motion__output_step_s=0.0002, numerics__ledger="laboratory")
+    wide = scene("asymmetric-top", motion__duration_s=60, numerics__precision="float128", motion__output_step_s=0.01)
+    wide_form = scene("free-gyro", numerics__precision="float128", motion__output_step_s=0.0001)
+    sensitive = scene("toy-top", motion__duration_s=600, report__sensitivities=True)
+    compass = scene("hard/t08-gyrocompass", motion__duration_s=600, motion__output_step_s=1)
+    walk = scene("toy-top", motion__duration_s=4e7, motion__output_step_s=4e7, numerics__method="long_horizon")
+    chosen = scene("asymmetric-top", motion__duration_s=3000, motion__output_step_s=100, effects="auto",
+                   accuracy__drift_rad=1e-7)
+    steps = scene("asymmetric-top", motion__duration_s=3000, motion__output_step_s=3000, numerics__method="gauss",
+                  numerics__step_s=0.002)
+    rows = scene("toy-top", motion__output_step_s=0.0004)
+    prepared("run", rows, "--out", "rows", "--force")
+    with open("large.json", "w", encoding="utf-8") as file:
+        file.write('{"_": [' + ",\n".join(["1.25"] * 190_000) + "]}\n")
+    few = scene("toy-top", motion__duration_s=1, motion__output_step_s=1)
+    prepared("study", study("stored", few, 4_000), "--out", "stored")
+    return [
+        ("run: series, bound", ["run", long_top], (0.2, 1.2)),
+        ("run: a body, growth", ["run", body], (0.2, 1.5)),
+        ("run: dry friction", ["run", friction], (0.3,)),
+        ("run: rows of a closed form", ["run", form], (0.5,)),
+        ("run: ledger, writing", ["run", ledger], (0.3, 1.2)),
+        ("run: 113 bits", ["run", wide], (0.5,)),
+        ("run: a closed form in 113 bits", ["run", wide_form], (0.5,)),
+        ("run: sensitivities", ["run", sensitive], (0.4,)),
+        ("run: gimbal", ["run", compass], (0.5,)),
+        ("run: one row, a long walk", ["run", walk], (0.3,)),
+        ("run: one row, implicit steps", ["run", steps], (0.3,)),
+        ("run: choice of effects", ["run", chosen], (0.3,)),
+        ("explain: dry friction", ["explain", friction], (0.3,)),
+        ("explain: viscous", ["explain", viscous], (0.5,)),
+        ("explain: gimbal", ["explain", compass], (0.3,)),
+        ("bench", ["bench", long_top], (0.5,)),
+        ("verify", ["verify"], (0.3,)),
+        ("study: 4 threads", ["study", study("many", long_top, 400), "--jobs", "4", "--out", "studied"], (0.4,)),
+        ("study: 113 bits", ["study", study("wide", wide, 40), "--jobs", "2", "--out", "wide-studied"], (0.4,)),
+        ("study: cheap points", ["study", study("cheap", few, 100_000), "--out", "cheap-studied"], (0.5,)),
+        ("study show", ["study", "show", "stored"], (0.02,)),
+        ("study export", ["study", "export", "stored"], (0.02,)),
+        ("study merge", ["study", "merge", "stored", "--out", "merged"], (0.05,)),
+        ("compare", ["compare", "rows", "rows"], (0.2,)),
+        ("compare: a measurement", ["compare", rows, measurement("rows/trajectory.csv"), "--estimate",
+                                    "/release/spin_rad_s"], (0.1,)),
+        ("report", ["report", "rows", "--out", "page.html"], (0.1,)),
+        ("check: 16 MiB", ["check", "large.json"], (0.05,)),
+    ]
+
+
+def check(name, arguments, number, at_s, second=False):
+    done = Interrupted([TOOL, *arguments], number, at_s, ".", second)
+    label = f"{name}, {signal.Signals(number).name} at {done.at_s or 0:.2f} s"
+    if done.after_s is None:
+        if done.status not in (0, 1):
+            fault(f"{label}: no such command: {done.err.strip()}")
+        shutil.rmtree("out", ignore_errors=True)
+        return label, None
+    if done.status not in ((128 + number, -number) if at_s < 0.03 else (128 + number,)):  # before main() by the system
+        fault(f"{label}: status {done.status}; {done.err.strip()}")
+    if not done.after_s <= MOST_S:
+        fault(f"{label}: {done.after_s:.3f} s of processor time after it")
+    if done.status > 0 and "interrupted" not in done.err + done.out:
+        fault(f"{label}: it does not say so: {done.err.strip()}")
+    left = [os.path.join(place, file) for place, _, files in os.walk(".") for file in files if file.endswith(".tmp")]
+    if left:
+        fault(f"{label}: left behind: {left}")
+    if arguments[0] == "run" and os.path.exists("out"):
+        fault(f"{label}: something was written")
+        shutil.rmtree("out")
+    return label, done.after_s
+
+
+def never_looks():
+    """What ends a program that does not end by itself: its processor time, or that it uses none."""
+    for name, arguments, least_s in (("computes", [], 0.09), ("waits", ["waits"], 0)):
+        done = Interrupted([DEAF, *arguments], signal.SIGTERM, 0.03, ".")
+        print(f"deaf, {name}: {1000 * done.after_s:.0f} ms, {done.waited_s:.1f} s by the clock")
+        if done.status != 128 + signal.SIGTERM or not least_s <= done.after_s <= MOST_S or "interrupted" not in done.err:
+            fault(f"deaf, {name}: status {done.status} after {done.after_s:.3f} s of processor time; {done.err.strip()}")
+        done = Interrupted([DEAF, *arguments], signal.SIGINT, 0.03, ".", second=True)
+        if done.status != 128 + signal.SIGINT or done.after_s > 0.06:
+            fault(f"deaf, {name}, twice: status {done.status} after {done.after_s:.3f} s of processor time")
+
+
+def main():
+    random.seed(19)
+    worst = 0
+    cases = main_cases()
+    for name, arguments, moments in cases:
+        if ALL:
+            moments = [0.01, 0.05, *sorted(10 ** random.uniform(-1.3, 1) for _ in range(8))]
+        for at_s in moments:
+            label, after_s = check(name, arguments, random.choice(SIGNALS), at_s)
+            worst = max(worst, after_s or 0)
+            print(f"{label}: {'ended before' if after_s is None else f'{1000 * after_s:.0f} ms'}", flush=True)
+    label, after_s = check("twice: run", cases[0][1], signal.SIGTERM, 0.3, second=True)
+    print(f"{label}: {1000 * after_s:.0f} ms; the longest of all {1000 * worst:.0f} ms")
+    never_looks()
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as work:
+        os.chdir(work)
+        sys.exit(main())

@@ -1,0 +1,74 @@
+"""A program that is sent a signal when it has used so much processor time, and what it used after it.
+
+Processor time is read from the kernel, in nanoseconds, of all threads; a loaded machine makes a test slower, not stricter.
+"""
+import os
+import signal
+import subprocess
+import time
+
+PATIENCE = 120  # s by the clock, for what takes a fraction of a second of processor time
+
+
+def processor_time(pid):
+    """Seconds that the process has used; None when it has ended."""
+    total = 0
+    try:
+        for thread in os.listdir(f"/proc/{pid}/task"):
+            with open(f"/proc/{pid}/task/{thread}/schedstat", encoding="ascii") as file:
+                total += int(file.read().split()[0])
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+    return total * 1e-9
+
+
+class Interrupted:
+    """What came of a command that was sent a signal.
+
+    after_s: processor time between the signal and the end; None where the command had ended before
+    waited_s: the same by the clock
+    """
+
+    def __init__(self, command, number, at_s, cwd, second=False, stdin=None):
+        self.out_name, self.err_name = os.path.join(cwd, ".out"), os.path.join(cwd, ".err")
+        with open(self.out_name, "wb") as out, open(self.err_name, "wb") as err:
+            with subprocess.Popen(command, cwd=cwd, stdin=stdin or subprocess.DEVNULL, stdout=out, stderr=err) as process:
+                self._send(process, number, at_s, second)
+        with open(self.out_name, "r", encoding="utf-8", errors="replace") as file:
+            self.out = file.read()
+        with open(self.err_name, "r", encoding="utf-8", errors="replace") as file:
+            self.err = file.read()
+
+    def _send(self, process, number, at_s, second):
+        deadline = time.monotonic() + PATIENCE + 60 * at_s
+        while True:
+            used = processor_time(process.pid)
+            status = os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG)
+            if status is not None or used is None or used >= at_s:
+                break
+            if time.monotonic() > deadline:
+                process.kill()
+                raise RuntimeError(f"{process.args}: {used:.2f} s of processor time are all it used")
+            time.sleep(min(0.01, max(0.0005, (at_s - used) / 2)))
+        ended = status is not None or used is None
+        sent = time.monotonic()
+        if not ended:
+            process.send_signal(number)
+            used = processor_time(process.pid) or used
+            if second:
+                time.sleep(0.02)  # two of a kind that wait together are one
+                process.send_signal(number)
+        timeout = time.monotonic() + PATIENCE
+        while True:
+            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                break
+            if time.monotonic() > timeout:
+                process.kill()
+                raise RuntimeError(f"{process.args}: still there {PATIENCE} s after {signal.Signals(number).name}")
+            time.sleep(0.001)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.status = process.returncode
+        self.at_s = used
+        self.waited_s = time.monotonic() - sent
+        self.after_s = None if ended else usage.ru_utime + usage.ru_stime - used
