@@ -107,6 +107,66 @@ INSTANTIATE_TEST_SUITE_P(
               "/figures/0/tolerance", "out of range"},
         Fault{AXES R"(, "limits": {"points": 0})", "/limits/points", "out of range"}));
 
+#define COLLECT(path) AXES ", \"collect\": [{\"name\": \"q\", \"path\": \"" path "\"}]"
+#define POINTER(pointer) "\"axes\": [{\"pointer\": \"" pointer "\", \"name\": \"x\", \"values\": [1]}]"
+INSTANTIATE_TEST_SUITE_P(
+    PointersAndPaths, StudyFaults,
+    ::testing::Values(Fault{POINTER("/site/lattitude_deg"), "/axes/0/pointer", "did you mean \"latitude_deg\""},
+                      Fault{POINTER("/spin_rad_s"), "/axes/0/pointer", "did you mean \"/release/spin_rad_s\""},
+                      Fault{POINTER("/site/latitude_deg/x"), "/axes/0/pointer", "nothing lies below /site/latitude_deg"},
+                      Fault{POINTER("/body/center_of_mass_m/3"), "/axes/0/pointer", "0 to 2"},
+                      Fault{POINTER("/body/inertia/matrix_kg_m2/0/3"), "/axes/0/pointer", "0 to 2"},
+                      Fault{POINTER("/body/solids/first/mass_kg"), "/axes/0/pointer", "no index"},
+                      Fault{POINTER("/body/solids/0/mass"), "/axes/0/pointer", "did you mean \"mass_kg\""},
+                      Fault{POINTER("/effects/corolis"), "/axes/0/pointer", "did you mean \"coriolis\""},
+                      Fault{POINTER("/site/~2"), "/axes/0/pointer", "no JSON pointer"},
+                      Fault{POINTER("/_note"), "/axes/0/pointer", "comment"},
+                      Fault{AXES R"(, "set": {"/motion/duration": 2})", "/set/~1motion~1duration",
+                            "did you mean \"duration_s\""},
+                      Fault{COLLECT("drift.axis_final"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
+                      Fault{COLLECT("axis_final_rad"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
+                      Fault{COLLECT("drifts.axis_final_rad"), "/collect/0", "did you mean \"drift\""},
+                      Fault{COLLECT("drift.verdict.x"), "/collect/0", "nothing lies below drift.verdict"},
+                      Fault{COLLECT("motion.axis_final_L.3"), "/collect/0", "0 to 2"},
+                      Fault{COLLECT("theory.first.computed"), "/collect/0", "theory is a list"},
+                      Fault{COLLECT("drift."), "/collect/0", "in drift"},
+                      Fault{COLLECT("scenario.site.latitude"), "/collect/0", "did you mean \"scenario.site.latitude_deg\""}));
+
+TEST(StudyFile, PointersAndPathsThatSomeScenesHaveAreAccepted) {
+  for (const char* pointer : {"/body/center_of_mass_m/2", "/body/inertia/matrix_kg_m2/2/2", "/body/solids/7/mass_kg",
+                              "/effects/gravity_gradient/gm_over_r3_s2", "/effects", "/release/precession/rate_rad_s",
+                              "/platform/pivot_offset_m/0", "/report/threshold_rad", "/criteria/0/values/3", "/title"})
+    EXPECT_TRUE(errors(file(std::string(R"("axes": [{"name": "x", "values": [1], "pointer": ")") + pointer + "\"}]")).empty())
+        << pointer;
+  for (const char* path : {"drift.threshold_time_s",
+                           "drift.secular.azimuth_rate_rad_s",
+                           "drift.digits.axis_final_rad",
+                           "drift",
+                           "theory.3.computed",
+                           "invariants.0.largest_change",
+                           "stops.1.t_s",
+                           "ledger.residual_max_N_m",
+                           "sensitivities.inputs.6.d_axis_rad",
+                           "sensitivities.unavailable",
+                           "uncertainty.from_inputs_rad",
+                           "selection.switched_on.0",
+                           "accuracy.reached_rad",
+                           "headline.difference",
+                           "motion.axis_final_L.2",
+                           "scenario.body.solids.2.mass_kg",
+                           "scenario.body.inertia.matrix_kg_m2.2.0",
+                           "effects.modelled.4",
+                           "scenario.platform.frequency_hz",
+                           "scenario.platform.acceleration_rad_s2",
+                           "scenario.release.quaternion_LB.w",
+                           "scenario.release.tilt_deg",
+                           "scenario.effects.tide.tilt_factor",
+                           "scenario.numerics.step_s",
+                           "scenario.numerics.relative_tolerance",
+                           "provenance.constants.1.value"})
+    EXPECT_TRUE(errors(file(kAxis + R"(, "collect": [{"name": "q", "path": ")" + path + "\"}]")).empty()) << path;
+}
+
 TEST(StudyFile, AllFaultsAreToldAtOnce) {
   EXPECT_EQ(errors(R"({"axes": [{"pointer": "a", "values": [1]}], "design": {"kind": "x"}, "name": "A"})").size(), 4U);
 }
@@ -134,7 +194,8 @@ TEST(StudyLimits, CountBeforeAnythingIsBuilt) {
   };
   const std::string huge = R"("range": {"from": 0, "to": 1, "points": 1000000000})";
   EXPECT_NE(
-      refusal(R"("axes": [{"pointer": "/a", )" + huge + R"(}, {"pointer": "/b", )" + huge + "}]").find("more than 9e15 points"),
+      refusal(R"("axes": [{"pointer": "/site/latitude_deg", )" + huge + R"(}, {"pointer": "/site/height_m", )" + huge + "}]")
+          .find("more than 9e15 points"),
       std::string::npos);
   EXPECT_NE(refusal(kAxis + R"(, "limits": {"points": 1})").find("2 points"), std::string::npos);
   EXPECT_NE(

@@ -8,6 +8,7 @@
 #include "earthtop/results/results.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "study_text.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -72,8 +73,8 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
   if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
     text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
-  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, about {:.1g} s\n", to_string(choice.options.method),
-                      choice.reason, estimated_steps(scenario), estimated_seconds(scenario));
+  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
+                      estimated_steps(scenario), about_duration(estimated_seconds(scenario)));
   for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
   return text;
 }

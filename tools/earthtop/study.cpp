@@ -64,8 +64,8 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
                 {"points_refused", sample.refused},
                 {"study_sha256", study_sha256(study)}});
   else
-    print(fmt::format("{}: {} points, about {} on one core, {:.2g} MB\n", study.name, expected.points,
-                      duration_text(expected.core_seconds), expected.disk_bytes / 1e6));
+    print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
+                      about_duration(expected.core_seconds), expected.disk_bytes / 1e6));
   if (!arguments.json && sample.refused > 0)
     print(fmt::format("{} of {} points looked at are refused, the first one because of {}\n", sample.refused, sample.looked_at,
                       sample.first_refusal));

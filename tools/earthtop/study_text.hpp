@@ -16,5 +16,7 @@ std::string progress_text(const StudyProgress& progress);
 
 /// "3.2 s", "12 min", "4.5 h", "2.1 days".
 std::string duration_text(double seconds);
+/// "about 3 min", but "less than 0.1 s": what takes no time takes more than none.
+std::string about_duration(double seconds);
 
 }  // namespace earthtop::tool
