@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
 
+#include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/study/study.hpp"
+#include "results/summary_section.hpp"
 
 namespace earthtop {
 namespace {
@@ -165,6 +170,48 @@ TEST(StudyFile, PointersAndPathsThatSomeScenesHaveAreAccepted) {
                            "scenario.numerics.relative_tolerance",
                            "provenance.constants.1.value"})
     EXPECT_TRUE(errors(file(kAxis + R"(, "collect": [{"name": "q", "path": ")" + path + "\"}]")).empty()) << path;
+}
+
+/// Every path to a value below a member of a document.
+void for_each_path(const nlohmann::json& at, const std::string& path, const std::function<void(const std::string&)>& visit) {
+  if (!at.is_structured()) return visit(path);
+  std::size_t index = 0;
+  for (const auto& item : at.items()) {
+    const std::string step = at.is_array() ? std::to_string(index++) : item.key();
+    for_each_path(item.value(), path.empty() ? step : path + "." + step, visit);
+  }
+}
+
+TEST(SummaryPaths, EveryMemberOfAnySummaryIsAccepted) {
+  using Sets = std::vector<std::pair<std::string, std::string>>;
+  const std::pair<const char*, Sets> scenes[] = {
+      {"toy-top", {{"/numerics/precision", "float128"}, {"/numerics/ledger", "body"}, {"/report/threshold_rad", "1e-6"}}},
+      {"toy-top", {{"/report/sensitivities", "true"}, {"/release/tilt_deg", "0"}}},
+      {"toy-top", {{"/uncertainty/latitude_deg", "0.1"}, {"/accuracy/drift_rad", "1e-6"}, {"/effects", "\"auto\""}}},
+      {"turntable",
+       {{"/effects/gravity_gradient", "true"},
+        {"/effects/polar_motion/x_arcsec", "1"},
+        {"/effects/polar_motion/y_arcsec", "0"}}},
+      {"free-gyro", {{"/effects/coulomb_torque_N_m", "1e-3"}, {"/effects/air_drag/disc_radius_m", "0.01"}}},
+      {"asymmetric-top",
+       {{"/effects/tide", R"({"amplitude_m_s2": [0, 0, 1e-6], "frequency_hz": 1})"},
+        {"/effects/deflection_of_vertical/north_arcsec", "3"}}},
+      {"dzhanibekov", {{"/numerics/method", "closed_form"}}},
+      {"foucault-pendulum", {}},
+      {"nesc-tumbling-brick", {{"/numerics/method", "rkf78"}, {"/effects/gimbal", "false"}}}};
+  for (const auto& [name, sets] : scenes) {
+    Sets all = sets;
+    all.emplace_back("/motion/duration_s", "0.5");
+    const auto scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS "/") + name + ".json"), all);
+    const auto summary = nlohmann::json::parse(summary_json(run(scenario)));
+    int paths = 0;
+    for_each_path(summary, "", [&](const std::string& path) {
+      if (path.find("libraries") != std::string::npos) return;  // one of them may have a dot in its name
+      ++paths;
+      EXPECT_EQ(summary_path_fault(path).value_or(""), "") << name << " " << path;
+    });
+    EXPECT_GT(paths, 80) << name;
+  }
 }
 
 TEST(StudyFile, AllFaultsAreToldAtOnce) {
