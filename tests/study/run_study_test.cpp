@@ -119,7 +119,8 @@ TEST(RunStudy, AQuantityThatSomeRunsLackIsEmptyThereAndNoFailure) {
 /// A study none of whose points is a scenario.
 Study refused_study(int points) {
   return parse_study({"refused.json", R"({"base": ")" + kBase + R"(", "axes": [{"pointer": "/release/tilt_deg",
-      "range": {"from": 200, "to": 300, "points": )" + std::to_string(points) + "}}]}"});
+      "range": {"from": 200, "to": 300, "points": )" +
+                                          std::to_string(points) + "}}]}"});
 }
 
 TEST(HopelessStudies, AreRefusedWithTheirOneFindingAndNothingWritten) {
