@@ -16,23 +16,16 @@ std::string summarize(const std::string& file, const std::vector<Diagnostic>& di
   return text;
 }
 
-/// What steers a terminal or turns the order of its text around: controls (C0, DEL, C1), line and paragraph separators,
-/// marks of writing direction.
-bool is_control(char32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x61C || code == 0x200E || code == 0x200F ||
-         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
-}
-
 }  // namespace
 
 std::string printable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
     const auto [code, length] = first_character(text);
-    if (length == 0 || (length == 1 && is_control(code)))
+    if (length == 0 || (length == 1 && is_unseen(code)))
       shown += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
-    else if (is_control(code))
-      shown += fmt::format("\\u{:04x}", static_cast<unsigned>(code));
+    else if (is_unseen(code))
+      append_escape(code, shown);
     else
       shown += text.substr(0, length);
     text.remove_prefix(length == 0 ? 1 : length);

@@ -30,7 +30,7 @@ Store open_store(const std::filesystem::path& path) {
 std::string name_of(const PointResult& point, const Study& study) {
   std::string text = fmt::format("point {}", point.number);
   for (std::size_t i = 0; i < study.axes.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? " (" : ", ", study.axes[i].name, study::csv_cell(point.axis_values[i]));
+    text += fmt::format("{}{} {}", i == 0 ? " (" : ", ", study.axes[i].name, study::plain_text(point.axis_values[i]));
   return study.axes.empty() ? text : text + ")";
 }
 
@@ -127,9 +127,9 @@ void judge(SharedQuantity& quantity, const PointResult& a, const PointResult& b,
     if (found > 0 && verdict.change != Change::above_errors)
       verdict.change = !errors ? Change::unknown : found > *errors ? Change::above_errors : Change::within_errors;
   } else if (!passed) {
-    verdict.change = Change::unknown;
+    if (verdict.change != Change::above_errors) verdict.change = Change::unknown;
     if (verdict.reason.empty())
-      verdict.reason = fmt::format("\"{}\" in the reference, \"{}\" now", study::csv_cell(before), study::csv_cell(now));
+      verdict.reason = fmt::format("\"{}\" in the reference, \"{}\" now", study::plain_text(before), study::plain_text(now));
   }
   if (!passed && verdict.violations++ == 0) verdict.first_violation = name_of(a, study);
 }

@@ -10,6 +10,7 @@
 #include "plot/svg_text.hpp"
 #include "report/assets.hpp"
 #include "report/content_policy.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -108,7 +109,7 @@ std::string details(const std::string& table) {
 std::string data_text(const Json& data) {
   std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
   safe.reserve(text.size());
-  for (const char c : text) {
+  for (const char c : json_with_escapes(text)) {
     if (c == '<')
       safe += "\\u003c";
     else if (c == '&')

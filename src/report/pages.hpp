@@ -1,4 +1,4 @@
-/// The four kinds of pages.
+/// The five kinds of pages.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,7 @@ namespace earthtop::report {
 Report run_page(const std::filesystem::path& directory);
 Report study_page(const std::filesystem::path& store);
 Report comparison_page(const Json& document);
+Report measurement_page(const Json& document);
 Report bench_page(const Json& document);
 
 }  // namespace earthtop::report

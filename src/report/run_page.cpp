@@ -7,6 +7,7 @@
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
+#include "earthtop/results/azimuth_trend.hpp"
 #include "report/bars.hpp"
 #include "report/pages.hpp"
 #include "report/thinning.hpp"
@@ -117,7 +118,11 @@ Figure parts_figure(const Run& run) {
       {"Drift", "arcseconds"},
       {{"azimuth", t, azimuth}, {"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed}}};
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
-  if (rate) {
+  const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
+  const bool has_azimuth = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
+    return azimuths_tell(&row.value[axis], &row.value[ref_axis], row.value[apart]);
+  });
+  if (rate && has_azimuth && std::all_of(azimuth.begin(), azimuth.end(), [](double a) { return std::isfinite(a); })) {
     double offset = 0, count = 0;
     for (std::size_t i = 0; i < t.size(); ++i)
       if (std::isfinite(azimuth[i])) {

@@ -12,6 +12,7 @@
 #include "earthtop/results/results.hpp"
 #include "results/digits.hpp"
 #include "results/summary_section.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace {
@@ -24,7 +25,9 @@ Json or_null(const std::optional<T>& value) {
 }
 
 /// Text from a user may be anything; bytes that are not UTF-8 become U+FFFD instead of an exception.
-std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string dump(const Json& json) {
+  return json_with_escapes(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+}
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "earthtop/run.hpp"
@@ -11,5 +12,9 @@ namespace earthtop {
 
 /// The value of a top-level key of summary.json, null where this result does not have it; nothing where there is no such key.
 std::optional<nlohmann::ordered_json> summary_section(const RunResult& result, std::string_view name);
+
+/// Why no run's summary.json has a member at this dotted path ("drift.secular.azimuth_rate_rad_s", "theory.0.computed"), with
+/// what was probably meant; nothing where a run's may have one. What some runs lack is not at fault.
+std::optional<std::string> summary_path_fault(std::string_view path);
 
 }  // namespace earthtop

@@ -1,12 +1,12 @@
 #include "scenario/check.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "earthtop/error.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/pointers.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/suggest.hpp"
 
@@ -53,20 +53,9 @@ class Checker {
   void unknown_key(Node& node, std::string_view pattern, const std::string& pointer, const std::string& parent_pointer) {
     node.refused = true;
     if (findings_.full()) return findings_.add(node.key_place, "", "");
-    const std::vector<std::string_view> keys = keys_below(pattern);
-    std::string message = pattern == "/effects" ? "this effect is not available" : "unknown key";
-    message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
-    if (const auto key = suggest(node.key, keys)) {
-      message += fmt::format("; did you mean \"{}\"", *key);
-      findings_.expect(parent_pointer + "/" + std::string(*key));
-    } else {
-      for (const Field& field : all_fields()) {  // the right key in the wrong place
-        if (field.key() != node.key || field.pointer.find('*') != std::string_view::npos) continue;
-        message += fmt::format("; did you mean \"{}\"", field.pointer);
-        break;
-      }
-    }
-    findings_.add(node.key_place, pointer, std::move(message));
+    UnknownKey unknown = scenario::unknown_key(node.key, pattern);
+    if (unknown.meant) findings_.expect(parent_pointer + "/" + std::string(*unknown.meant));
+    findings_.add(node.key_place, pointer, std::move(unknown.message));
   }
 
   void value(Node& node, const Field& field, const std::string& pointer) {

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <optional>
-#include <string_view>
-
+#include "scenario/pointers.hpp"
 #include "scenario/reader.hpp"
 #include "text/utf8.hpp"
 
@@ -13,32 +10,6 @@ namespace earthtop::scenario {
 namespace {
 
 constexpr Place kFromSet{0, true};
-
-/// The reference tokens of a JSON pointer (RFC 6901), nothing where it is malformed.
-std::optional<std::vector<std::string>> tokens_of(std::string_view pointer) {
-  if (pointer.empty() || pointer.front() != '/') return std::nullopt;
-  std::vector<std::string> tokens;
-  for (std::size_t i = 0; i < pointer.size(); ++i) {
-    if (pointer[i] == '/') {
-      tokens.emplace_back();
-    } else if (pointer[i] == '~') {
-      ++i;
-      if (i >= pointer.size() || (pointer[i] != '0' && pointer[i] != '1')) return std::nullopt;
-      tokens.back() += pointer[i] == '0' ? '~' : '/';
-    } else {
-      tokens.back() += pointer[i];
-    }
-  }
-  return tokens;
-}
-
-std::optional<std::size_t> array_index(std::string_view token, std::size_t size) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  const bool canonical = token.size() == 1 || !token.starts_with('0');
-  if (error != std::errc() || end != token.data() + token.size() || !canonical || index >= size) return std::nullopt;
-  return index;
-}
 
 /// The node below `parent`; created where an object lacks it; null, with a finding, where there cannot be one.
 Node* step_into(Node& parent, const std::string& token, const std::string& pointer, Findings& findings) {

@@ -14,25 +14,26 @@
 namespace earthtop::study {
 namespace {
 
-/// What follows a dotted path; null where a step leads below a null, nothing where there is no such member.
-std::optional<Json> follow(const Json& root, const std::vector<std::string>& steps) {
+/// What follows a dotted path; null where this run has no such member. That some run may have it, the study file's reader has
+/// seen to.
+Json follow(const Json& root, const std::vector<std::string>& steps) {
   const Json* at = &root;
   for (const std::string& step : steps) {
-    if (at->is_null()) return Json();
     if (at->is_array()) {
       std::size_t index = 0;
       const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
-      if (error != std::errc() || end != step.data() + step.size()) return std::nullopt;
-      if (index >= at->size()) return Json();
+      if (error != std::errc() || end != step.data() + step.size() || index >= at->size()) return Json();
       at = &(*at)[index];
     } else {
       const auto member = at->is_object() ? at->find(step) : at->end();
-      if (!at->is_object() || member == at->end()) return std::nullopt;
+      if (!at->is_object() || member == at->end()) return Json();
       at = &*member;
     }
   }
   return *at;
 }
+
+}  // namespace
 
 std::string first_message(const ScenarioReport& report) {
   if (report.errors.empty()) return "refused";
@@ -41,8 +42,6 @@ std::string first_message(const ScenarioReport& report) {
   if (report.error_count > 1) text += fmt::format(" (and {} more)", report.error_count - 1);
   return text;
 }
-
-}  // namespace
 
 bool is_known_at_the_end(std::string_view path) {
   constexpr std::array<std::string_view, 17> kPaths = {"name",
@@ -91,19 +90,22 @@ Collector::Collector(const Study& study) : study_(study) {
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
 
-std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                            std::string& refusal) const {
+ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::string>>& overrides) const {
   ScenarioReport report = examine_scenario(study_.base, overrides);
-  if (!report.scenario) {
-    refusal = first_message(report);
-    return std::nullopt;
-  }
+  if (!report.scenario) return report;
   report.scenario->numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
   if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
   if (!sensitivities_) {
     report.scenario->sensitivities = false;
     report.scenario->uncertainty.reset();
   }
+  return report;
+}
+
+std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
+                                            std::string& refusal) const {
+  ScenarioReport report = examine(overrides);
+  if (!report.scenario) refusal = first_message(report);
   return std::move(report.scenario);
 }
 
@@ -128,13 +130,7 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
   std::optional<Json> section;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     if (i == 0 || made != paths_[i].section) section = summary_section(result, made = paths_[i].section);
-    const auto json = section ? follow(*section, paths_[i].steps) : std::nullopt;
-    if (json) {
-      point.values[i] = value_of(*json);
-    } else if (point.status == "completed") {
-      point.status = "no_such_quantity";
-      point.reason = fmt::format("summary.json has no {}", study_.quantities[i].path);
-    }
+    if (section) point.values[i] = value_of(follow(*section, paths_[i].steps));
   }
 }
 

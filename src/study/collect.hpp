@@ -16,12 +16,15 @@ namespace earthtop::study {
 struct PointResult {
   std::uint64_t number = 0;
   std::vector<Value> axis_values;  ///< of each axis's first pointer; nothing at the base
-  std::string status;              ///< a RunStatus, "refused", or "no_such_quantity"
+  std::string status;              ///< a RunStatus, "refused", or "accuracy_not_reached"
   std::string reason;              ///< of a failure; empty where there is none
   std::string scenario_sha256;     ///< empty where there is no scenario
   std::vector<Value> values;       ///< one for each quantity
   bool failed() const { return status != "completed"; }
 };
+
+/// The first of a refused scenario's faults in one line, and how many there are beside it.
+std::string first_message(const ScenarioReport& report);
 
 /// Whether a path of summary.json needs no rows between release and end.
 bool is_known_at_the_end(std::string_view path);
@@ -30,6 +33,9 @@ bool is_known_at_the_end(std::string_view path);
 class Collector {
  public:
   explicit Collector(const Study& study);
+
+  /// What a point's scenario is, or all that is wrong with it.
+  ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
 
   /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
   std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,

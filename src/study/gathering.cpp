@@ -36,7 +36,7 @@ std::optional<double> number_of(const Value& value) {
 std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return std::nullopt;
   if (!binned_) {
-    const std::string text = csv_cell(value);
+    const std::string text = plain_text(value);
     const auto place = order_.try_emplace(text, static_cast<double>(order_.size())).first->second;
     const auto number = number_of(value);
     return std::pair(number ? *number : place, text);

@@ -1,4 +1,4 @@
-// What a study will be, before any of it is computed: which one it is, how large, how long.
+// What a study will be, before any of it is computed: which one it is, how large, how long, and whether its points can be run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "study/collect.hpp"
 #include "study/design.hpp"
 #include "study/json_text.hpp"
+#include "study/permutation.hpp"
 #include "text/sha256.hpp"
 
 namespace earthtop {
@@ -26,10 +27,32 @@ std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t wanted) {
   return numbers;
 }
 
+/// Numbers of points of all parts of a study: the first, the last, and one of each of equal parts between them. Within its part
+/// each lies by chance, as equal distances could meet the same few values of an axis again and again.
+std::vector<std::uint64_t> scattered(std::uint64_t count, std::uint64_t wanted) {
+  if (count <= wanted) return spread(count, wanted);
+  std::vector<std::uint64_t> numbers = {0};
+  const std::uint64_t parts = wanted - 2, between = count - 2;
+  for (std::uint64_t i = 0; i < parts; ++i) {
+    const std::uint64_t begin = 1 + i * between / parts, end = 1 + (i + 1) * between / parts;
+    numbers.push_back(begin + mixed(i) % (end - begin));
+  }
+  numbers.push_back(count - 1);
+  return numbers;
+}
+
 /// A Sobol sequence goes through all points before the one asked for: of a very long one, only its beginning is looked at.
-std::uint64_t reach(const Study& study, std::uint64_t count) {
-  constexpr std::uint64_t kQuick = 1'000'000;
-  return study.design.kind == DesignKind::sobol ? std::min(count, kQuick) : count;
+std::uint64_t reach(const Study& study, std::uint64_t count, std::uint64_t quick = 1'000'000) {
+  return study.design.kind == DesignKind::sobol ? std::min(count, quick) : count;
+}
+
+/// Of refusals for the same keys those with a key of this report's, too.
+void keep_common(std::vector<Diagnostic>& common, const ScenarioReport& report) {
+  std::erase_if(common, [&](const Diagnostic& a) {
+    return std::none_of(report.errors.begin(), report.errors.end(), [&](const Diagnostic& b) {
+      return a.pointer == b.pointer && (!a.pointer.empty() || a.message == b.message);
+    });
+  });
 }
 
 std::string range_text(const StudyAxis::Range& range) {
@@ -62,6 +85,35 @@ StudyEstimate estimate(const Study& study) {
   const double columns = static_cast<double>(study.axes.size() + study.quantities.size());
   estimate.disk_bytes = static_cast<double>(*count) * 2 * (90 + 12 * columns);
   return estimate;
+}
+
+StudySample sample_points(const Study& study) {
+  using namespace earthtop::study;
+  constexpr std::uint64_t kPoints = 20, kQuickSobol = 100'000'000;
+  const std::uint64_t count = point_count(study).value_or(0);
+  const Collector collector(study);
+  Design design(study);
+  StudySample sample;
+  std::vector<Diagnostic> common;
+  for (const std::uint64_t number : scattered(reach(study, count, kQuickSobol), kPoints)) {
+    const ScenarioReport report = collector.examine(overrides(study, design.point(number)));
+    ++sample.looked_at;
+    if (report.scenario) continue;
+    if (++sample.refused == 1) {
+      sample.first_refusal = first_message(report);
+      common = report.errors;
+    }
+    keep_common(common, report);
+  }
+  if (sample.refused < sample.looked_at || common.empty()) return sample;
+  for (Diagnostic& finding : common)
+    if (study.base_inside) finding.line = finding.column = 0;  // counted in the base alone, not in its file
+  common.back().message += sample.looked_at == count
+                               ? fmt::format("; so it is at all {} points of the study", count)
+                               : fmt::format("; so it is at all {} points looked at, of {}", sample.looked_at, count);
+  common.back().message += "; mend the study or its base, or compute it all the same with --keep-going";
+  sample.common.emplace(std::move(common), study.base.file);
+  return sample;
 }
 
 void require_affordable(const Study& study) {

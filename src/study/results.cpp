@@ -12,6 +12,7 @@
 #include "study/gathering.hpp"
 #include "study/json_text.hpp"
 #include "study/store.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace study {
@@ -150,13 +151,15 @@ Json document_of(Store& store) {
   return document;
 }
 
-std::string text_of(const Json& document) { return document.dump(1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string text_of(const Json& document) {
+  return json_with_escapes(document.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
+}
 
 void write_table(Store& store, const FileSet::Sink& sink) {
   const Study& study = store.study();
   std::string text = "point";
   for (const StudyAxis& axis : study.axes) text.append(1, ',').append(axis.name);
-  for (const StudyQuantity& quantity : study.quantities) text.append(1, ',').append(quantity.name);
+  for (const StudyQuantity& quantity : study.quantities) text.append(1, ',').append(csv_cell(quantity.name));
   text += ",status,reason\n";
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   store.for_each([&](const PointResult& point) {

@@ -59,7 +59,16 @@ void require_room(const fs::path& dir, double bytes) {
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
-Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options) {
+/// Whether points of this study have been computed with success already, so that it is not about to begin.
+bool is_under_way(const fs::path& file, const Study& study) {
+  std::error_code error;
+  if (!fs::exists(file, error) || is_blank(file)) return false;
+  Store store = Store::open(file, sqlite::Connection::Mode::read);
+  return store.sha256() == study_sha256(study) && store.ended_count() > 0;
+}
+
+/// @param replaced  set where a store of another study, without a point that came to its end, had to go
+Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
   std::error_code error;
   if (fs::exists(file, error) && is_blank(file)) remove_store(file);
   if (!fs::exists(file, error)) return Store::create(file, study, options.shard);
@@ -70,10 +79,11 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
       store.adopt(study);
       return store;
     }
+    replaced = store.ended_count() == 0;
   } catch (const ScenarioError&) {
     if (!options.force) throw;
   }
-  if (!options.force)
+  if (!options.force && !replaced)
     refuse(file,
            "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
            "throw them away and start anew");
@@ -195,11 +205,13 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   require_affordable(study);
   const StudyEstimate expected = estimate(study);
   require_room(options.dir, expected.disk_bytes / static_cast<double>(options.shard.n));
-  make_directory(options.dir);
   StudyRunReport report;
   report.store = study_store(options.dir, options.shard);
+  if (!options.keep_going)
+    if (const auto refusal = sample_points(study).common; refusal && !is_under_way(report.store, study)) throw *refusal;
+  make_directory(options.dir);
   const StoreLock lock(report.store);
-  Store store = open_or_create(report.store, study, options);
+  Store store = open_or_create(report.store, study, options, report.replaced);
   if (options.retry_failed) store.remove_failed();
   const bool spread_out = options.processes && options.processes->workers() > 0;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -230,7 +242,8 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
   const StoreLock lock(target);
   StudyRunOptions options;
   options.force = force;
-  Store merged = open_or_create(target, first->study(), options);
+  bool replaced = false;
+  Store merged = open_or_create(target, first->study(), options, replaced);
   for (const fs::path& part : stores) {
     Store store = Store::open(part, sqlite::Connection::Mode::read);
     merged.begin();

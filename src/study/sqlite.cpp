@@ -1,6 +1,13 @@
 #include "study/sqlite.hpp"
 
+#include <sys/stat.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
 #include "earthtop/error.hpp"
+#include "study/store_lock.hpp"
 
 namespace earthtop::study::sqlite {
 
@@ -11,11 +18,48 @@ Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(
   database_.reset(opened);
   if (code != SQLITE_OK) fail();
   sqlite3_extended_result_codes(opened, 1);
-  sqlite3_busy_timeout(opened, 10'000);  // ms; a reader may meet a checkpoint
+  sqlite3_busy_timeout(opened, 200);  // ms
 }
 
+void Connection::be_patient() {
+  patient_ = true;
+  sqlite3_busy_timeout(database_.get(), 10'000);  // ms
+}
+
+namespace {
+
+/// The process that keeps a lock on one of SQLite's files, as far as the system's list of locks knows it. To open the file and
+/// ask would not do: closing it again would end this process's own locks on it.
+std::string holder_of(const std::string& file) {
+  for (const char* suffix : {"", "-shm"}) {
+    struct stat of_file = {};
+    if (::stat((file + suffix).c_str(), &of_file) != 0) continue;
+    // "1: POSIX  ADVISORY  WRITE 1234 08:01:5678 0 EOF": a process, a device and an inode.
+    const std::string inode = ":" + std::to_string(of_file.st_ino);
+    std::ifstream locks("/proc/locks");
+    for (std::string line; std::getline(locks, line);) {
+      std::istringstream words(line);
+      std::string number, kind, mode, access, place;
+      long process = 0;
+      if (!(words >> number >> kind >> mode >> access >> process >> place) || !place.ends_with(inode)) continue;
+      std::string name;
+      std::getline(std::ifstream("/proc/" + std::to_string(process) + "/comm"), name);
+      // Of a lock that another machine keeps through the network there is no such process here.
+      if (!name.empty()) return "process " + std::to_string(process) + " (" + printable(name) + ")";
+    }
+  }
+  return "another process";
+}
+
+}  // namespace
+
 void Connection::fail() const {
-  const std::string reason = database_ ? sqlite3_errmsg(database_.get()) : "out of memory";
+  std::string reason = database_ ? sqlite3_errmsg(database_.get()) : "out of memory";
+  const int code = database_ ? sqlite3_errcode(database_.get()) & 0xff : SQLITE_NOMEM;
+  if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+    if (!patient_) refuse_in_use(file_, holder_of(file_));
+    reason = "is in use by " + holder_of(file_);
+  }
   if (mode_ == Mode::write) throw WriteError(file_, reason);
   throw ReadError(file_, reason);
 }

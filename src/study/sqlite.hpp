@@ -51,8 +51,13 @@ class Connection {
   /// @throws WriteError or ReadError
   Connection(const std::string& file, Mode mode);
 
+  /// From now on what others have locked is waited for: a reader of a store that is being written may meet the moment in which
+  /// its log is taken in. A connection that has just been opened hardly waits: others that use the file are to be named at
+  /// once.
+  void be_patient();
   void execute(const char* sql);
-  /// @throws WriteError, or ReadError of a connection for reading, with SQLite's reason
+  /// @throws ScenarioError, with the process as far as it is known, where another one has locked the file and this connection
+  /// is not patient; WriteError, or ReadError of a connection for reading, with SQLite's reason
   [[noreturn]] void fail() const;
 
   sqlite3* get() const { return database_.get(); }
@@ -63,6 +68,7 @@ class Connection {
   };
   std::string file_;
   Mode mode_;
+  bool patient_ = false;
   std::unique_ptr<sqlite3, Close> database_;
 };
 

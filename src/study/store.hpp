@@ -31,6 +31,8 @@ class Store {
   const StudyShard& shard() const { return shard_; }
 
   std::uint64_t count() { return counted(""); }
+  /// Points whose run came to its end, and has numbers.
+  std::uint64_t ended_count() { return counted(" WHERE status IN ('completed', 'accuracy_not_reached')"); }
   std::uint64_t failed_count() { return counted(" WHERE status <> 'completed'"); }
 
   void begin() { connection_->execute("BEGIN IMMEDIATE"); }

@@ -9,6 +9,8 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <thread>
@@ -18,15 +20,19 @@
 namespace earthtop::study {
 namespace {
 
-std::string this_process() {
+std::string host_name() {
   std::array<char, 256> host{};
   if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
+  return host.data();
+}
+
+std::string this_process() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   ::gmtime_r(&now, &utc);
   std::array<char, 32> date{};
   std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return fmt::format("process {} on {}, since {}", ::getpid(), host.data(), date.data());
+  return fmt::format("process {} on {}, since {}", ::getpid(), host_name(), date.data());
 }
 
 std::string holder(int descriptor) {
@@ -35,24 +41,40 @@ std::string holder(int descriptor) {
   return got > 0 ? printable(std::string_view(text.data(), static_cast<std::size_t>(got))) : "another process";
 }
 
+/// Whether the holder that a lock's file names is a process of this machine that has ended: it is about to let go. The file
+/// begins with "process <id> on <host>".
+bool has_ended(std::string_view holder) {
+  long process = 0;
+  std::array<char, 256> host{};
+  if (std::sscanf(std::string(holder).c_str(), "process %ld on %255[^,]", &process, host.data()) != 2) return false;
+  return host_name() == host.data() && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+}
+
 }  // namespace
 
+void refuse_in_use(const std::filesystem::path& store, const std::string& holder) {
+  throw ScenarioError(
+      std::vector<Diagnostic>{{0, 0, "", fmt::format("is in use by {}; wait for it, or choose another --out", holder)}},
+      store.string());
+}
+
 StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() + ".lock"), descriptor_(-1) {
-  // A process that has just been killed takes a moment to be gone.
-  constexpr auto kPatience = std::chrono::seconds(2);
+  // A process that is being killed takes a moment to be gone; one that has just begun has not yet said who it is.
+  constexpr auto kMoment = std::chrono::milliseconds(200), kPatienceWithTheDead = std::chrono::milliseconds(2000);
   for (const auto start = std::chrono::steady_clock::now();;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
     if (descriptor_ < 0) throw WriteError(file_.string(), fmt::format("cannot be opened ({})", std::strerror(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      const int error = errno;
       const std::string who = holder(descriptor_);
       ::close(descriptor_);
-      if (std::chrono::steady_clock::now() - start < kPatience) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        continue;
-      }
-      throw ScenarioError(
-          std::vector<Diagnostic>{{0, 0, "", fmt::format("is being written by {}; wait for it, or choose another --out", who)}},
-          store.string());
+      if (error == EINTR) continue;
+      // Some network file systems have no locks.
+      if (error != EWOULDBLOCK) throw WriteError(file_.string(), fmt::format("cannot be locked ({})", std::strerror(error)));
+      const auto waited = std::chrono::steady_clock::now() - start;
+      if (waited > (has_ended(who) ? kPatienceWithTheDead : kMoment)) refuse_in_use(store, who);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      continue;
     }
     // A holder that ended in between may have taken the file away: then this one is nobody's any more.
     struct stat ours = {}, named = {};
@@ -60,7 +82,8 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
     ::close(descriptor_);
   }
   const std::string who = this_process();
-  if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0) {
+  if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0 ||
+      (::fsync(descriptor_) != 0 && errno != EINVAL)) {  // so that other machines of a network file system can read it
     const int error = errno;
     ::close(descriptor_);
     throw WriteError(file_.string(), std::strerror(error));

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace earthtop::study {
+
+/// @throws ScenarioError: the store is in use by the holder, e.g. "process 12 on host"
+[[noreturn]] void refuse_in_use(const std::filesystem::path& store, const std::string& holder);
 
 /// Held while it lives; the system lets go of it when the process ends, however it ends. Beside the store lies a file that
 /// names the holder.
 class StoreLock {
  public:
-  /// @throws ScenarioError, with who holds it, where another process does; WriteError
+  /// @throws ScenarioError, at once and with who holds it, where another process does; WriteError
   explicit StoreLock(const std::filesystem::path& store);
   ~StoreLock();
   StoreLock(const StoreLock&) = delete;

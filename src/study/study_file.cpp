@@ -7,8 +7,10 @@
 #include <set>
 
 #include "earthtop/study/study.hpp"
+#include "results/summary_section.hpp"
 #include "scenario/check.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/pointers.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/section.hpp"
 #include "study/json_text.hpp"
@@ -103,6 +105,7 @@ class Decoder {
     namespace fs = std::filesystem;
     if (base->kind == JsonKind::object) {
       study_.base = {source_.file, json_text(*base)};
+      study_.base_inside = true;
     } else if (base->kind == JsonKind::string && !base->text.empty() && base->text != "-") {
       const fs::path beside = fs::path(source_.file).parent_path() / base->text;
       try {
@@ -122,6 +125,8 @@ class Decoder {
       if (change.key.starts_with("//")) continue;
       if (!is_pointer(change.key))
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), "is no JSON pointer; e.g. /motion/duration_s");
+      else if (const auto fault = base_ ? std::nullopt : pointer_fault(change.key))
+        findings_.add(change.key_place, set.pointer + pointer_step(change.key), *fault);
       else
         study_.set.emplace_back(change.key, json_text(change));
     }
@@ -172,6 +177,8 @@ class Decoder {
         return;
       } else if (!pointers_.insert(pointer).second) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{} is varied twice", excerpt(pointer)));
+      } else if (const auto fault = base_ ? std::nullopt : pointer_fault(pointer)) {
+        axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{}: {}", excerpt(pointer, 200), *fault));
       }
     if (decoded.pointers.empty()) return;
     const std::string& first = decoded.pointers.front();
@@ -256,6 +263,7 @@ class Decoder {
     }
     if (quantity.path.empty() || quantity.path.size() > 200)
       return given.refuse("must be a path in summary.json, e.g. \"drift.axis_final_rad\", or {\"name\": ..., \"path\": ...}");
+    if (const auto fault = base_ ? std::nullopt : summary_path_fault(quantity.path)) return given.refuse(*fault);
     constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789_.-";
     if (quantity.name.empty() || quantity.name.find_first_not_of(kAllowed) != std::string::npos)
       return given.refuse(fmt::format("\"{}\" cannot name a column: a-z, 0-9, _, - and . only", excerpt(quantity.name)));

@@ -1,5 +1,10 @@
 #include "text/utf8.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
 namespace earthtop {
 
 Utf8Character first_character(std::string_view text) {
@@ -45,6 +50,44 @@ void append_utf8(char32_t code, std::string& out) {
     byte(0x80 | ((code >> 6) & 0x3F));
     byte(0x80 | (code & 0x3F));
   }
+}
+
+bool is_unseen(char32_t code) {
+  struct Span {
+    char32_t first, last;
+  };
+  // Unicode 15: Default_Ignorable_Code_Point, and the general categories Cc, Zl and Zp.
+  constexpr Span kSpans[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},       {0x34F, 0x34F},     {0x61C, 0x61C},
+                             {0x115F, 0x1160}, {0x17B4, 0x17B5}, {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},
+                             {0x2060, 0x206F}, {0x3164, 0x3164}, {0xFDD0, 0xFDEF},   {0xFE00, 0xFE0F},   {0xFEFF, 0xFEFF},
+                             {0xFFA0, 0xFFA0}, {0xFFF0, 0xFFFB}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}};
+  for (const Span& span : kSpans)
+    if (code >= span.first && code <= span.last) return true;
+  return (code & 0xFFFE) == 0xFFFE;  // the last two of each plane are no characters
+}
+
+void append_escape(char32_t code, std::string& out) {
+  if (code < 0x10000) {
+    fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(code));
+    return;
+  }
+  const auto rest = static_cast<unsigned>(code - 0x10000);
+  fmt::format_to(std::back_inserter(out), "\\u{:04x}\\u{:04x}", 0xD800 + (rest >> 10U), 0xDC00 + (rest & 0x3FFU));
+}
+
+std::string json_with_escapes(std::string_view document) {
+  std::string text;
+  text.reserve(document.size());
+  while (!document.empty()) {
+    const auto [code, length] = first_character(document);
+    // Line ends and spaces between values are ASCII; within strings a document has no ASCII control but DEL.
+    if (length > 0 && code >= 0x7F && is_unseen(code))
+      append_escape(code, text);
+    else
+      text += document.substr(0, std::max<std::size_t>(length, 1));
+    document.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return text;
 }
 
 }  // namespace earthtop

@@ -201,6 +201,21 @@ if [ -w /dev/full ]; then
   "$tool" run top.json --out full >/dev/full 2>err.txt
   [ $? -eq 4 ] || fault "full standard output: not exit status 4"
 fi
+# A reader that has seen enough is no fault of anybody's: no word, and the status is the verb's own, or SIGPIPE's.
+gone() {
+  wanted=$1
+  shift
+  { "$tool" "$@" 2>err.txt; echo $? >status.txt; } | true
+  case " $wanted " in *" $(cat status.txt) "*) ;; *) fault "$*, reader gone: exit status $(cat status.txt), not $wanted" ;; esac
+  nothing_on_stderr
+}
+sleep_and_say() { sleep 0.2; cat top.json; }
+gone "0" example --list
+gone "0" schema
+gone "0" run top.json --out gone
+[ -s gone/summary.json ] || fault "a reader that had gone cost the results"
+sleep_and_say | gone "0 141" check - top.json
+gone "0 141" verify --list
 "$tool" run top.json --out closed >&- 2>err.txt
 [ $? -eq 4 ] || fault "closed standard output: not exit status 4"
 grep -q '^Written' closed/* && fault "the summary went into a result file"

@@ -31,6 +31,19 @@ expect 1 compare runs/toy-top flat --allow-change /
 on_stdout 'FAILED  drift_axis_rad'
 on_stdout 'above both errors'
 
+# What is said of the changes is true of them: a key alone, a missing figure.
+cp -r runs/toy-top keyless
+sed 's/"tilt_max_rad": [0-9.e-]*,/"tilt_max_rad": null,/' runs/toy-top/summary.json >keyless/summary.json
+expect 1 compare runs/toy-top keyless
+on_stdout 'FAILED  drift.tilt_max_rad'
+on_stdout '^what both have has not changed by a bit; what else differs is named above$'
+expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --out short --quiet
+expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --set /numerics/relative_tolerance=1e-9 --out loose --quiet
+expect 1 compare short loose
+on_stdout 'other scenario: /numerics/relative_tolerance'
+grep -q 'has no error bounds' out.txt && fault "a key that differs is taken for a number without bounds"
+on_stdout 'is within.*; what else differs is named above$'
+
 # Exit statuses and what is written.
 expect 0 compare runs/toy-top runs/toy-top
 on_stdout 'not a bit has changed'
@@ -64,6 +77,11 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "t_s,azimuth_rad,
          NR % 10 == 2 { printf "%s,%.12f,0.001\n", $1, atan2($at["axis_L_x"], $at["axis_L_y"]) }' runs/toy-top/trajectory.csv >measured.csv
 expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s --json
 on_stdout '"converged"'
+cp out.txt fit.json
+expect 0 report fit.json
+for word in 'they <strong>agree' omega_sin_latitude_rad_s 'chi-squared after the fit' '<svg'; do
+  grep -q "$word" fit.html || fault "no '$word' on the page of a measurement"
+done
 expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s
 on_stdout 'omega_sin_latitude_rad_s  5.1'
 sed 's/,0.001$/,0.000001/' measured.csv >finer.csv

@@ -39,6 +39,22 @@ expect 0 study small.json --dry-run
 on_stdout '10 points'
 [ ! -e out ] || fault "a dry run left a directory"
 
+# A study that cannot succeed is refused before anything is written, a dry run of it too.
+sed 's/latitude_deg/lattitude_deg/; s/"axis": "lattitude_deg"/"axis": "latitude_deg"/' small.json >misspelt.json
+sed 's/-80, "to": 80, "points": 5/100, "to": 200, "points": 500/' small.json >hopeless.json
+for flag in --dry-run --quiet; do
+  expect 2 study misspelt.json $flag
+  on_stderr '/axes/0/pointer: /site/lattitude_deg.*did you mean "latitude_deg"'
+  expect 2 study hopeless.json $flag
+  on_stderr '/site/latitude_deg: 100 is out of range.*all 20 points looked at, of 1000.*--keep-going'
+done
+[ ! -e out ] || fault "a hopeless study left a directory"
+expect 0 study hopeless.json --dry-run --keep-going
+on_stdout '20 of 20 points looked at are refused'
+expect 1 study hopeless.json --keep-going --quiet --out room
+expect 0 study small.json --out room # without --force: nothing had been completed there
+on_stderr "another study's, no point of which had been completed"
+
 # The main case.
 expect 0 study small.json
 on_stdout 'A study for the shell'
@@ -112,7 +128,7 @@ sed 's/"points": 800/"points": 40000/' many.json >long.json
 holder=$!
 while [ ! -s held/study.sqlite.lock ]; do sleep 0.01; done
 expect 2 study long.json --out held
-on_stderr "written by process $holder on "
+on_stderr "in use by process $holder on .*, since "
 kill -TERM $holder
 wait $holder
 status=$?

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
 #include "results/made_up_run.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace {
@@ -140,8 +143,28 @@ TEST(Svg, TextIsEscaped) {
   EXPECT_NE(picture.find("a &lt; b"), std::string::npos);
 }
 
+TEST(Printable, WhatCannotBeSeenStandsAsAnEscape) {
+  for (const char32_t code :
+       {0x1,    0x7F,   0x85,   0xAD,   0x34F,  0x61C,  0x115F, 0x180E, 0x200B, 0x200D, 0x200F,  0x2028, 0x2029,
+        0x202A, 0x202E, 0x2060, 0x2066, 0x2069, 0x3164, 0xFE0F, 0xFEFF, 0xFFF9, 0xFFFE, 0xE0041, 0xE0100}) {
+    std::string text = "a";
+    append_utf8(code, text);
+    for (const std::string& shown : {printable(text), escape_xml(text)}) {
+      EXPECT_EQ(shown.substr(0, 2), "a\\") << static_cast<unsigned>(code);
+      EXPECT_TRUE(std::all_of(shown.begin(), shown.end(), [](char c) { return c >= 0x20 && c < 0x7F; }));
+    }
+    const std::string document = json_with_escapes(nlohmann::json(text).dump());
+    EXPECT_EQ(nlohmann::json::parse(document).get<std::string>(), text);
+  }
+  for (const char* seen : {"°Ω—😀", "a b", "é", "漢字", "\xC2\xA0"}) EXPECT_EQ(printable(seen), seen);
+}
+
 TEST(SvgText, OnlyWhatXmlHolds) {
   EXPECT_EQ(escape_xml("°Ω—😀"), "°Ω—😀");
+  EXPECT_EQ(escape_xml("a\xE2\x80\x8B"
+                       "b"),
+            "a\\u200bb");
+  EXPECT_EQ(escape_xml("\n\t\r"), "\n\t\r");
   EXPECT_EQ(escape_xml("\xC0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD");                  // overlong
   EXPECT_EQ(escape_xml("\xED\xA0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // a surrogate
   EXPECT_EQ(shorten("°°°°", 4), "°°°°");

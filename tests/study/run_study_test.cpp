@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 
 #include "earthtop/run.hpp"
 #include "study/message.hpp"
+#include "study/sqlite.hpp"
 #include "study/store_lock.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -102,13 +104,112 @@ TEST(RunStudy, AllRowsAreComputedWhereAQuantityNeedsThem) {
   EXPECT_LT(step_s(R"(, "rows": "all", "collect": ["scenario.motion.output_step_s"])"), 0.5);
 }
 
-TEST(RunStudy, AQuantityThatDoesNotExistFailsItsPointsWithTheReason) {
+TEST(RunStudy, AQuantityThatSomeRunsLackIsEmptyThereAndNoFailure) {
   const TemporaryDirectory dir;
-  const auto report = run_in(dir.path(), small_study(R"(, "collect": ["drift.no_such", "drift.secular.azimuth_rate_rad_s"])"));
-  EXPECT_EQ(report.failed, 21U);
+  const auto report = run_in(dir.path(), small_study(R"(, "collect": ["drift.digits.axis_final_rad", "drift.threshold_time_s",
+      "stops.0.t_s", "theory.7.computed", "drift.axis_final_rad"])"));
+  EXPECT_EQ(report.failed, 7U);  // a tilt of 200 degrees
   const Json document = Json::parse(study_json(report.store));
-  EXPECT_EQ(document.at("statuses").at("no_such_quantity"), 14);
-  EXPECT_EQ(document.at("failures").at(0).at("reason"), "summary.json has no drift.no_such");
+  const Json& point = document.at("points").at(0);
+  for (const char* empty : {"drift.digits.axis_final_rad", "drift.threshold_time_s", "stops.0.t_s", "theory.7.computed"})
+    EXPECT_TRUE(point.at(empty).is_null()) << empty;
+  EXPECT_TRUE(point.at("drift.axis_final_rad").is_number());
+}
+
+/// A study none of whose points is a scenario.
+Study refused_study(int points) {
+  return parse_study({"refused.json", R"({"base": ")" + kBase + R"(", "axes": [{"pointer": "/release/tilt_deg",
+      "range": {"from": 200, "to": 300, "points": )" +
+                                          std::to_string(points) + "}}]}"});
+}
+
+TEST(HopelessStudies, AreRefusedWithTheirOneFindingAndNothingWritten) {
+  const TemporaryDirectory dir;
+  for (const int points : {1, 7, 20, 21, 5000}) {
+    const fs::path place = dir.path() / std::to_string(points);
+    try {
+      run_in(place, refused_study(points));
+      ADD_FAILURE() << points << " points were computed";
+    } catch (const ScenarioError& error) {
+      EXPECT_NE(std::string(error.what()).find("/release/tilt_deg: 200 is out of range"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("--keep-going"), std::string::npos);
+    }
+    EXPECT_FALSE(fs::exists(place));
+  }
+  // A shard is refused as the whole is: what is looked at is the whole design.
+  EXPECT_THROW(run_in(dir.path() / "shard", refused_study(5000), 2, {3, 4}), ScenarioError);
+  StudyRunOptions options;
+  options.dir = dir.path() / "going";
+  options.keep_going = true;
+  EXPECT_EQ(run_study(refused_study(50), options).failed, 50U);
+}
+
+TEST(HopelessStudies, AreThoseWhoseEveryPointLookedAtIsRefusedForOneKey) {
+  // One point of the last axis's three is a scenario: twenty points at equal distances of 57 would meet the other two alone.
+  const auto sampled = [](const std::string& values) {
+    return sample_points(parse_study({"s.json", R"({"base": ")" + kBase + R"(", "axes": [
+        {"pointer": "/site/longitude_deg", "range": {"from": 0, "to": 18, "points": 19}},
+        {"pointer": "/release/tilt_deg", "values": )" +
+                                                    values + "}]}"}));
+  };
+  const StudySample mixed = sampled("[200, 20, 200]");
+  EXPECT_EQ(mixed.looked_at, 20U);
+  EXPECT_GT(mixed.refused, 0U);
+  EXPECT_LT(mixed.refused, 20U);
+  EXPECT_FALSE(mixed.common);
+  EXPECT_TRUE(sampled("[200, 190, -1]").common);
+  // Two reasons that have nothing to do with each other are not one finding.
+  const StudySample two = sample_points(parse_study({"s.json", R"({"base": ")" + kBase + R"(", "axes": [
+      {"pointers": ["/release/tilt_deg", "/site/latitude_deg"], "values": [[200, 45], [20, 95]]}]})"}));
+  EXPECT_EQ(two.refused, 2U);
+  EXPECT_FALSE(two.common);
+}
+
+TEST(HopelessStudies, TheFirstAndTheLastPointAreLookedAt) {
+  for (const char* values : {"[20, 200, 200]", "[200, 200, 20]"}) {
+    const StudySample sample = sample_points(parse_study({"s.json", R"({"base": ")" + kBase + R"(", "axes": [
+        {"pointer": "/release/tilt_deg", "values": )" + values + R"(},
+        {"pointer": "/site/longitude_deg", "range": {"from": 0, "to": 1, "points": 1}}]})"}));
+    EXPECT_FALSE(sample.common) << values;
+  }
+  std::string list = "[20";
+  for (int i = 0; i < 4000; ++i) list += ", 200";
+  EXPECT_FALSE(
+      sample_points(parse_study({"s.json", R"({"base": ")" + kBase +
+                                               R"(", "axes": [{"pointer": "/release/tilt_deg", "values": )" + list + "]}]}"}))
+          .common);
+}
+
+TEST(HopelessStudies, OneThatIsUnderWayGoesOn) {
+  const TemporaryDirectory dir;
+  // The good point is the second of 4,002, which is not looked at.
+  std::string list = "[200, 20";
+  for (int i = 0; i < 4000; ++i) list += ", 200";
+  const Study study = parse_study(
+      {"s.json", R"({"base": ")" + kBase +
+                     R"(", "set": {"/motion/duration_s": 0.1}, "axes": [{"pointer": "/release/tilt_deg", "values": )" + list +
+                     "]}]}"});
+  if (!sample_points(study).common) GTEST_SKIP() << "the one good point is among those looked at";
+  EXPECT_THROW(run_in(dir.path(), study), ScenarioError);
+  StudyRunOptions options;
+  options.dir = dir.path();
+  options.keep_going = true;
+  EXPECT_EQ(run_study(study, options).failed, 4001U);
+  EXPECT_EQ(run_in(dir.path(), study).progress.before, 4002U);
+}
+
+TEST(RunStudy, AStoreWithoutACompletedPointMakesRoom) {
+  const TemporaryDirectory dir;
+  StudyRunOptions options;
+  options.dir = dir.path();
+  options.keep_going = true;
+  EXPECT_FALSE(run_study(refused_study(3), options).replaced);
+  const auto next = run_study(small_study(), options);
+  EXPECT_TRUE(next.replaced);
+  EXPECT_EQ(next.progress.done, 21U);
+  // What has been completed stays.
+  EXPECT_THROW(run_study(refused_study(3), options), ScenarioError);
+  EXPECT_EQ(run_in(dir.path(), small_study()).progress.before, 21U);
 }
 
 TEST(RunStudy, AnAccuracyThatIsNotReachedIsAFailureThatKeepsItsNumbers) {
@@ -198,6 +299,38 @@ TEST(StoreLocks, NameTheHolderAndEndWithIt) {
   EXPECT_FALSE(fs::exists(store.string() + ".lock"));
 }
 
+TEST(StoreLocks, OfAHolderThatLivesAreToldAtOnce) {
+  const TemporaryDirectory dir;
+  const fs::path store = run_in(dir.path(), small_study()).store;
+  int to_parent[2];
+  ASSERT_EQ(::pipe(to_parent), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {  // not this program: one that has locked the whole file
+    study::sqlite::Connection other(store.string(), study::sqlite::Connection::Mode::write);
+    other.execute("BEGIN EXCLUSIVE");
+    const ssize_t told = ::write(to_parent[1], "x", 1);
+    ::pause();
+    ::_exit(told == 1 ? 0 : 1);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(to_parent[0], &byte, 1), 1);
+  for (const bool writes : {false, true}) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      writes ? static_cast<void>(run_in(dir.path(), small_study())) : static_cast<void>(study_json(store));
+      ADD_FAILURE() << "a locked store was used";
+    } catch (const ScenarioError& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find("is in use by"), std::string::npos) << what;
+      EXPECT_NE(what.find("process " + std::to_string(child)), std::string::npos) << what;
+    }
+    // A wait's generous guard: with SQLite's own patience it is ten seconds and more.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  }
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
 TEST(Figures, AreHeldAgainstTheResults) {
   const TemporaryDirectory dir;
   const auto report = run_in(dir.path(), small_study(R"(, "figures": [
@@ -234,6 +367,23 @@ TEST(Cells, AreQuotedWhereCsvNeedsIt) {
   EXPECT_EQ(csv_cell(0.1), "0.1");
   EXPECT_EQ(csv_cell(std::string("a,\"b\"")), "\"a,\"\"b\"\"\"");
   EXPECT_EQ(csv_cell({}), "");
+}
+
+TEST(Cells, AreNoFormulas) {
+  using study::csv_cell;
+  const auto cell = [](const char* word) { return csv_cell(std::string(word)); };
+  EXPECT_EQ(cell("=1+1"), "\"'=1+1\"");
+  EXPECT_EQ(cell("+cmd|' /C calc'!A0"), "\"'+cmd|' /C calc'!A0\"");
+  EXPECT_EQ(cell("-2+3"), "\"'-2+3\"");
+  EXPECT_EQ(cell("@SUM(A1)"), "\"'@SUM(A1)\"");
+  EXPECT_EQ(cell("\t=1"), "\"'\t=1\"");
+  EXPECT_EQ(cell("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_cell(-1.5), "-1.5");
+  EXPECT_EQ(cell("-1.5"), "-1.5");
+  EXPECT_EQ(cell("a=b"), "a=b");
+  EXPECT_EQ(cell("a\xE2\x80\x8B"
+                 "b"),
+            "a\\u200bb");
 }
 
 }  // namespace

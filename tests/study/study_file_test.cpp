@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
 
+#include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/study/study.hpp"
+#include "results/summary_section.hpp"
 
 namespace earthtop {
 namespace {
@@ -107,6 +112,108 @@ INSTANTIATE_TEST_SUITE_P(
               "/figures/0/tolerance", "out of range"},
         Fault{AXES R"(, "limits": {"points": 0})", "/limits/points", "out of range"}));
 
+#define COLLECT(path) AXES ", \"collect\": [{\"name\": \"q\", \"path\": \"" path "\"}]"
+#define POINTER(pointer) "\"axes\": [{\"pointer\": \"" pointer "\", \"name\": \"x\", \"values\": [1]}]"
+INSTANTIATE_TEST_SUITE_P(
+    PointersAndPaths, StudyFaults,
+    ::testing::Values(Fault{POINTER("/site/lattitude_deg"), "/axes/0/pointer", "did you mean \"latitude_deg\""},
+                      Fault{POINTER("/spin_rad_s"), "/axes/0/pointer", "did you mean \"/release/spin_rad_s\""},
+                      Fault{POINTER("/site/latitude_deg/x"), "/axes/0/pointer", "nothing lies below /site/latitude_deg"},
+                      Fault{POINTER("/body/center_of_mass_m/3"), "/axes/0/pointer", "0 to 2"},
+                      Fault{POINTER("/body/inertia/matrix_kg_m2/0/3"), "/axes/0/pointer", "0 to 2"},
+                      Fault{POINTER("/body/solids/first/mass_kg"), "/axes/0/pointer", "no index"},
+                      Fault{POINTER("/body/solids/0/mass"), "/axes/0/pointer", "did you mean \"mass_kg\""},
+                      Fault{POINTER("/effects/corolis"), "/axes/0/pointer", "did you mean \"coriolis\""},
+                      Fault{POINTER("/site/~2"), "/axes/0/pointer", "no JSON pointer"},
+                      Fault{POINTER("/_note"), "/axes/0/pointer", "comment"},
+                      Fault{AXES R"(, "set": {"/motion/duration": 2})", "/set/~1motion~1duration",
+                            "did you mean \"duration_s\""},
+                      Fault{COLLECT("drift.axis_final"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
+                      Fault{COLLECT("axis_final_rad"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
+                      Fault{COLLECT("drifts.axis_final_rad"), "/collect/0", "did you mean \"drift\""},
+                      Fault{COLLECT("drift.verdict.x"), "/collect/0", "nothing lies below drift.verdict"},
+                      Fault{COLLECT("motion.axis_final_L.3"), "/collect/0", "0 to 2"},
+                      Fault{COLLECT("theory.first.computed"), "/collect/0", "theory is a list"},
+                      Fault{COLLECT("drift."), "/collect/0", "in drift"},
+                      Fault{COLLECT("scenario.site.latitude"), "/collect/0", "did you mean \"scenario.site.latitude_deg\""}));
+
+TEST(StudyFile, PointersAndPathsThatSomeScenesHaveAreAccepted) {
+  for (const char* pointer : {"/body/center_of_mass_m/2", "/body/inertia/matrix_kg_m2/2/2", "/body/solids/7/mass_kg",
+                              "/effects/gravity_gradient/gm_over_r3_s2", "/effects", "/release/precession/rate_rad_s",
+                              "/platform/pivot_offset_m/0", "/report/threshold_rad", "/criteria/0/values/3", "/title"})
+    EXPECT_TRUE(errors(file(std::string(R"("axes": [{"name": "x", "values": [1], "pointer": ")") + pointer + "\"}]")).empty())
+        << pointer;
+  for (const char* path : {"drift.threshold_time_s",
+                           "drift.secular.azimuth_rate_rad_s",
+                           "drift.digits.axis_final_rad",
+                           "drift",
+                           "theory.3.computed",
+                           "invariants.0.largest_change",
+                           "stops.1.t_s",
+                           "ledger.residual_max_N_m",
+                           "sensitivities.inputs.6.d_axis_rad",
+                           "sensitivities.unavailable",
+                           "uncertainty.from_inputs_rad",
+                           "selection.switched_on.0",
+                           "accuracy.reached_rad",
+                           "headline.difference",
+                           "motion.axis_final_L.2",
+                           "scenario.body.solids.2.mass_kg",
+                           "scenario.body.inertia.matrix_kg_m2.2.0",
+                           "effects.modelled.4",
+                           "scenario.platform.frequency_hz",
+                           "scenario.platform.acceleration_rad_s2",
+                           "scenario.release.quaternion_LB.w",
+                           "scenario.release.tilt_deg",
+                           "scenario.effects.tide.tilt_factor",
+                           "scenario.numerics.step_s",
+                           "scenario.numerics.relative_tolerance",
+                           "provenance.constants.1.value"})
+    EXPECT_TRUE(errors(file(kAxis + R"(, "collect": [{"name": "q", "path": ")" + path + "\"}]")).empty()) << path;
+}
+
+/// Every path to a value below a member of a document.
+void for_each_path(const nlohmann::json& at, const std::string& path, const std::function<void(const std::string&)>& visit) {
+  if (!at.is_structured()) return visit(path);
+  std::size_t index = 0;
+  for (const auto& item : at.items()) {
+    const std::string step = at.is_array() ? std::to_string(index++) : item.key();
+    for_each_path(item.value(), path.empty() ? step : path + "." + step, visit);
+  }
+}
+
+TEST(SummaryPaths, EveryMemberOfAnySummaryIsAccepted) {
+  using Sets = std::vector<std::pair<std::string, std::string>>;
+  const std::pair<const char*, Sets> scenes[] = {
+      {"toy-top", {{"/numerics/precision", "float128"}, {"/numerics/ledger", "body"}, {"/report/threshold_rad", "1e-6"}}},
+      {"toy-top", {{"/report/sensitivities", "true"}, {"/release/tilt_deg", "0"}}},
+      {"toy-top", {{"/uncertainty/latitude_deg", "0.1"}, {"/accuracy/drift_rad", "1e-6"}, {"/effects", "\"auto\""}}},
+      {"turntable",
+       {{"/effects/gravity_gradient", "true"},
+        {"/effects/polar_motion/x_arcsec", "1"},
+        {"/effects/polar_motion/y_arcsec", "0"}}},
+      {"free-gyro", {{"/effects/coulomb_torque_N_m", "1e-3"}, {"/effects/air_drag/disc_radius_m", "0.01"}}},
+      {"asymmetric-top",
+       {{"/effects/tide", R"({"amplitude_m_s2": [0, 0, 1e-6], "frequency_hz": 1})"},
+        {"/effects/deflection_of_vertical/north_arcsec", "3"}}},
+      {"dzhanibekov", {{"/numerics/method", "closed_form"}}},
+      {"foucault-pendulum", {}},
+      {"nesc-tumbling-brick", {{"/numerics/method", "rkf78"}, {"/effects/gimbal", "false"}}}};
+  for (const auto& [name, sets] : scenes) {
+    Sets all = sets;
+    all.emplace_back("/motion/duration_s", "0.5");
+    const auto scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS "/") + name + ".json"), all);
+    const auto summary = nlohmann::json::parse(summary_json(run(scenario)));
+    int paths = 0;
+    for_each_path(summary, "", [&](const std::string& path) {
+      if (path.find("libraries") != std::string::npos) return;  // one of them may have a dot in its name
+      ++paths;
+      EXPECT_EQ(summary_path_fault(path).value_or(""), "") << name << " " << path;
+    });
+    EXPECT_GT(paths, 80) << name;
+  }
+}
+
 TEST(StudyFile, AllFaultsAreToldAtOnce) {
   EXPECT_EQ(errors(R"({"axes": [{"pointer": "a", "values": [1]}], "design": {"kind": "x"}, "name": "A"})").size(), 4U);
 }
@@ -134,7 +241,8 @@ TEST(StudyLimits, CountBeforeAnythingIsBuilt) {
   };
   const std::string huge = R"("range": {"from": 0, "to": 1, "points": 1000000000})";
   EXPECT_NE(
-      refusal(R"("axes": [{"pointer": "/a", )" + huge + R"(}, {"pointer": "/b", )" + huge + "}]").find("more than 9e15 points"),
+      refusal(R"("axes": [{"pointer": "/site/latitude_deg", )" + huge + R"(}, {"pointer": "/site/height_m", )" + huge + "}]")
+          .find("more than 9e15 points"),
       std::string::npos);
   EXPECT_NE(refusal(kAxis + R"(, "limits": {"points": 1})").find("2 points"), std::string::npos);
   EXPECT_NE(

@@ -43,7 +43,7 @@ std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
 std::string pair_text(const PairReport& pair, bool everything) {
   std::string text;
   if (!pair.name.empty()) text += fmt::format("{}: {}\n", printable(pair.name), verdict_word(pair));
-  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", pair.refusal);
+  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", printable(pair.refusal));
   for (const CompareFinding& finding : pair.findings)
     text += fmt::format("  FAILED  {}: {}\n", finding.kind, printable(finding.text));
   std::size_t width = 8;
@@ -58,7 +58,7 @@ std::string pair_text(const PairReport& pair, bool everything) {
     has_header = true;
     text += quantity_line(quantity, width);
   }
-  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", hint);
+  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", printable(hint));
   if (everything || !pair.passed())
     for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", printable(note));
   if (everything || !pair.passed())
@@ -71,20 +71,41 @@ std::string pair_text(const PairReport& pair, bool everything) {
   return text;
 }
 
-/// What the changes amount to.
-std::string_view summary_of_changes(const CompareReport& report) {
-  bool moved = false, above = false, unknown = false;
-  for (const PairReport& pair : report.pairs)
+/// What the changes amount to: of the numbers that both have, held against their error bounds where they have any; and whether
+/// something else differs, that no bound speaks of: a key, a word, a missing value, the scenario, the cost.
+std::string summary_of_changes(const CompareReport& report) {
+  bool compared = false, moved = false, above = false, within_failed = false, unknown = false, unknown_failed = false,
+       other = false;
+  for (const PairReport& pair : report.pairs) {
+    other = other || !pair.refusal.empty() || !pair.findings.empty() ||
+            std::any_of(pair.cost.begin(), pair.cost.end(), [](const CostRatio& ratio) { return !ratio.passed(); });
     for (const QuantityVerdict& quantity : pair.quantities) {
-      moved = moved || quantity.change != Change::none;
+      compared = compared || quantity.compared > 0;
+      other = other || !quantity.reason.empty();
+      if (quantity.change == Change::none || (!quantity.reason.empty() && quantity.largest == 0)) continue;
+      moved = true;
       above = above || quantity.change == Change::above_errors;
+      within_failed = within_failed || (quantity.change == Change::within_errors && !quantity.passed);
       unknown = unknown || quantity.change == Change::unknown;
+      unknown_failed = unknown_failed || (quantity.change == Change::unknown && !quantity.passed);
     }
-  if (!moved) return report.passed() ? "not a bit has changed" : "what both have has not changed by a bit";
-  if (above) return "something has changed by more than both error bounds";
-  if (!unknown) return "all that has changed is within both error bounds";
-  return report.passed() ? "where error bounds are known, what has changed is within them; the rest is within its tolerance"
-                         : "what has changed by more than its tolerance has no error bounds";
+  }
+  std::string text;
+  if (!compared)
+    return "no number could be compared";
+  else if (!moved)
+    text = other ? "what both have has not changed by a bit" : "not a bit has changed";
+  else if (above)
+    text = "something has changed by more than both error bounds";
+  else if (!unknown)
+    text = "all numbers that have changed are within both error bounds";
+  else if (!unknown_failed)
+    text = "where error bounds are known, what has changed is within them; the rest is within its tolerance";
+  else if (!within_failed)
+    text = "what has changed by more than its tolerance has no error bounds";
+  else
+    text = "where error bounds are known, what has changed is within them; something without has passed its tolerance";
+  return other ? text + "; what else differs is named above" : text;
 }
 
 }  // namespace

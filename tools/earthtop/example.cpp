@@ -32,8 +32,10 @@ ScenarioSource source_of(const Example& example) { return {std::string(example.n
 
 int example_verb(const ExampleArguments& arguments) {
   if (arguments.list) {
+    std::string list;
     for (const Example& example : examples())
-      print(fmt::format("{:<32}{}\n", example.name, parse_scenario(source_of(example)).title));
+      list += fmt::format("{:<32}{}\n", example.name, parse_scenario(source_of(example)).title);
+    print(list);
     return kDone;
   }
   const Example& example = find_example(arguments.name.value_or("toy-top"));

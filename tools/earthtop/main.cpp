@@ -75,6 +75,8 @@ int guarded_main(int argc, char** argv) {
     return report_errors(error.file(), {{0, 0, "", error.reason() + remedy}}, json && !lost, kWriteFailed);
   } catch (const ArithmeticError& error) {
     return report_errors("", {{0, 0, "", error.what()}}, json, kNumericalFailure);
+  } catch (const ReaderGone&) {
+    throw;
   } catch (const std::bad_alloc&) {
     return report_errors("", {{0, 0, "", "out of memory; take fewer rows (a longer output_step_s, no ledger)"}}, json,
                          kNumericalFailure);
@@ -91,6 +93,8 @@ int main(int argc, char** argv) {
   try {
     earthtop::tool::install_stop_handlers(earthtop::tool::wants_json(argc, argv));
     return earthtop::tool::guarded_main(argc, argv);
+  } catch (const earthtop::tool::ReaderGone&) {
+    return earthtop::tool::end_quietly();
   } catch (const std::exception& error) {  // reporting an error failed, too
     earthtop::tool::message(std::string("earthtop: error: ") + error.what());
     return earthtop::tool::kWriteFailed;

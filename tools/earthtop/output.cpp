@@ -33,11 +33,17 @@ std::atomic<bool> printed = false;
 bool has_printed() noexcept { return printed; }
 
 void print(std::string_view text) {
+  static bool reader_has_gone = false;
+  if (reader_has_gone) throw ReaderGone();
   printed = true;
   errno = 0;
   const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!whole || std::ferror(stdout) != 0) {
     const int error = errno;
+    if (error == EPIPE) {
+      reader_has_gone = true;
+      return;
+    }
     throw WriteError(kStandardOutput, error != 0 ? std::strerror(error) : "writing failed");
   }
 }
@@ -45,6 +51,12 @@ void print(std::string_view text) {
 void message(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+int end_quietly() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  return kReaderGone;
 }
 
 bool wants_color() { return is_lively_terminal(STDOUT_FILENO); }
@@ -64,8 +76,9 @@ nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic
 }
 
 namespace {
+/// In ASCII: what cannot be seen, or turns a terminal's text round, stands as an escape.
 std::string dump(const nlohmann::ordered_json& document) {
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return document.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 }  // namespace
 

@@ -1,6 +1,7 @@
 /// What the program says: results on standard output, everything else on standard error.
 #pragma once
 
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@
 namespace earthtop::tool {
 
 /// Exit statuses; 128 + signal where a signal stopped the work.
-enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4 };
+enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4, kReaderGone = 141 };
 
 /// The name of standard output in a WriteError.
 inline constexpr const char* kStandardOutput = "<standard output>";
@@ -20,11 +21,19 @@ inline constexpr const char* kStandardOutput = "<standard output>";
 /// 0 to 2 are taken, so that no result file becomes "standard output".
 void prepare_streams();
 
-/// Writes to standard output and makes sure that it arrived. @throws WriteError
+/// Whoever read standard output has closed it, and there is more to print.
+class ReaderGone : public std::exception {};
+
+/// Writes to standard output and makes sure that it arrived. A reader that has seen enough (`| head`) is no error: what it does
+/// not take is lost, and a verb with nothing more to print ends with its own status. @throws WriteError; ReaderGone where the
+/// reader had gone before this call
 void print(std::string_view text);
 
 /// Whether anything has been printed, or begun to be. Safe in a signal handler.
 bool has_printed() noexcept;
+
+/// Ends the program as a signal SIGPIPE does, without a word. @returns kReaderGone where that signal is blocked
+int end_quietly();
 
 /// Writes a line to standard error; what cannot be written there is lost.
 void message(std::string_view line);

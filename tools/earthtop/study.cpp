@@ -26,7 +26,7 @@ struct StudyArguments {
   std::optional<std::string> out;
   unsigned jobs = 0;
   std::string shard;
-  bool force = false, retry_failed = false, dry_run = false;
+  bool force = false, keep_going = false, retry_failed = false, dry_run = false;
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // of merge, show, export
 };
@@ -53,15 +53,22 @@ fs::path store_of(const std::string& given) {
 int dry_run(const Study& study, const StudyArguments& arguments) {
   require_affordable(study);
   const StudyEstimate expected = estimate(study);
+  const StudySample sample = sample_points(study);
+  if (sample.common && !arguments.keep_going) throw *sample.common;
   if (arguments.json)
     print_json({{"name", study.name},
                 {"points", expected.points},
                 {"core_seconds", expected.core_seconds},
                 {"disk_bytes", expected.disk_bytes},
+                {"points_looked_at", sample.looked_at},
+                {"points_refused", sample.refused},
                 {"study_sha256", study_sha256(study)}});
   else
-    print(fmt::format("{}: {} points, about {} on one core, {:.2g} MB\n", study.name, expected.points,
-                      duration_text(expected.core_seconds), expected.disk_bytes / 1e6));
+    print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
+                      about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
+  if (!arguments.json && sample.refused > 0)
+    print(fmt::format("{} of {} points looked at are refused, the first one because of {}\n", sample.refused, sample.looked_at,
+                      sample.first_refusal));
   return kDone;
 }
 
@@ -110,6 +117,7 @@ int study_verb(const StudyArguments& arguments) {
   options.jobs = arguments.jobs;
   options.shard = parse_shard(arguments.shard);
   options.force = arguments.force;
+  options.keep_going = arguments.keep_going;
   options.retry_failed = arguments.retry_failed;
   options.processes = &processes;
   StudyRunReport report;
@@ -127,6 +135,9 @@ int study_verb(const StudyArguments& arguments) {
     };
     report = run_study(study, options);
   }
+  if (report.replaced && !arguments.quiet && !arguments.json)
+    message(fmt::format("{} was another study's, no point of which had been completed; it has been replaced",
+                        printable(report.store.string())));
   if (report.interrupted)
     return report_errors("",
                          {{0, 0, "",
@@ -187,6 +198,8 @@ void add_study(CLI::App& app, Action& action) {
   study->add_option("--jobs", arguments->jobs, "threads; default: one a core")->type_name("N")->check(CLI::Range(1, 4096));
   study->add_option("--shard", arguments->shard, "compute every N-th point only, from the K-th on")->type_name("K/N");
   study->add_flag("--force", arguments->force, "throw away a store of another study");
+  study->add_flag("--keep-going", arguments->keep_going,
+                  "compute it even if all points looked at beforehand are refused alike");
   study->add_flag("--retry-failed", arguments->retry_failed, "compute failed points again");
   study->add_flag("--dry-run", arguments->dry_run, "count the points and estimate time and disk, compute nothing");
   add_output_flags(*study);

@@ -183,6 +183,8 @@ std::string study_text(const Json& document) {
 }
 
 std::string duration_text(double seconds) {
+  if (seconds < 0.1) return "less than 0.1 s";
+  if (seconds < 0.95) return fmt::format("{:.1f} s", seconds);
   if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
   if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
 
@@ -202,17 +203,21 @@ void write_threshold(Page& page, const RunResult& result) {
 }
 
 void write_trend(Page& page, const RunResult& result) {
-  if (const auto secular = reliable_drift(result).secular) {
-    page.entry("Trend", fmt::format("precession changes by {:.4e} ± {:.1e} rad/s, - is clockwise",
-                                    secular->mean_precession_rate_change_rad_s, secular->azimuth_rate_standard_error_rad_s));
+  const bool has_azimuth = std::all_of(result.rows.begin(), result.rows.end(), [](const DriftRow& row) {
+    return !row.drift_reliable || (row.drift_azimuth_rad && azimuths_tell(row.axis_L, row.ref_axis_L, row.drift_axis_rad));
+  });
+  if (const auto secular = reliable_drift(result).secular; secular && has_azimuth) {
+    page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
+                                    secular->azimuth_rate_rad_s, secular->azimuth_rate_standard_error_rad_s));
     for (const TheoryReport& report : result.theory)
-      if (report.name == "precession_rate_change")
-        page.entry("", fmt::format("first-order theory of a fast top: -Ω sin(latitude) = {:.4e} rad/s", report.predicted));
+      if (report.name == "precession_rate_change")  // which is counted counterclockwise
+        page.entry("", fmt::format("first-order theory of a fast top: Ω sin(latitude) = {:+.4e} rad/s, + as above",
+                                   0.0 - report.predicted));
     page.entry("Swings",
                fmt::format("up to {:.3g} rad of azimuth to either side of the trend", secular->azimuth_oscillation_rad));
   }
   for (const TheoryReport& report : result.theory) {
-    if (report.name == "precession_rate_change") continue;  // said above
+    if (report.name == "precession_rate_change") continue;  // said above, where the azimuth has a trend
     page.entry("Theory", fmt::format("{}: {:.6g} {} predicted, {:.6g} computed", spoken(report.name), report.predicted,
                                      report.unit, report.computed));
   }

@@ -119,7 +119,7 @@ std::string sum_of(const Counts& counts) {
 int list_criteria(const std::vector<ScenarioSource>& sources) {
   for (const ScenarioSource& source : sources) {
     const Scenario scenario = parse_scenario(source);
-    print(fmt::format("{:<{}}  {}\n", scenario.name, kNameWidth, scenario.title));
+    print(fmt::format("{:<{}}  {}\n", scenario.name, kNameWidth, printable(scenario.title)));
     for (const CriterionSpec& criterion : scenario.criteria)
       print(fmt::format("  {}{}\n", criterion_text(criterion), criterion.slow ? " (slow)" : ""));
   }

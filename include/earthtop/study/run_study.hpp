@@ -33,6 +33,7 @@ struct StudyRunOptions {
   unsigned jobs = 0;          ///< threads; 0: one a core
   StudyShard shard;
   bool force = false;                                     ///< throw a store of another study away
+  bool keep_going = false;                                ///< compute a study even if all points looked at are refused
   bool retry_failed = false;                              ///< compute failed points again
   std::function<void(const StudyProgress&)> on_progress;  ///< some times a second; may be null
   StudyProcesses* processes = nullptr;                    ///< whose workers compute, if there are any, instead of threads
@@ -43,6 +44,7 @@ struct StudyRunReport {
   StudyProgress progress;
   std::uint64_t failed = 0;  ///< of all points in the store
   bool interrupted = false;
+  bool replaced = false;  ///< another study's store, without a point that came to its end, has made room
   bool complete() const { return progress.before + progress.done >= progress.wanted; }
 };
 
@@ -51,8 +53,10 @@ std::filesystem::path study_store(const std::filesystem::path& dir, const StudyS
 
 /// Computes the points that the store lacks. Each point's result depends on that point alone; the store holds each within a
 /// second or so of its being computed. `request_interrupt` ends it early.
-/// @throws ScenarioError for a study beyond its limits, for a store of another study (unless forced), or one that another
-/// process writes; WriteError
+/// A store of another study that holds no point whose run came to its end is replaced.
+/// @throws ScenarioError for a study beyond its limits, for one of which all points of `sample_points` are refused alike before
+/// any point of it has been computed (unless it is to keep going), for a store of another study (unless forced), or one that
+/// another process writes; WriteError
 StudyRunReport run_study(const Study& study, const StudyRunOptions& options);
 
 /// Puts stores of one study together, shards of it or any parts.

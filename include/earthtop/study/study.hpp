@@ -72,6 +72,7 @@ struct Study {
   std::string title, purpose, finding;
   std::string text;  ///< the study file's
   ScenarioSource base;
+  bool base_inside = false;                              ///< the base stands in the study file itself, not in a file of its own
   std::vector<std::pair<std::string, std::string>> set;  ///< JSON pointer and JSON value
   std::vector<StudyAxis> axes;
   StudyDesign design;
@@ -83,7 +84,8 @@ struct Study {
 };
 
 /// Decodes and validates a study file, and reads its base.
-/// @param base  instead of the file that the study names
+/// @param base  instead of the file that the study names: of a study that was accepted before (a store's). Whether its pointers
+/// and paths are still those of a scenario and a summary is not asked: what was computed stays readable.
 /// @throws ScenarioError with all violations; for a base that cannot be read; ReadError.
 Study parse_study(const ScenarioSource& source, const std::optional<ScenarioSource>& base = std::nullopt);
 
@@ -102,6 +104,17 @@ struct StudyEstimate {
   double disk_bytes = 0;
 };
 StudyEstimate estimate(const Study& study);
+
+/// What some of a study's points turn out to be, before any is computed.
+struct StudySample {
+  std::uint64_t looked_at = 0;
+  std::uint64_t refused = 0;
+  std::string first_refusal;            ///< of the first one refused; empty where none is
+  std::optional<ScenarioError> common;  ///< what all of them are refused for, where it is the same
+};
+/// Resolves twenty points spread over the whole design, the first and the last among them (all of fewer): decodes and checks
+/// each one's scenario, and integrates nothing. Two refusals are the same where they are for the same key.
+StudySample sample_points(const Study& study);
 
 /// The identity of a study's results: SHA-256 of design, axes, quantities, and of the base as the points see it. Comments,
 /// titles, fits and limits are not part of it.

@@ -1,0 +1,163 @@
+// Which members a summary.json can have: those of runs made up to have everything that a run can have, taken together. The
+// members are written by the code that writes every summary, so that there is no second list of them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "earthtop/results/results.hpp"
+#include "results/summary_section.hpp"
+#include "scenario/pointers.hpp"
+#include "scenario/suggest.hpp"
+
+namespace earthtop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What some scenarios have in place of what others have: one of these each.
+constexpr int kKinds = 4;
+
+BodySpec any_body(int kind) {
+  BodySpec body;
+  if (kind > 0) body.solids = {{SolidShape::ring, 1, 1, 1, 1.0, 1.0, 0}};
+  return body;
+}
+
+ReleaseSpec any_release(int kind) {
+  ReleaseSpec release;
+  release.precession = kind == 0 ? Precession::given : Precession::none;
+  if (kind > 1) release.quaternion_LB = {1, 0, 0, 0};
+  if (kind > 2) release.angular_velocity_body_rad_s = {0, 0, 1};
+  return release;
+}
+
+/// Every optional key of a scenario; where only one of several can stand, the one of this kind.
+Scenario any_scenario(int kind) {
+  Scenario scenario;
+  scenario.body = any_body(kind);
+  scenario.release = any_release(kind);
+  scenario.duration_s = scenario.output_step_s = 1;
+  scenario.headline = HeadlineSpec{"drift_axis_rad", 0.0, 0, 1, ""};
+  scenario.site.pole = {1, 1};
+  scenario.site.deflection = {1, 1};
+  scenario.start_utc = "2026-01-01T00:00:00Z";
+  scenario.platform = PlatformSpec{};
+  scenario.platform->motion = static_cast<PlatformMotion>(kind);
+  const bool first = kind == 0;
+  scenario.effects.tide.emplace().given = first;
+  scenario.effects.automatic = true;
+  scenario.effects.applied = {
+      1, 1, 1, AirDragSpec{}, GravityGradientSpec{first ? GradientField::given : GradientField::radial}, GimbalSpec{}};
+  if (first) scenario.numerics.step_s = 1;
+  scenario.numerics.composition = Composition::rkn6;
+  scenario.precision = Precision::bits113;
+  scenario.ledger = LedgerObserver::laboratory;
+  scenario.threshold_rad = scenario.accuracy_rad = 1;
+  scenario.sensitivities = true;
+  if (kind < 2) scenario.uncertainty.emplace();
+  return scenario;
+}
+
+RunResult any_result(int kind) {
+  RunResult result;
+  result.scenario = result.modelled = any_scenario(kind);
+  result.rows.resize(1);
+  result.extended_rows.resize(1);
+  result.selection = Selection{};
+  result.selection->switched_on = result.selection->left_out = {""};
+  result.accuracy = AccuracyReport{};
+  result.drift.azimuth_final_rad = result.drift.axis_final_over_earth_angle = result.drift.threshold_time_s = 0;
+  result.drift.secular = SecularDrift{};
+  result.stops.resize(1);
+  result.invariants.resize(1);
+  result.theory.resize(1);
+  result.sensitivities = SensitivityReport{};
+  result.sensitivities->inputs.resize(1);
+  if (kind == 1) result.sensitivities->unavailable = "a reason";
+  result.ledger = LedgerReport{};
+  result.notes = {""};
+  return result;
+}
+
+/// A list: how many elements it has depends on the run. Arrays of numbers are vectors, of the same size in every run.
+bool is_list(const Json& array) { return !array.empty() && !array.front().is_number() && !array.front().is_array(); }
+
+/// What either of two has; of a list, one element with the members of all.
+void join(Json& all, Json more) {
+  if (more.is_object()) {
+    if (!all.is_object()) all = Json::object();
+    for (auto& [key, value] : more.items()) join(all[key], std::move(value));
+  } else if (more.is_array()) {
+    if (!all.is_array()) all = Json::array();
+    const bool list = is_list(more);
+    for (std::size_t i = 0; i < more.size(); ++i) join(all[list ? 0 : i], std::move(more[i]));
+  } else if (!all.is_structured()) {
+    all = std::move(more);
+  }
+}
+
+const Json& every_member() {
+  static const Json all = [] {
+    Json joined;
+    for (int kind = 0; kind < kKinds; ++kind) join(joined, Json::parse(summary_json(any_result(kind))));
+    return joined;
+  }();
+  return all;
+}
+
+/// The path of the first member with this name, wherever it stands; empty where there is none.
+std::string place_of(std::string_view name, const Json& at, const std::string& path) {
+  if (!at.is_object()) return "";
+  for (const auto& [key, value] : at.items()) {
+    const std::string below = path.empty() ? key : path + "." + key;
+    if (key == name) return below;
+    if (std::string found = place_of(name, value, below); !found.empty()) return found;
+  }
+  return "";
+}
+
+std::string no_member(const Json& object, const std::string& path, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const auto& item : object.items()) names.emplace_back(item.key());
+  std::string text = fmt::format("summary.json never has \"{}\"{}", name, path.empty() ? "" : fmt::format(" in {}", path));
+  if (const std::string elsewhere = place_of(name, every_member(), ""); !elsewhere.empty())
+    return text + fmt::format("; did you mean \"{}\"", elsewhere);
+  if (const auto meant = scenario::suggest(name, names))
+    return text + fmt::format("; did you mean \"{}{}{}\"", path, path.empty() ? "" : ".", *meant);
+  return text + fmt::format("; there are: {}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::optional<std::string> summary_path_fault(std::string_view path) {
+  const Json* at = &every_member();
+  std::string so_far;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view step = path.substr(begin, end - begin);
+    begin = end + 1;
+    if (at->is_object()) {
+      const auto member = at->find(step);
+      if (member == at->end()) return no_member(*at, so_far, step);
+      at = &*member;
+    } else if (at->is_array() && !at->empty()) {
+      const bool list = is_list(*at);
+      const std::size_t size = list ? static_cast<std::size_t>(-1) : at->size();
+      const auto index = scenario::array_index(step, size);
+      if (!index)
+        return list ? fmt::format("{} is a list; after it comes a number from 0 on, not \"{}\"", so_far, step)
+                    : fmt::format("{} has {} elements; after it comes a number from 0 to {}, not \"{}\"", so_far, size,
+                                  size - 1, step);
+      at = &(*at)[list ? 0 : *index];
+    } else {
+      return fmt::format("nothing lies below {} in summary.json, so there is no \"{}\"", so_far, step);
+    }
+    so_far += so_far.empty() ? "" : ".";
+    so_far += step;
+  }
+  return std::nullopt;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,115 @@
+#include "scenario/pointers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "scenario/fields.hpp"
+#include "scenario/node.hpp"
+#include "scenario/suggest.hpp"
+
+namespace earthtop::scenario {
+namespace {
+
+constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
+
+/// The lengths of the arrays in a value of this kind, from the outer one inward; empty where it is no array of plain values.
+std::vector<std::size_t> lengths_of(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::vector3: return {3};
+    case FieldKind::matrix3: return {3, 3};
+    case FieldKind::numbers: return {4};
+    case FieldKind::changes: return {kAnyLength};
+    default: return {};
+  }
+}
+
+bool may_be_object(FieldKind kind) {
+  return kind == FieldKind::object || kind == FieldKind::object_or_word || kind == FieldKind::flag_or_object;
+}
+
+std::string no_index(std::string_view token, std::size_t size) {
+  const std::string shown = excerpt(token);
+  return size == kAnyLength ? fmt::format("\"{}\" is no index of an array", shown)
+                            : fmt::format("\"{}\" is no index of an array of {}; allowed here: 0 to {}", shown, size, size - 1);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> tokens_of(std::string_view pointer) {
+  if (pointer.empty() || pointer.front() != '/') return std::nullopt;
+  std::vector<std::string> tokens;
+  for (std::size_t i = 0; i < pointer.size(); ++i) {
+    if (pointer[i] == '/') {
+      tokens.emplace_back();
+    } else if (pointer[i] == '~') {
+      ++i;
+      if (i >= pointer.size() || (pointer[i] != '0' && pointer[i] != '1')) return std::nullopt;
+      tokens.back() += pointer[i] == '0' ? '~' : '/';
+    } else {
+      tokens.back() += pointer[i];
+    }
+  }
+  return tokens;
+}
+
+std::optional<std::size_t> array_index(std::string_view token, std::size_t size) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  const bool canonical = token.size() == 1 || !token.starts_with('0');
+  if (error != std::errc() || end != token.data() + token.size() || !canonical || index >= size) return std::nullopt;
+  return index;
+}
+
+UnknownKey unknown_key(std::string_view key, std::string_view pattern) {
+  const std::vector<std::string_view> keys = keys_below(pattern);
+  UnknownKey unknown{pattern == "/effects" ? "this effect is not available" : "unknown key", suggest(key, keys)};
+  unknown.message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
+  if (unknown.meant) {
+    unknown.message += fmt::format("; did you mean \"{}\"", *unknown.meant);
+    return unknown;
+  }
+  for (const Field& field : all_fields()) {  // the right key in the wrong place
+    if (field.key() != key || field.pointer.find('*') != std::string_view::npos) continue;
+    unknown.message += fmt::format("; did you mean \"{}\"", field.pointer);
+    break;
+  }
+  return unknown;
+}
+
+std::optional<std::string> pointer_fault(std::string_view pointer) {
+  const auto tokens = tokens_of(pointer);
+  if (!tokens) return "is no JSON pointer; e.g. /site/latitude_deg";
+  std::string pattern;  // of what the tokens so far lead to
+  FieldKind kind = FieldKind::object;
+  std::vector<std::size_t> lengths;  // of the arrays of plain values that the next tokens are indices of
+  for (const std::string& token : *tokens) {
+    if (!lengths.empty()) {
+      if (!array_index(token, lengths.front())) return no_index(token, lengths.front());
+      lengths.erase(lengths.begin());
+      kind = FieldKind::number;
+      continue;
+    }
+    if (kind == FieldKind::list) {
+      if (!array_index(token, kAnyLength)) return no_index(token, kAnyLength);
+      pattern += "/*";
+    } else if (may_be_object(kind)) {
+      if (is_comment(token)) return fmt::format("\"{}\" is a comment: it changes nothing", excerpt(token));
+      const bool plain = token.find('/') == std::string::npos && token != "*";
+      if (!plain || find_field(fmt::format("{}/{}", pattern, token)) == nullptr)
+        return fmt::format("\"{}\": {}", excerpt(token), unknown_key(token, pattern).message);
+      pattern += "/" + token;
+    } else {
+      return fmt::format("nothing lies below {}, so there is no \"{}\"", pattern, excerpt(token));
+    }
+    const Field& field = *find_field(pattern);
+    kind = field.kind;
+    lengths = lengths_of(kind);
+  }
+  return std::nullopt;
+}
+
+}  // namespace earthtop::scenario

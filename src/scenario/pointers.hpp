@@ -1,0 +1,29 @@
+/// JSON pointers into a scenario: their steps, and which of them a scenario can have.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace earthtop::scenario {
+
+/// The reference tokens of a JSON pointer (RFC 6901), nothing where it is malformed.
+std::optional<std::vector<std::string>> tokens_of(std::string_view pointer);
+
+/// The index that a token is of an array of this size, nothing where it is none.
+std::optional<std::size_t> array_index(std::string_view token, std::size_t size);
+
+/// What a key that an object does not have is told: what is allowed there, and what was probably meant.
+struct UnknownKey {
+  std::string message;
+  std::optional<std::string_view> meant;  ///< a key of the same object
+};
+/// @param pattern  of the object
+UnknownKey unknown_key(std::string_view key, std::string_view pattern);
+
+/// Why no scenario, whatever its other keys are, has a value at this pointer; nothing where one may.
+std::optional<std::string> pointer_fault(std::string_view pointer);
+
+}  // namespace earthtop::scenario
