@@ -1,5 +1,5 @@
-#include "earthtop/drift/growth.hpp"
-
+#include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
+//
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -7,6 +7,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
+#include "earthtop/drift/growth.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 
@@ -78,10 +79,10 @@ class Follower {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < kDisturbances; ++d) {
       const std::size_t at = kMotionSize + 6 * d;
-      const double size = std::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
-      largest = std::max(largest, log_scale_[d] + std::log(size));
+      const double size = real::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
+      largest = std::max(largest, log_scale_[d] + real::log(size));
       if (!(size > kRescaled)) continue;
-      log_scale_[d] += std::log(size);
+      log_scale_[d] += real::log(size);
       for (std::size_t k = 0; k < 6; ++k) x[at + k] /= size;
     }
     return largest;
@@ -145,7 +146,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     report.end_s = seconds(t);
     report.exponent_1_s = log_growth / report.end_s;
     if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion_in(x)));
-    if (!report.exponential_s && log_growth > std::log(kRegular * (1 + rate * t))) report.exponential_s = report.end_s;
+    if (!report.exponential_s && log_growth > real::log(kRegular * (1 + rate * t))) report.exponential_s = report.end_s;
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }

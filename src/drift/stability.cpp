@@ -5,6 +5,7 @@
 
 #include "closed_form/principal_axes.hpp"
 #include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/real.hpp"
 
 namespace earthtop {
 namespace {
@@ -64,8 +65,8 @@ std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
   const Vec3<double> n_L = rotation_matrix(problem.release.q_LB).col(axis), w = release_rate(problem);
   const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), I3 = model.I_BP_B(axis, axis);
   const double falling_rate = std::sqrt(std::abs(mgl) / I1);
-  const double across = std::hypot(w[(axis + 1) % 3], w[(axis + 2) % 3]);
-  if (!(mgl * n_L[2] > 0) || std::hypot(n_L[0], n_L[1]) > kUpright || across > kUpright * falling_rate) return std::nullopt;
+  const double across = real::hypot(w[(axis + 1) % 3], w[(axis + 2) % 3]);
+  if (!(mgl * n_L[2] > 0) || real::hypot(n_L[0], n_L[1]) > kUpright || across > kUpright * falling_rate) return std::nullopt;
   const double momentum = I3 * w[axis];
   return UprightTop{momentum * momentum / (4 * std::abs(mgl) * I1)};
 }

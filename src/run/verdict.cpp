@@ -55,8 +55,8 @@ struct Growth {
 
 Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const std::atomic<bool>& stop) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
-  const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
-  const double log_earth = std::log(kGrownAngle / earth_share);
+  const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
+  const double log_earth = real::log(kGrownAngle / earth_share);
   const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
   // Dry friction damps the more the slower the motion is: at rest without end.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;

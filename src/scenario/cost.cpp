@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/closed_form_fit.hpp"
 
@@ -31,7 +32,7 @@ PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double
     if (rate > 0) omega = alpha / rate;  // of a harmonic turn, its own
   }
   const auto& d = platform.pivot_offset_m;
-  const double offset = std::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
+  const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
@@ -39,14 +40,14 @@ PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double
 /// grow with the p-th root of its tolerance. The order of `extrapolation` follows its tolerance.
 double radians_a_step(Method method, double tolerance) {
   switch (method) {
-    case Method::dopri5: return 0.25 * std::pow(tolerance / 1e-8, 1.0 / 5);
-    case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
-    case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
-    case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
+    case Method::dopri5: return 0.25 * real::pow(tolerance / 1e-8, 1.0 / 5);
+    case Method::rkf78: return 0.22 * real::pow(tolerance / 1e-14, 1.0 / 8);
+    case Method::bulirsch_stoer: return 2 * real::pow(tolerance / 1e-12, 1.0 / 16);
+    case Method::extrapolation: return 4 * real::pow(tolerance / 1e-12, 1.0 / 35);
     case Method::taylor: return 1.8;
-    case Method::dop853: return 0.35 * std::pow(tolerance / 1e-12, 1.0 / 8);
-    case Method::gauss: return std::min(2.0, 1.0 * std::pow(tolerance / 1e-12, 1.0 / 13));
-    case Method::splitting: return std::min(2.0, 0.8 * std::pow(tolerance / 1e-12, 1.0 / 7));
+    case Method::dop853: return 0.35 * real::pow(tolerance / 1e-12, 1.0 / 8);
+    case Method::gauss: return std::min(2.0, 1.0 * real::pow(tolerance / 1e-12, 1.0 / 13));
+    case Method::splitting: return std::min(2.0, 0.8 * real::pow(tolerance / 1e-12, 1.0 / 7));
     case Method::automatic:
     case Method::abm8:  // its step is given
     case Method::long_horizon:
@@ -60,9 +61,9 @@ double evaluations_a_step(Method method, double tolerance) {
   switch (method) {
     case Method::dopri5: return 6;
     case Method::bulirsch_stoer: return 53;
-    case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 60);
+    case Method::extrapolation: return 80 * real::pow(tolerance / 1e-12, -1.0 / 60);
     case Method::abm8: return 1;
-    case Method::taylor: return 8 - 0.7 * std::log(tolerance);
+    case Method::taylor: return 8 - 0.7 * real::log(tolerance);
     case Method::gauss: return 60;
     case Method::splitting: return 14;
     case Method::dop853: return 12;

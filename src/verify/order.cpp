@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
 #include "scenario/problem.hpp"
 #include "verify/geometry.hpp"
@@ -54,8 +55,8 @@ double resonance(const StepErrors& errors) {
   for (int octave = 0; octave < 2; ++octave) {
     std::vector<double> x, y;
     for (const double end = 2 * parts; parts < end; parts *= 1.01) {
-      x.push_back(std::log(std::round(parts)));
-      y.push_back(std::log(errors.at(std::lround(parts))));
+      x.push_back(real::log(std::round(parts)));
+      y.push_back(real::log(errors.at(std::lround(parts))));
     }
     const double n = static_cast<double>(x.size());
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
@@ -64,7 +65,7 @@ double resonance(const StepErrors& errors) {
     std::vector<double> rest;
     for (std::size_t i = 0; i < x.size(); ++i) rest.push_back(y[i] - mean_y - xy / xx * (x[i] - mean_x));
     std::sort(rest.begin(), rest.end());
-    worst = worse(worst, std::exp(rest.back() - rest[rest.size() / 2]));
+    worst = worse(worst, real::exp(rest.back() - rest[rest.size() / 2]));
   }
   return worst;
 }
@@ -76,7 +77,7 @@ double order_error(const CriterionSpec& criterion, Runs& runs) {
   const StepErrors errors(scenario);
   if (criterion.quantity == "step_resonance") return resonance(errors);
   const long parts = errors.fewest_parts();
-  const double order = std::log2(errors.at(parts) / errors.at(2 * parts));
+  const double order = real::log2(errors.at(parts) / errors.at(2 * parts));
   return std::abs(order - criterion.values.at(0));
 }
 

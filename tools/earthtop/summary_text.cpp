@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
 
@@ -22,7 +23,7 @@ std::string with_bound(double value, double bound) {
   int decimals = 6;
   if (value != 0 && bound > 0)
     decimals =
-        static_cast<int>(std::clamp(std::floor(std::log10(std::abs(value))) - std::floor(std::log10(bound)) + 1, 1.0, 16.0));
+        static_cast<int>(std::clamp(std::floor(real::log10(std::abs(value))) - std::floor(real::log10(bound)) + 1, 1.0, 16.0));
   return fmt::format("{:.{}e} ± {:.1e} rad", value, decimals, bound);
 }
 
