@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Includes point one way only. A line below may include the lines above it, and its own; of two names in one line only one
+# Includes point one way only, and elementary functions come from one place. A line below may include the lines above it, and its own; of two names in one line only one
 # may include the other.
 #   tools/check-layers.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers='real text error arithmetic watch
+layers='elementary
+real text error arithmetic watch
 frames
 model
 closed_form
@@ -38,8 +39,13 @@ find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ip
       if (!(from in rank)) complain("in no known layer: " from)
     }
     { code = $0; sub(/\/\/.*/, "", code) }
-    is_public && code ~ /#[ ]*include[ ]*[<"](nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|openssl|erfa)/ {
+    is_public && code ~ /#[ ]*include[ ]*[<"](sleef|nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|openssl|erfa)/ {
       complain("a public header must not need this: " $0)
+    }
+    # By that name the C library takes the last digit from the processor, and a compiler that of a constant from its own.
+    from != "elementary" && from != "real" && FILENAME !~ /libm[.]cpp$/ &&
+    code ~ /(std::|__builtin_|[^a-z0-9_:.>&]::)(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|erfc?|[tl]gamma)[fl]?[ ]*[(;]/ {
+      complain("the C library has other digits on another processor; real:: of elementary.hpp has one: " $0)
     }
     from != "tools" && code ~ /std::(cout|cerr|clog)|(^|[^a-z_])f?printf ?\(|fmt::print ?\(|(^|[^a-z_])f?puts ?\(/ {
       complain("only the tools print: " $0)

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "earthtop/elementary.hpp"
+
 namespace earthtop {
 
 using float128 = __float128;
@@ -32,28 +34,31 @@ float128 frexpq(float128, int*) noexcept;
 int finiteq(float128) noexcept;
 }
 
-/// Elementary functions of one name for every scalar. Angles in rad.
+/// Elementary functions of one name for every scalar. Angles in rad. Those of double are in elementary.hpp. Those of
+/// float128 are libquadmath's, which has one code for all processors. Those of long double reach results of double, too (the
+/// closed forms are set up in it): the C library has them in C as well, but for a few that are instructions of the processor,
+/// of which two makers' differ in the last place. Those are float128's, rounded.
 namespace real {
 
-using std::asin;
-using std::atan2;
-using std::cos;
-using std::exp;
-using std::expm1;
 using std::fma;
 using std::fmod;
 using std::isfinite;
-using std::log;
-using std::pow;
 using std::rint;
 using std::round;
-using std::sin;
 using std::sqrt;
 
 template <class T>
 constexpr T abs(T x) {
   return x < T(0) ? -x : x;
 }
+inline long double asin(long double x) { return std::asin(x); }
+inline long double atan2(long double y, long double x) { return static_cast<long double>(atan2q(y, x)); }
+inline long double cos(long double x) { return std::cos(x); }
+inline long double exp(long double x) { return static_cast<long double>(expq(x)); }
+inline long double expm1(long double x) { return static_cast<long double>(expm1q(x)); }
+inline long double log(long double x) { return static_cast<long double>(logq(x)); }
+inline long double pow(long double x, long double y) { return std::pow(x, y); }
+inline long double sin(long double x) { return std::sin(x); }
 inline float128 asin(float128 x) { return asinq(x); }
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
@@ -68,6 +73,11 @@ inline float128 rint(float128 x) { return rintq(x); }
 inline float128 round(float128 x) { return roundq(x); }
 inline float128 sin(float128 x) { return sinq(x); }
 inline float128 sqrt(float128 x) { return sqrtq(x); }
+
+template <class T>
+SinCos<T> sin_cos(T x) {
+  return {sin(x), cos(x)};
+}
 
 /// x * 2^exponent, exact.
 inline double scale(double x, int exponent) { return std::scalbn(x, exponent); }

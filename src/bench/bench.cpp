@@ -9,6 +9,7 @@
 
 #include "bench/deadline.hpp"
 #include "bench/errors.hpp"
+#include "earthtop/elementary.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -217,10 +218,10 @@ std::optional<CostAtError> cost_at_error(std::span<const BenchEntry> entries, do
             [](const auto* a, const auto* b) { return a->counters.evaluations < b->counters.evaluations; });
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
     const BenchEntry &coarse = *sorted[i], &fine = *sorted[i + 1];
-    const double from = std::log(error_of(coarse.errors)), to = std::log(error_of(fine.errors)), at = std::log(error);
+    const double from = real::log(error_of(coarse.errors)), to = real::log(error_of(fine.errors)), at = real::log(error);
     if (!(from >= at && at >= to && from > to)) continue;
     const double part = (from - at) / (from - to);
-    const auto between = [&](double x, double y) { return std::exp((1 - part) * std::log(x) + part * std::log(y)); };
+    const auto between = [&](double x, double y) { return real::exp((1 - part) * real::log(x) + part * real::log(y)); };
     return CostAtError{between(coarse.seconds, fine.seconds), between(static_cast<double>(coarse.counters.evaluations),
                                                                       static_cast<double>(fine.counters.evaluations))};
   }

@@ -6,6 +6,7 @@
 
 #include "bench/errors.hpp"
 #include "bench/exact_motion.hpp"
+#include "earthtop/elementary.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -126,7 +127,7 @@ Scenario shortened_for_reference(const Scenario& scenario, double reference_seco
   const double seconds = estimated_reference_seconds(scenario, Precision::bits64);
   if (seconds <= reference_seconds) return shortened;
   const double duration_s = scenario.duration_s * reference_seconds / seconds;
-  const double unit = std::pow(10, std::floor(std::log10(duration_s)));
+  const double unit = real::power_of_ten(static_cast<int>(std::floor(real::log10(duration_s))));
   shortened.duration_s = std::floor(duration_s / unit) * unit;  // one digit
   shortened.output_step_s = std::min(shortened.output_step_s, shortened.duration_s);
   return shortened;

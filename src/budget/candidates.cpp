@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/applied_motion.hpp"
 
@@ -203,7 +204,7 @@ void add_friction(const Problem& problem, std::vector<Candidate>& candidates) {
   add("viscous_torque_N_m_s", all.viscous * rate, [&](auto& a) { a.viscous = all.viscous; });
   add("quadratic_torque_N_m_s2", all.quadratic * rate * rate, [&](auto& a) { a.quadratic = all.quadratic; });
   add("coulomb_torque_N_m", all.coulomb, [&](auto& a) { a.coulomb = all.coulomb; });
-  add("air_drag", all.disc_laminar * std::pow(rate, 1.5) + all.disc_turbulent * std::pow(rate, 1.8), [&](auto& a) {
+  add("air_drag", all.disc_laminar * real::pow(rate, 1.5) + all.disc_turbulent * real::pow(rate, 1.8), [&](auto& a) {
     a.disc_laminar = all.disc_laminar;
     a.disc_turbulent = all.disc_turbulent;
   });

@@ -33,7 +33,8 @@ Complex<T> direction(const Complex<T>& a) {
 /// exp(i angle).
 template <class T>
 Complex<T> turned(T angle) {
-  return {real::cos(angle), real::sin(angle)};
+  const SinCos<T> both = real::sin_cos(angle);
+  return {both.cos, both.sin};
 }
 
 }  // namespace earthtop

@@ -23,7 +23,7 @@ JacobiValues<T> jacobi(T x, const Lattice<T>& l) {
   const T argument = turns != T(0) ? real::fma(T(-2) * turns, l.K, x) : x;
   JacobiValues<T> j;
   if (!l.hyperbolic) {
-    const T v = l.rate * argument, s = real::sin(v), c = real::cos(v);
+    const auto [s, c] = real::sin_cos(T(l.rate * argument));
     const T twice = T(2) * (c - s) * (c + s);  // 2 cos 2v
     T sn = T(0), cn = T(0), up = T(1), down = T(1);
     // sin((2n+1)v)/sin v, cos((2n+1)v)/cos v and 2 cos(2nv), each by its three-term recurrence.

@@ -119,7 +119,7 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   const elliptic::JacobiValues<W> j = elliptic::jacobi<W>(f.u0, wide);
   const Vec3<W> l(f.direction[0] * j.cn, f.s * f.direction[1] * j.sn, f.direction[2] * j.dn);
   elliptic::UnitPhasor<W> half = wide_theta.phasor(phase0);
-  const W c = real::cos(linear * phase0), s = real::sin(linear * phase0);
+  const auto [s, c] = real::sin_cos(W(linear * phase0));
   half = {half.cos * c + half.sin * s, half.sin * c - half.cos * s};
   q_NM = converted<T>((q0_NB * body.conjugate() * from_momentum_frame(half, l).conjugate()).normalized());
   q_PB = converted<T>(body.normalized());
@@ -146,7 +146,7 @@ template <class T>
 ClosedFormState<T> FreeBodyMotion<T>::uniform_at(T t_s) const {
   const W exact = half_turn_rate * static_cast<W>(t_s);
   const T half = static_cast<T>(reduced_phase<W>(exact, real::pi<W>()).phase);
-  const T c = real::cos(half), s = real::sin(half);
+  const auto [s, c] = real::sin_cos(half);
   ClosedFormState<T> x;
   x.q_NB = scaled_to_unit(product(q_NM, Quaternion<T>{c, Vec3<T>(s * turn_axis_B[0], s * turn_axis_B[1], s * turn_axis_B[2])}));
   x.w_NB_B = w0_B;
@@ -179,7 +179,7 @@ ClosedFormState<T> FreeBodyMotion<T>::circling_at(T t_s) const {
 
   const W secular = half_turn_rate * t;
   const T half = static_cast<T>(reduced_phase<W>(secular - linear * phase.phase, real::pi<W>()).phase);
-  const T c = real::cos(half), s = real::sin(half);
+  const auto [s, c] = real::sin_cos(half);
   const elliptic::UnitPhasor<T> periodic = theta.phasor(v);
   const elliptic::UnitPhasor<T> half_turn{periodic.cos * c - periodic.sin * s, periodic.sin * c + periodic.cos * s};
 

@@ -51,7 +51,7 @@ struct LagrangeTop<T>::Setup {
 template <class T>
 void LagrangeTop<T>::evaluate_basis(T v, T v_low, Basis& b) const {
   if (!hyperbolic_) {
-    const T s = real::sin(v), c = real::cos(v);
+    const auto [s, c] = real::sin_cos(v);
     b.sin1 = s;
     b.cos1 = c;
     const T twice = T(2) * (c - s) * (c + s);

@@ -75,7 +75,7 @@ struct PrecessionTheta {
       }
       if (x < T(0)) sum.sin = -sum.sin;
     } else {
-      const T s = real::sin(x), c = real::cos(x);
+      const auto [s, c] = real::sin_cos(x);
       const T cos_2x = (c - s) * (c + s), sin_2x = T(2) * s * c;
       sum.cos = even[0];
       T cn = cos_2x, sn = sin_2x;

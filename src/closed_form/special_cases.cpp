@@ -18,7 +18,8 @@ template <class T>
 CosSin<T> cos_sin(Wider<T> phase) {
   using W = Wider<T>;
   const T reduced = static_cast<T>(reduced_phase<W>(phase, W(2) * real::pi<W>()).phase);
-  return {real::cos(reduced), real::sin(reduced)};
+  const SinCos<T> both = real::sin_cos(reduced);
+  return {both.cos, both.sin};
 }
 
 /// exp(axis * phase) as a quaternion; `half_phase` in rad, `axis` a unit vector.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
@@ -65,7 +66,7 @@ int known_digits(const Comparand& results) {
   const double bound = drift > 0 ? results.number("/drift/axis_bound_rad").value_or(drift) / drift
                                  : results.number("/attitude_bound_rad").value_or(1);
   constexpr int kOfDouble = 16;
-  return bound > 0 ? std::clamp(static_cast<int>(-std::log10(bound)), 0, kOfDouble) : kOfDouble;
+  return bound > 0 ? std::clamp(static_cast<int>(-real::log10(bound)), 0, kOfDouble) : kOfDouble;
 }
 
 std::string row_text(const Row& row, const std::vector<std::size_t>& places) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
@@ -165,8 +166,8 @@ std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& val
   }
   std::optional<Scenario> varied = examine_scenario(source_, overrides).scenario;
   if (varied && vertical_rate_rad_s) {
-    varied->rotation_rate_rad_s = std::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
-    varied->site.latitude_deg = std::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
+    varied->rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
+    varied->site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
   }
   return varied;
 }

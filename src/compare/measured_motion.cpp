@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop::compare {
@@ -14,10 +15,10 @@ namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
 
-double horizontal_part(const Vec3<double>& n_L) { return std::hypot(n_L[0], n_L[1]); }
-double tilt_of(const Vec3<double>& n_L) { return std::atan2(horizontal_part(n_L), n_L[2]); }
+double horizontal_part(const Vec3<double>& n_L) { return real::hypot(n_L[0], n_L[1]); }
+double tilt_of(const Vec3<double>& n_L) { return real::atan2(horizontal_part(n_L), n_L[2]); }
 double azimuth_of(const Vec3<double>& n_L) {
-  return horizontal_part(n_L) > 0 ? std::atan2(n_L[0], n_L[1]) : std::numeric_limits<double>::quiet_NaN();
+  return horizontal_part(n_L) > 0 ? real::atan2(n_L[0], n_L[1]) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The nearest of all angles that are a number of turns from this one.
@@ -31,7 +32,7 @@ std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) 
   const double east = horizontal > 0 ? m_L[0] / horizontal : 0, north = horizontal > 0 ? m_L[1] / horizontal : 1;
   const Vec3<double> down_L(m_L[2] * east, m_L[2] * north, -horizontal), clockwise_L(north, -east, 0);
   const Vec3<double> cross_L = p_L.cross(m_L);
-  const double sine = norm(cross_L), angle = std::atan2(sine, p_L.dot(m_L));
+  const double sine = norm(cross_L), angle = real::atan2(sine, p_L.dot(m_L));
   if (!(sine > 0)) return {angle, 0};
   const Vec3<double> along_L = cross_L.cross(m_L);
   return {angle * along_L.dot(down_L) / sine, angle * along_L.dot(clockwise_L) / sine};

@@ -8,6 +8,7 @@
 #include "compare/csv_reader.hpp"
 #include "compare/measurement_columns.hpp"
 #include "earthtop/compare/measurement.hpp"
+#include "earthtop/real.hpp"
 #include "scenario/findings.hpp"
 
 namespace earthtop {
@@ -81,7 +82,7 @@ class MeasurementReader {
     MeasuredValue value{cells.quantity, t_s, 0, {}, error_rad, reader_.line()};
     if (cells.quantity == MeasuredQuantity::axis) {
       const auto n = reader_.numbers().subspan(cells.value, 3);
-      const double length = std::hypot(n[0], n[1], n[2]);
+      const double length = real::hypot(n[0], n[1], n[2]);
       if (!(std::abs(length - 1) <= kNormSlack)) {
         refuse(cells.value, fmt::format("an axis is a unit vector; this one has the length {:g}", length));
         return;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/elementary.hpp"
+
 namespace earthtop::compare {
 namespace {
 
@@ -87,7 +89,7 @@ double length(const double* v, std::size_t n) {
 /// Sine and cosine as a cross and a dot product: nothing cancels where the angle is small.
 double angle_between(const double* a, const double* b) {
   const double x[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  return std::atan2(length(x, 3), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+  return real::atan2(length(x, 3), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /// Angle of conj(a) b; either sign of a quaternion is the same attitude.
@@ -96,7 +98,7 @@ double turn_between(const double* a, const double* b) {
   const double v[] = {a[0] * b[1] - b[0] * a[1] - (a[2] * b[3] - a[3] * b[2]),
                       a[0] * b[2] - b[0] * a[2] - (a[3] * b[1] - a[1] * b[3]),
                       a[0] * b[3] - b[0] * a[3] - (a[1] * b[2] - a[2] * b[1])};
-  return 2 * std::atan2(length(v, 3), std::abs(w));
+  return 2 * real::atan2(length(v, 3), std::abs(w));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "compare/pairing.hpp"
 #include "compare/survey.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/real.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -158,7 +159,7 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
     case BoundKind::drift_azimuth: {
       double sine = 1;
       for (const auto& axis : {columns.axis_L, columns.ref_axis_L})
-        if (axis) sine = std::min(sine, std::hypot(a.value[*axis], a.value[*axis + 1]));
+        if (axis) sine = std::min(sine, real::hypot(a.value[*axis], a.value[*axis + 1]));
       const double sum = sum_of(columns.axis, a, b);
       const bool is_tilt = measure.bound == BoundKind::drift_tilt;
       if (sum < 0 || sine == 0) return is_tilt ? sum : -1;

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "compare/interpolate.hpp"
+#include "earthtop/elementary.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -18,7 +19,10 @@ const Measure* find_measure(const Table& table, std::string_view name) {
 double rate_effect(const Measure& rates, const Measure& reference_rates, const Row& row) {
   if (presence(rates, row) != Presence::whole || presence(reference_rates, row) != Presence::whole) return 0;
   double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += std::pow(row.value[rates.column + i] - row.value[reference_rates.column + i], 2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double difference = row.value[rates.column + i] - row.value[reference_rates.column + i];
+    sum += difference * difference;
+  }
   return std::sqrt(sum);
 }
 

@@ -4,6 +4,7 @@
 
 #include "drift/turn_counter.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/real.hpp"
 
 namespace earthtop {
 
@@ -35,7 +36,7 @@ class AngleFollower {
 
   /// More than a sixth of a turn.
   static bool far(double sine, double cosine, double last_sine, double last_cosine) {
-    return sine * last_sine + cosine * last_cosine < 0.5 * std::hypot(sine, cosine) * std::hypot(last_sine, last_cosine);
+    return sine * last_sine + cosine * last_cosine < 0.5 * real::hypot(sine, cosine) * real::hypot(last_sine, last_cosine);
   }
   bool far(const DriftPhases<double>& phases) const {
     return far(phases.half_spin_sine, phases.half_spin_cosine, last_.half_spin_sine, last_.half_spin_cosine) ||

@@ -132,7 +132,7 @@ template <class T>
 class LooksAtPair {
  public:
   explicit LooksAtPair(ExactPair<T>& pair)
-      : pair_(pair), apart_(T(std::cbrt(static_cast<double>(real::epsilon<T>())) * pair.longest_step())) {}
+      : pair_(pair), apart_(T(real::cbrt(static_cast<double>(real::epsilon<T>())) * pair.longest_step())) {}
   AxisLook<T> operator()(T t) {
     const T before = std::max(T(0), T(t - apart_)), after = t + apart_;
     const DriftState<T> at = pair_.state(t), at_before = pair_.state(before), at_after = pair_.state(after);

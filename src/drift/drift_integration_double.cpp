@@ -1,3 +1,5 @@
+#include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
+//
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {

@@ -24,7 +24,7 @@ class FlowSearch {
   FlowSearch(const System& system, T threshold, T motion_rate)
       : equations_(std::in_place, system),
         watch_(threshold, motion_rate),
-        apart_(T(std::cbrt(static_cast<double>(real::epsilon<T>()))) / motion_rate) {}
+        apart_(T(real::cbrt(static_cast<double>(real::epsilon<T>()))) / motion_rate) {}
 
   /// @param system  whose equations may have changed since: a motion that has come to rest
   void follow(const System& system, T t, const State& x) {

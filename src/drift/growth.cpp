@@ -1,5 +1,5 @@
-#include "earthtop/drift/growth.hpp"
-
+#include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
+//
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -105,9 +105,9 @@ class Follower {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < kDisturbances; ++d) {
       const double grown = size(x, d);
-      largest = std::max(largest, log_scale_[d] + std::log(grown));
+      largest = std::max(largest, log_scale_[d] + real::log(grown));
       if (!(grown > kRescaled)) continue;
-      log_scale_[d] += std::log(grown);
+      log_scale_[d] += real::log(grown);
       scale(x, d, 1 / grown);
     }
     return largest;
@@ -126,7 +126,7 @@ class Follower {
   }
   double size(const State& x, std::size_t d) const {
     const std::size_t at = kMotionSize + 6 * d;
-    return std::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
+    return real::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
   }
   static void scale(State& x, std::size_t d, double factor) {
     for (std::size_t k = 0; k < 6; ++k) x[kMotionSize + 6 * d + k] *= factor;
@@ -209,7 +209,7 @@ class Departure {
   /// Parts along and across the axis of a symmetric body, whose turn about it changes nothing.
   Vec3<double> without_turn(const Vec3<double>& v_B) const {
     if (axis_ < 0) return v_B;
-    return {std::hypot(v_B[(axis_ + 1) % 3], v_B[(axis_ + 2) % 3]), 0, v_B[axis_]};
+    return {real::hypot(v_B[(axis_ + 1) % 3], v_B[(axis_ + 2) % 3]), 0, v_B[axis_]};
   }
 
   int axis_;
@@ -259,7 +259,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     const double log_growth = follower.include(x);
     if (!std::isfinite(log_growth)) return report;
     const Motion<double> motion = motion_in(x);
-    const double log_regular = std::log(1 + rate * t);
+    const double log_regular = real::log(1 + rate * t);
     critical_spin.include(t, motion);
     late.include(t, t - before, log_growth - log_regular);
     report.end_s = seconds(t);
@@ -267,7 +267,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
     if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
     if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
-    if (!report.exponential_s && log_growth > std::log(kRegular) + log_regular) report.exponential_s = report.end_s;
+    if (!report.exponential_s && log_growth > real::log(kRegular) + log_regular) report.exponential_s = report.end_s;
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }

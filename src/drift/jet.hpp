@@ -71,23 +71,25 @@ Jet<N> sqrt(const Jet<N>& x) {
 template <std::size_t N>
 Jet<N> pow(const Jet<N>& x, const Jet<N>& exponent) {
   const double p = exponent.value;
-  return composed(x, std::pow(x.value, p), p * std::pow(x.value, p - 1));
+  return composed(x, real::pow(x.value, p), p * real::pow(x.value, p - 1));
 }
 template <std::size_t N>
 Jet<N> atan2(const Jet<N>& y, const Jet<N>& x) {
   // Scaled: squares of the deviations of a tiny Earth rate would underflow.
   const double size = hypot(x.value, y.value), c = x.value / size, s = y.value / size;
-  Jet<N> angle = std::atan2(y.value, x.value);
+  Jet<N> angle = real::atan2(y.value, x.value);
   for (std::size_t i = 0; i < N; ++i) angle.d[i] = c * (y.d[i] / size) - s * (x.d[i] / size);
   return angle;
 }
 template <std::size_t N>
 Jet<N> sin(const Jet<N>& x) {
-  return composed(x, std::sin(x.value), std::cos(x.value));
+  const SinCos<double> both = sin_cos(x.value);
+  return composed(x, both.sin, both.cos);
 }
 template <std::size_t N>
 Jet<N> cos(const Jet<N>& x) {
-  return composed(x, std::cos(x.value), -std::sin(x.value));
+  const SinCos<double> both = sin_cos(x.value);
+  return composed(x, both.cos, -both.sin);
 }
 
 }  // namespace earthtop::real

@@ -266,9 +266,9 @@ class LongHorizonDrift {
   /// tried for them are right.
   Watch next_walk() {
     const bool is_alone = walks_ == 0 && norm(model_.W_IL_L) * times_.back() > kSmall;
-    const double done = walks_ == 0 ? 0 : 1 - std::pow(kWalkShare, walks_);
+    const double done = walks_ == 0 ? 0 : 1 - real::pow(kWalkShare, walks_);
     ++walks_;
-    return watch_.part(done, is_alone ? 1 : 1 - std::pow(kWalkShare, walks_));
+    return watch_.part(done, is_alone ? 1 : 1 - real::pow(kWalkShare, walks_));
   }
   T looks_every(const Top& top) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);

@@ -325,7 +325,7 @@ void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::siz
     const double step = last ? end - t : dt;
     stepper.do_step(system, x, t, after, step, error);
     const double used = sizes.relative(error) / relative_tolerance;
-    const double factor = std::clamp(0.9 * std::pow(std::max(used, 1e-12), -1.0 / 8), 0.2, 4.0);
+    const double factor = std::clamp(0.9 * real::pow(std::max(used, 1e-12), -1.0 / 8), 0.2, 4.0);
     if (!(used <= 1)) {
       ++result.counters.rejected;
       dt = step * (std::isfinite(used) ? std::min(factor, 0.9) : 0.2);

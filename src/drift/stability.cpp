@@ -5,6 +5,7 @@
 
 #include "closed_form/principal_axes.hpp"
 #include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/real.hpp"
 
 namespace earthtop {
 namespace {
@@ -65,8 +66,8 @@ std::optional<StandingTop> standing_top(const Model<double>& model, const Quater
   const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), momentum = model.I_BP_B(axis, axis) * w_IB_B[axis];
   StandingTop top;
   top.spin_ratio_squared = momentum * momentum / (4 * std::abs(mgl) * I1);
-  top.lean_rad = mgl * n_L[2] > 0 ? std::hypot(n_L[0], n_L[1]) : 2;
-  top.transverse_rate = std::hypot(w_IB_B[(axis + 1) % 3], w_IB_B[(axis + 2) % 3]);
+  top.lean_rad = mgl * n_L[2] > 0 ? real::hypot(n_L[0], n_L[1]) : 2;
+  top.transverse_rate = real::hypot(w_IB_B[(axis + 1) % 3], w_IB_B[(axis + 2) % 3]);
   top.falling_rate = std::sqrt(std::abs(mgl) / I1);
   return top;
 }

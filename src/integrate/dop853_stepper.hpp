@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "earthtop/elementary.hpp"
 #include "integrate/dop853_coefficients.hpp"
 #include "integrate/group_norms.hpp"
 
@@ -52,7 +53,7 @@ class Dop853Stepper {
       carry[i] = y - (after[i] - x_[i]);
     }
     const double error = step_error();
-    const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-20), -1.0 / 8), 0.2, 6.0);
+    const double factor = std::clamp(0.9 * real::pow(std::max(error, 1e-20), -1.0 / 8), 0.2, 6.0);
     if (!(error <= 1) || !all_finite(after)) {
       dt_ *= std::min(factor, 0.9);
       rejected_ = true;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
+
 namespace earthtop {
 
 namespace entire {
@@ -32,7 +34,7 @@ inline double cosine(double z) {
                             1.0 / 20922789888000,
                             -1.0 / 6402373705728000};
   if (z <= kSeriesLimit) return polynomial9(z, c);
-  return std::cos(std::sqrt(z));
+  return real::cos(std::sqrt(z));
 }
 
 /// sin(sqrt(z)) / sqrt(z), z >= 0: sum of (-z)^k / (2 k + 1)!
@@ -49,7 +51,7 @@ inline double sinc(double z) {
                             -1.0 / 121645100408832000};
   if (z <= kSeriesLimit) return polynomial9(z, c);
   const double x = std::sqrt(z);
-  return std::sin(x) / x;
+  return real::sin(x) / x;
 }
 
 /// Its derivative with respect to z: sum of (-1)^k k z^(k-1) / (2 k + 1)!

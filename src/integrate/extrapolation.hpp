@@ -27,7 +27,7 @@ class Extrapolation {
     // High columns take the result from differences of large terms: none whose round-off would pass for an error.
     const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
     while (limit_ < kColumns && round_off_growth(limit_ + 1) < room) ++limit_;
-    const double digits = -std::log10(static_cast<double>(relative_tolerance));
+    const double digits = -real::log10(static_cast<double>(relative_tolerance));
     target_ = std::clamp(static_cast<int>(0.5 * digits), least_column(), limit_);
   }
 
@@ -127,7 +127,7 @@ class Extrapolation {
 
   /// The error of column j grows with the power 2 j - 1 of the step. Safety factors: section II.9, eq. (9.28) and thereabouts.
   static Proposal propose(int j, T dt, double error) {
-    const double factor = 0.94 * std::pow(0.65 / std::max(error, 1e-30), 1.0 / (2 * j - 1));
+    const double factor = 0.94 * real::pow(0.65 / std::max(error, 1e-30), 1.0 / (2 * j - 1));
     return {j, dt * T(std::min(factor, 4.0))};
   }
 

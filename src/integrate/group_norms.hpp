@@ -101,10 +101,10 @@ template <class T>
 class StepAdjuster {
  public:
   T decrease_step(T dt, T error, int error_order) const {
-    return dt * T(std::max(0.9 * std::pow(static_cast<double>(error), -1.0 / error_order), 0.1));
+    return dt * T(std::max(0.9 * real::pow(static_cast<double>(error), -1.0 / error_order), 0.1));
   }
   T increase_step(T dt, T error, int stepper_order) const {
-    const double factor = 0.9 * std::pow(std::max(static_cast<double>(error), 1e-10), -1.0 / stepper_order);
+    const double factor = 0.9 * real::pow(std::max(static_cast<double>(error), 1e-10), -1.0 / stepper_order);
     return dt * T(std::clamp(factor, 1.0, 4.0));
   }
   bool check_step_size_limit(T) const { return true; }

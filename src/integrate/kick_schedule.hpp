@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "integrate/compositions.hpp"
 
 namespace earthtop {
@@ -28,7 +29,7 @@ inline KickSchedule gauss(int kicks) {
   schedule.kicks = kicks;
   for (int i = 0; i < (kicks + 1) / 2; ++i) {
     // Newton's method from a value between two extrema, on [-1, 1].
-    long double x = std::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (kicks + 0.5L)), slope = 1;
+    long double x = real::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (kicks + 0.5L)), slope = 1;
     for (int iteration = 0; iteration < 8; ++iteration) {
       long double value = 1, before = 0;
       for (int j = 0; j < kicks; ++j) {

@@ -8,8 +8,8 @@ namespace {
 
 /// How far x t may grow in a step for which s Gauss nodes have this relative error for exp(i x t).
 double gauss_phase(int s, double error) {
-  const double log = std::log(error) - 4 * std::lgamma(s + 1.0) + std::log(2 * s + 1.0) + 3 * std::lgamma(2 * s + 1.0);
-  return std::exp(log / (2 * s));
+  const double log = real::log(error) - 4 * real::lgamma(s + 1.0) + real::log(2 * s + 1.0) + 3 * real::lgamma(2 * s + 1.0);
+  return real::exp(log / (2 * s));
 }
 
 /// Less (rad) cannot be seen in a double's run.

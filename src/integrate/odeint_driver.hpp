@@ -332,7 +332,7 @@ class Driver {
       }
       stepper.reset();
       if (error <= T(1) || count > kMostStepsATurn) return h;
-      const double growth = std::pow(static_cast<double>(error), 1.0 / 8);
+      const double growth = real::pow(static_cast<double>(error), 1.0 / 8);
       count = static_cast<std::int64_t>(std::ceil(static_cast<double>(count) * std::clamp(growth, 1.05, 2.0)));
     }
     return turn / static_cast<T>(count);

@@ -10,14 +10,14 @@ namespace {
 /// grow with the p-th root of its tolerance. The order of `extrapolation` follows its tolerance.
 double radians_a_step(Method method, double tolerance) {
   switch (method) {
-    case Method::dopri5: return 0.25 * std::pow(tolerance / 1e-8, 1.0 / 5);
-    case Method::rkf78: return 0.22 * std::pow(tolerance / 1e-14, 1.0 / 8);
-    case Method::bulirsch_stoer: return 2 * std::pow(tolerance / 1e-12, 1.0 / 16);
-    case Method::extrapolation: return 4 * std::pow(tolerance / 1e-12, 1.0 / 35);
+    case Method::dopri5: return 0.25 * real::pow(tolerance / 1e-8, 1.0 / 5);
+    case Method::rkf78: return 0.22 * real::pow(tolerance / 1e-14, 1.0 / 8);
+    case Method::bulirsch_stoer: return 2 * real::pow(tolerance / 1e-12, 1.0 / 16);
+    case Method::extrapolation: return 4 * real::pow(tolerance / 1e-12, 1.0 / 35);
     case Method::taylor: return 1.8;
-    case Method::dop853: return 0.35 * std::pow(tolerance / 1e-12, 1.0 / 8);
-    case Method::gauss: return std::min(2.0, 1.0 * std::pow(tolerance / 1e-12, 1.0 / 13));
-    case Method::splitting: return std::min(2.0, 0.8 * std::pow(tolerance / 1e-12, 1.0 / 7));
+    case Method::dop853: return 0.35 * real::pow(tolerance / 1e-12, 1.0 / 8);
+    case Method::gauss: return std::min(2.0, 1.0 * real::pow(tolerance / 1e-12, 1.0 / 13));
+    case Method::splitting: return std::min(2.0, 0.8 * real::pow(tolerance / 1e-12, 1.0 / 7));
     case Method::automatic:
     case Method::abm8:  // its step is given
     case Method::long_horizon:
@@ -55,9 +55,9 @@ double evaluations_a_step(Method method, double tolerance) {
   switch (method) {
     case Method::dopri5: return 6;
     case Method::bulirsch_stoer: return 53;
-    case Method::extrapolation: return 80 * std::pow(tolerance / 1e-12, -1.0 / 35);
+    case Method::extrapolation: return 80 * real::pow(tolerance / 1e-12, -1.0 / 35);
     case Method::abm8: return 2;
-    case Method::taylor: return 8 - 0.7 * std::log(tolerance);
+    case Method::taylor: return 8 - 0.7 * real::log(tolerance);
     case Method::gauss: return 120;
     case Method::splitting: return 14;
     case Method::dop853: return 12;

@@ -123,7 +123,8 @@ void TiltedTop<T>::kick(T b, TiltedTopState<T>& x) const {
 template <class T>
 typename TiltedTop<T>::Seen TiltedTop<T>::seen(const TiltedTopState<T>& x, T t) const {
   const T angle = spin_start_ * t + x.turn + x.turn_rest;
-  const Quaternion<T> about_n{real::cos(angle / T(2)), Vec3<T>(T(0), T(0), real::sin(angle / T(2)))};
+  const SinCos<T> half = real::sin_cos(T(angle / T(2)));
+  const Quaternion<T> about_n{half.cos, Vec3<T>(T(0), T(0), half.sin)};
   const T W_along = transposed_times(rotation_matrix(x.q_GF), W_G_)[2];
   return {q_LG_ * x.q_GF * about_n, turned(T(-angle)) * x.across, spin_start_ - W_along};
 }

@@ -16,7 +16,7 @@ constexpr double kLaminar = 3.87, kTurbulent = 0.146;
 /// c of -c |w|^n w: half of the density times R^5 times the coefficient times (R^2/nu)^(n - 1).
 double disc_coefficient(const AirDragSpec& disc, bool turbulent) {
   const double R = disc.disc_radius_m, reach = R * R / disc.kinematic_viscosity_m2_s;
-  const double c = turbulent ? kTurbulent * std::pow(reach, -0.2) : kLaminar / std::sqrt(reach);
+  const double c = turbulent ? kTurbulent * real::pow(reach, -0.2) : kLaminar / std::sqrt(reach);
   return c * disc.density_kg_m3 / 2 * R * R * R * R * R;
 }
 

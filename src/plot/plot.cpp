@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "earthtop/elementary.hpp"
 #include "plot/legend.hpp"
 #include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
@@ -48,7 +49,7 @@ struct Mapping {
     // Halves keep the difference of two huge ends finite.
     const double share = scale == AxisScale::linear
                              ? (value / 2 - axis.low / 2) / (axis.high / 2 - axis.low / 2)
-                             : (std::log10(value) - std::log10(axis.low)) / (std::log10(axis.high) - std::log10(axis.low));
+                             : (real::log10(value) - real::log10(axis.low)) / (real::log10(axis.high) - real::log10(axis.low));
     return from + std::clamp(share, -0.5, 1.5) * (to - from);
   }
 };

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "earthtop/elementary.hpp"
+
 namespace earthtop {
 namespace {
 
@@ -24,13 +26,13 @@ std::string with_minus_sign(std::string number) {
 
 /// Of 0 and of an infinite value: below that of every double.
 int decade_of(double value) {
-  const double decade = std::floor(std::log10(value));
+  const double decade = std::floor(real::log10(value));
   return std::isfinite(decade) ? static_cast<int>(decade) : -330;
 }
 
 /// mantissa x 10^exponent, correctly rounded, as the literal would be.
 double decimal(double mantissa, int exponent) {
-  return exponent < 0 && exponent > -300 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
+  return exponent < 0 && exponent > -300 ? mantissa / real::power_of_ten(-exponent) : mantissa * real::power_of_ten(exponent);
 }
 
 struct Step {
@@ -91,13 +93,13 @@ Ticks linear_ticks(double low, double high, int wanted, bool tight) {
 
 Ticks logarithmic_ticks(double low, double high, int wanted) {
   int first = decade_of(low * (1 + 1e-12));
-  int last = static_cast<int>(std::ceil(std::log10(high * (1 - 1e-12))));
+  int last = static_cast<int>(std::ceil(real::log10(high * (1 - 1e-12))));
   if (last <= first) last = first + 1;
   first = std::max(first, -307);
   last = std::min(last, 308);
   Ticks axis;
-  axis.low = std::pow(10.0, first);
-  axis.high = std::pow(10.0, last);
+  axis.low = real::power_of_ten(first);
+  axis.high = real::power_of_ten(last);
   const int decades = last - first;
   int stride = 1;
   for (const int candidate : {1, 2, 3, 5, 10, 20, 50, 100}) {
@@ -106,9 +108,9 @@ Ticks logarithmic_ticks(double low, double high, int wanted) {
   }
   for (int exponent = first; exponent <= last; ++exponent) {
     const bool labelled = exponent % stride == 0;
-    axis.ticks.push_back({std::pow(10.0, exponent), labelled ? "10" + superscript(exponent) : ""});
+    axis.ticks.push_back({real::power_of_ten(exponent), labelled ? "10" + superscript(exponent) : ""});
     if (decades > 3 || exponent == last) continue;
-    for (const int mantissa : {2, 5}) axis.ticks.push_back({mantissa * std::pow(10.0, exponent), ""});
+    for (const int mantissa : {2, 5}) axis.ticks.push_back({mantissa * real::power_of_ten(exponent), ""});
   }
   return axis;
 }

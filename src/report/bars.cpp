@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "plot/svg_text.hpp"
 
 namespace earthtop::report {
@@ -19,7 +20,7 @@ std::string power(int exponent) { return fmt::format("1e{}", exponent); }
 std::string bars_svg(const std::string& name, const std::string& title, const std::string& unit, const std::vector<Bar>& bars) {
   double low = 0, high = 0;
   for (const Bar& bar : bars) {
-    const double decade = std::log10(bar.value);
+    const double decade = real::log10(bar.value);
     low = bars.data() == &bar ? decade : std::min(low, decade);
     high = bars.data() == &bar ? decade : std::max(high, decade);
   }
@@ -41,7 +42,7 @@ std::string bars_svg(const std::string& name, const std::string& title, const st
         x(decade), kBarTop - 8, bottom, bottom + 18, power(decade));
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const Bar& bar = bars[i];
-    const double top = kBarTop + kStep * static_cast<double>(i), width = std::max(2.0, x(std::log10(bar.value)) - kLabels);
+    const double top = kBarTop + kStep * static_cast<double>(i), width = std::max(2.0, x(real::log10(bar.value)) - kLabels);
     const std::string fill = bar.left_out ? fmt::format("url(#{}-hatch)", name) : "#0072b2";
     out += fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{:.2f}\" width=\"{:.2f}\" "

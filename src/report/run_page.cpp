@@ -5,6 +5,7 @@
 
 #include "compare/comparand.hpp"
 #include "earthtop/budget/budget.hpp"
+#include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
@@ -156,7 +157,7 @@ Json directions(const std::vector<Row>& rows, std::string_view first) {
 double magnification(const Run& run) {
   const double largest = run.number("/drift/axis_max_rad").value_or(0);
   if (!(largest > 0) || largest >= kShownDrift) return 1;
-  const double wanted = kShownDrift / largest, decade = std::pow(10, std::floor(std::log10(wanted)));
+  const double wanted = kShownDrift / largest, decade = real::power_of_ten(static_cast<int>(std::floor(real::log10(wanted))));
   const double lead = wanted / decade;
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "report/pages.hpp"
 
@@ -56,10 +57,10 @@ double fitted(const Json& fit, double x) {
   const std::string kind = fit.value("kind", "");
   const double a = fit.value("a", NAN), b = fit.value("b", NAN), radians = x * 0.017453292519943295;
   if (kind == "linear") return a + b * x;
-  if (kind == "sin_latitude") return a + b * std::sin(radians);
-  if (kind == "cos_latitude") return a + b * std::cos(radians);
-  if (kind == "logarithmic") return a + b * std::log(std::abs(x));
-  return kind == "power_law" ? a * std::pow(std::abs(x), b) : NAN;
+  if (kind == "sin_latitude") return a + b * real::sin(radians);
+  if (kind == "cos_latitude") return a + b * real::cos(radians);
+  if (kind == "logarithmic") return a + b * real::log(std::abs(x));
+  return kind == "power_law" ? a * real::pow(std::abs(x), b) : NAN;
 }
 
 /// Points and the curves through them, where there is one axis.

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
 #include <openssl/opensslv.h>
+#include <sleef.h>
 
 #include <Eigen/Core>
 #include <boost/version.hpp>
@@ -29,6 +30,7 @@ const BuildInfo& build_info() {
        {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
        {"GeographicLib", GEOGRAPHICLIB_VERSION_STRING},
        {"ERFA", eraVersion()},
+       {"SLEEF", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
        {"OpenSSL", OPENSSL_VERSION_STR}}};
   return info;
 }

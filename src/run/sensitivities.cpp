@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "earthtop/real.hpp"
 #include "scenario/input_derivatives.hpp"
 #include "scenario/pace.hpp"
 #include "scenario/problem.hpp"
@@ -59,7 +60,7 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
                            0};
     if (drift.azimuth) input.azimuth_rad = by_input(*drift.azimuth);
     if (scenario.uncertainty) input.axis_error_rad = std::abs(input.axis_rad) * (*scenario.uncertainty)[i];
-    report.axis_error_rad = std::hypot(report.axis_error_rad, input.axis_error_rad);
+    report.axis_error_rad = real::hypot(report.axis_error_rad, input.axis_error_rad);
     report.inputs.push_back(input);
   }
   return report;

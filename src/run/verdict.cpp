@@ -69,8 +69,8 @@ GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind k
 
 Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const Watch& watch) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
-  const double log_round_off = std::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
-  const double log_earth = std::log(kGrownAngle / earth_share);
+  const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
+  const double log_earth = real::log(kGrownAngle / earth_share);
   // Dry friction damps the more the slower the motion is: at rest without end.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   Growth growth;

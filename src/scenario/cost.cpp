@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "drift/stability.hpp"
+#include "earthtop/real.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/closed_form_fit.hpp"
 #include "scenario/pace.hpp"
@@ -28,7 +29,7 @@ PlatformDemand demand_of(const PlatformSpec& platform, double duration_s, double
     if (rate > 0) omega = alpha / rate;  // of a harmonic turn, its own
   }
   const auto& d = platform.pivot_offset_m;
-  const double offset = std::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
+  const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(earth_rate_rad_s);
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
@@ -59,8 +60,8 @@ double long_horizon_looks(const Scenario& scenario) {
   const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
   const double I1 = body.I_BP_B(0, 0), beta = std::abs(body.I_BP_B(2, 2) * release.w_XB_B[2]) / I1;
   const double mu = body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B) / I1;
-  const double start = std::hypot(release.w_XB_B[0], release.w_XB_B[1]);
-  const double rate = std::min(std::hypot(start, 2 * std::sqrt(mu)), start + 4 * mu / beta);
+  const double start = real::hypot(release.w_XB_B[0], release.w_XB_B[1]);
+  const double rate = std::min(real::hypot(start, 2 * std::sqrt(mu)), start + 4 * mu / beta);
   return scenario.duration_s * (2 * rate + std::abs(scenario.rotation_rate_rad_s)) / 1.5;
 }
 
@@ -74,7 +75,7 @@ Work long_horizon_work(const Scenario& scenario) {
       body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B) + momentum * std::abs(scenario.rotation_rate_rad_s);
   const double nutation = momentum / body.I_BP_B(0, 0);
   // A large nutation, such as a fast precession, is followed.
-  const double across = std::hypot(release.w_XB_B[0], release.w_XB_B[1]);
+  const double across = real::hypot(release.w_XB_B[0], release.w_XB_B[1]);
   const bool averages = torque < 0.02 * nutation * momentum && across < 0.1 * nutation;
   const double steps = averages ? scenario.duration_s * torque / momentum / 3 : pace_of(scenario).reduced_turning_rad / 4;
   const double rows = rows_of(scenario);

@@ -7,6 +7,7 @@
 
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/real.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/suggest.hpp"
 
@@ -103,7 +104,7 @@ void check_gimbal(const Section& effects, const Scenario& scenario) {
   if (std::abs(up_B[2]) > kLevel)
     return effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release tilts it by {:.6g} deg; give "
                                                 "/release/tilt_deg 90, or leave the gimbal out",
-                                                std::atan2(std::hypot(up_B[0], up_B[1]), up_B[2]) * 180 / std::numbers::pi));
+                                                real::atan2(real::hypot(up_B[0], up_B[1]), up_B[2]) * 180 / std::numbers::pi));
   if (scenario.release.rates_relative_to == RatesRelativeTo::inertial)
     return effects.refuse(
         "gimbal",

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "earthtop/real.hpp"
 #include "scenario/angle_table.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
@@ -72,7 +73,7 @@ std::optional<PlatformSpec> decode_platform(const Section& platform, const Scena
   }
   const auto axis = platform.vector("axis");
   // The square of a shorter one is no normal double, and its direction would be lost.
-  if (axis && std::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
+  if (axis && real::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
     platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
   spec.axis = axis.value_or(spec.axis);
   spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "earthtop/real.hpp"
 #include "scenario/decode.hpp"
 
 namespace earthtop::scenario {
@@ -45,7 +46,7 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
       complete = false;
   }
   if (!complete) return false;
-  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  const double norm = real::hypot(real::hypot(q[0], q[1]), real::hypot(q[2], q[3]));
   if (std::abs(norm - 1) > 1e-6) {
     release.refuse("quaternion_LB", fmt::format("has the norm {:.9g}; must be 1 to 1e-6 (it is normalised then)", norm));
     return false;

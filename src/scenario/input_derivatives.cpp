@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -32,7 +33,7 @@ std::array<double, kNamed> values_of(const Scenario& scenario) {
   values[latitude] = scenario.site.latitude_deg;
   values[gravity] = scenario.site.gravity_m_s2;
   values[spin] = spin_of(scenario.release);
-  values[tilt] = scenario.release.quaternion_LB ? kDegreesPerRadian * std::atan2(std::hypot(n_L[0], n_L[1]), n_L[2])
+  values[tilt] = scenario.release.quaternion_LB ? kDegreesPerRadian * real::atan2(real::hypot(n_L[0], n_L[1]), n_L[2])
                                                 : scenario.release.tilt_deg;
   values[rotation_rate] = scenario.rotation_rate_rad_s;
   values[inertia_ratio] = body.I_BP_B(2, 2) / body.I_BP_B(0, 0);

@@ -58,16 +58,16 @@ struct Braking {
 
   /// The rate's integral over the time.
   double turned(double w, double time) const {
-    const double rate = r * std::pow(w, n);
+    const double rate = r * real::pow(w, n);
     if (!(rate * time > 0)) return w * time;
-    if (n == 0) return w * -std::expm1(-rate * time) / rate;
+    if (n == 0) return w * -real::expm1(-rate * time) / rate;
     // w(t) = w0 (1 + n rate t)^(-1/n); for n >= 1 no slower than it is for n = 1.
-    return std::min(w * time, w * std::log1p(n * rate * time) / (n * rate) * (n < 1 ? 1 / (1 - n) : 1));
+    return std::min(w * time, w * real::log1p(n * rate * time) / (n * rate) * (n < 1 ? 1 / (1 - n) : 1));
   }
   /// The damping's integral: of viscous friction the time over its time constant, of any other it grows with the logarithm.
   double damping(double w, double time) const {
-    const double rate = r * std::pow(w, n);
-    return n == 0 ? rate * time : (1 + n) / n * std::log1p(n * rate * time);
+    const double rate = r * real::pow(w, n);
+    return n == 0 ? rate * time : (1 + n) / n * real::log1p(n * rate * time);
   }
 };
 
@@ -126,7 +126,7 @@ class Friction {
     const auto applied = make_applied_torques<double>(spec, site, w3, 0, 0);
     const bool turbulent = applied.disc_turbulent > 0;
     const Braking braking{std::max(applied.disc_turbulent, applied.disc_laminar) / I3, turbulent ? 0.8 : 0.5};
-    damp("/effects/air_drag", braking.damping(w3, time_) + (1 + braking.n) * braking.r * std::pow(driven_, braking.n) * time_);
+    damp("/effects/air_drag", braking.damping(w3, time_) + (1 + braking.n) * braking.r * real::pow(driven_, braking.n) * time_);
     // The spin alone is braked.
     const double rest = std::max(0.0, rate_ - w3);
     // Of a body that is not symmetric the rate about axis 3 changes its sign, where the drag has no higher derivatives.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
+
 namespace earthtop::scenario {
 namespace {
 
@@ -58,7 +60,7 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
   if (radius > kPointBob * arm) {
     // Of all bodies with this mass and radius of gyration a ball, whose radius is 1.3 times it, needs the least density. The
     // densest metal has 2.26e4 kg/m^3; a metre of thin wire comes out at 0.1.
-    const double density = body.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(1.3 * radius, 3));
+    const double wide = 1.3 * radius, density = body.mass / (4.0 / 3.0 * std::numbers::pi * wide * wide * wide);
     if (density > 2.5e4)
       section.warn(place, fmt::format("{:.3g} kg with a radius of gyration of {:.3g} m is denser than any matter (about {:.1g} "
                                       "kg/m^3); are these grams, or another unit than kg m^2?",
@@ -97,7 +99,7 @@ void warn_of_implausible(const Section& root, const Scenario& scenario) {
   for (const std::string_view key : {"tilt_deg", "azimuth_deg", "spin_angle_deg"})
     warn_of_radians(release, key, 2 * std::numbers::pi);
   const auto& rates = scenario.release.angular_velocity_body_rad_s;
-  const double spin = rates ? std::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : scenario.release.spin_rad_s;
+  const double spin = rates ? real::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : scenario.release.spin_rad_s;
   if (has_body) warn_of_body(root.section("body"), body, spin);
 }
 

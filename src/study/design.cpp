@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "earthtop/elementary.hpp"
 #include "study/json_text.hpp"
 #include "study/permutation.hpp"
 
@@ -20,7 +21,7 @@ double value_of(const StudyAxis::Range& range, std::size_t pointer, double fract
   const double from = range.from[pointer], to = range.to[pointer];
   if (fraction == 0) return from;
   if (fraction == 1) return to;
-  if (range.logarithmic) return from * std::exp(fraction * std::log(to / from));
+  if (range.logarithmic) return from * real::exp(fraction * real::log(to / from));
   return from + fraction * (to - from);
 }
 

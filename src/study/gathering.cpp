@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/elementary.hpp"
+
 namespace earthtop::study {
 namespace {
 
@@ -42,11 +44,11 @@ std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value)
     return std::pair(number ? *number : place, text);
   }
   const double from = axis_.range->from.front(), to = axis_.range->to.front(), x = number_of(value).value_or(from);
-  const double part = axis_.range->logarithmic ? std::log(x / from) / std::log(to / from) : (x - from) / (to - from);
+  const double part = axis_.range->logarithmic ? real::log(x / from) / real::log(to / from) : (x - from) / (to - from);
   const int bin = std::clamp(static_cast<int>(part * kBins), 0, kBins - 1);
   const auto edge = [&](int i) {
     const double share = static_cast<double>(i) / kBins;
-    return axis_.range->logarithmic ? from * std::pow(to / from, share) : from + (to - from) * share;
+    return axis_.range->logarithmic ? from * real::pow(to / from, share) : from + (to - from) * share;
   };
   return std::pair(static_cast<double>(bin), fmt::format("{:.6g} to {:.6g}", edge(bin), edge(bin + 1)));
 }
@@ -103,7 +105,7 @@ Json Gathering::fits() {
     const bool power = fit.kind == FitKind::power_law;
     const std::optional<double> none;
     // Of a power law, a is exp of the line's: its error goes with it.
-    const auto a = !line ? none : power ? std::optional(std::exp(line->a)) : std::optional(line->a);
+    const auto a = !line ? none : power ? std::optional(real::exp(line->a)) : std::optional(line->a);
     const auto a_error = !line || !line->a_standard_error ? none
                          : power                          ? std::optional(*a * *line->a_standard_error)
                                                           : line->a_standard_error;
@@ -135,13 +137,13 @@ void Gathering::include_values(const PointResult& point) {
     if (!x || !y) continue;
     switch (study_.fits[f].kind) {
       case FitKind::linear: fits_[f].include(*x, *y); break;
-      case FitKind::sin_latitude: fits_[f].include(std::sin(*x * std::numbers::pi / 180), *y); break;
-      case FitKind::cos_latitude: fits_[f].include(std::cos(*x * std::numbers::pi / 180), *y); break;
+      case FitKind::sin_latitude: fits_[f].include(real::sin(*x * std::numbers::pi / 180), *y); break;
+      case FitKind::cos_latitude: fits_[f].include(real::cos(*x * std::numbers::pi / 180), *y); break;
       case FitKind::logarithmic:
-        if (*x != 0) fits_[f].include(std::log(std::abs(*x)), *y);
+        if (*x != 0) fits_[f].include(real::log(std::abs(*x)), *y);
         break;
       case FitKind::power_law:
-        if (*x != 0 && *y != 0) fits_[f].include(std::log(std::abs(*x)), std::log(std::abs(*y)));
+        if (*x != 0 && *y != 0) fits_[f].include(real::log(std::abs(*x)), real::log(std::abs(*y)));
         break;
     }
   }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <new>
 
+#include "earthtop/real.hpp"
+
 namespace earthtop::study {
 
 LineFit::LineFit() : workspace_(gsl_multilarge_linear_alloc(gsl_multilarge_linear_tsqr, 2)) {
@@ -58,7 +60,7 @@ std::optional<Line> LineFit::line() {
   const double s = residual / std::sqrt(static_cast<double>(points_ - 2));
   line.residual_rms = residual / std::sqrt(static_cast<double>(points_));
   line.b_standard_error = s / std::abs(r11);
-  line.a_standard_error = s * std::hypot(1 / r00, r01 / (r00 * r11));
+  line.a_standard_error = s * real::hypot(1 / r00, r01 / (r00 * r11));
   return line;
 }
 

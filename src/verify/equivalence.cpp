@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/frames/earth.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
@@ -111,7 +112,7 @@ double reference_turned(const RunResult& result, double until_s) {
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
     const double angle = rate * row.t_s, sine = norm(Vec3<double>(celestial.cross(vector(row.ref_axis_L))));
-    const double axis = 2 * std::asin(sine * std::abs(std::sin(angle / 2)));
+    const double axis = 2 * real::asin(sine * std::abs(real::sin(angle / 2)));
     const Rotation<double> turn = Rotation<double>::about(celestial, -result.scenario.rotation_rate_rad_s * row.t_s);
     largest = std::max(largest, angle);
     error = worse(error, worse(std::abs(row.drift_attitude_rad - angle), std::abs(row.drift_axis_rad - axis)));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
 #include "scenario/problem.hpp"
 #include "verify/geometry.hpp"
@@ -68,8 +69,8 @@ double resonance(StepErrors& errors, double parts) {
   for (int octave = 0; octave < 2; ++octave) {
     std::vector<double> x, y;
     for (const double end = 2 * parts; parts < end; parts *= kFiner) {
-      x.push_back(std::log(std::round(parts)));
-      y.push_back(std::log(errors.at(std::lround(parts))));
+      x.push_back(real::log(std::round(parts)));
+      y.push_back(real::log(errors.at(std::lround(parts))));
     }
     const double n = static_cast<double>(x.size());
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
@@ -78,7 +79,7 @@ double resonance(StepErrors& errors, double parts) {
     std::vector<double> rest;
     for (std::size_t i = 0; i < x.size(); ++i) rest.push_back(y[i] - mean_y - xy / xx * (x[i] - mean_x));
     std::sort(rest.begin(), rest.end());
-    worst = worse(worst, std::exp(rest.back() - rest[rest.size() / 2]));
+    worst = worse(worst, real::exp(rest.back() - rest[rest.size() / 2]));
   }
   return worst;
 }
@@ -99,7 +100,7 @@ double order_error(const CriterionSpec& criterion, Runs& runs) {
   const long parts = fewest_parts(scenario);
   StepErrors errors(scenario, runs.watch(), steps_of(criterion, static_cast<double>(parts)) + 1);
   if (criterion.quantity == "step_resonance") return resonance(errors, static_cast<double>(parts));
-  const double order = std::log2(errors.at(parts) / errors.at(2 * parts));
+  const double order = real::log2(errors.at(parts) / errors.at(2 * parts));
   return std::abs(order - criterion.values.at(0));
 }
 

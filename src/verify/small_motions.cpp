@@ -17,7 +17,7 @@ double swing_plane(const std::vector<DriftRow>& rows, std::size_t from, std::siz
     const double dx = rows[i].axis_L[0] - x, dy = rows[i].axis_L[1] - y;
     xx += dx * dx, xy += dx * dy, yy += dy * dy;
   }
-  return std::atan2(2 * xy, xx - yy) / 2;
+  return real::atan2(2 * xy, xx - yy) / 2;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ double growth_rate_error(const RunResult& result) {
   }
   double sum = 0, squares = 0;
   for (std::size_t k = 1; k + 1 < d.size(); ++k) sum += d[k] * (d[k + 1] + d[k - 1]) / 2, squares += d[k] * d[k];
-  const double computed = std::acosh(sum / squares) / (2 * result.scenario.output_step_s);
+  const double computed = real::acosh(sum / squares) / (2 * result.scenario.output_step_s);
   const double theory = upright_growth_rate(symmetric_top(result.scenario), release_of(result.scenario).w_XB_B[2]);
   return std::abs(computed / theory - 1);
 }
@@ -58,7 +58,7 @@ double resting_axis_error(const RunResult& result) {
   const Vec3<double> rest = resting_axis_L(symmetric_top(result.scenario), w3, W_L);
   double error = 0;
   for (const DriftRow& row : result.rows) error = worse(error, norm(Vec3<double>(vector(row.axis_L) - rest)));
-  return error / std::hypot(rest[0], rest[1]);
+  return error / real::hypot(rest[0], rest[1]);
 }
 
 // The axis goes round its place of rest: under the window sin^4 the mean of that turning is zero if the run is a whole number,
@@ -68,10 +68,11 @@ double mean_lean_error(const RunResult& result) {
       resting_axis_L(symmetric_top(result.scenario), release_of(result.scenario).w_XB_B[2], earth_rate_L(result.scenario));
   double east = 0, north = 0, weights = 0;
   for (const DriftRow& row : result.rows) {
-    const double sine = std::sin(real::pi<double>() * row.t_s / result.scenario.duration_s), weight = sine * sine * sine * sine;
+    const double sine = real::sin(real::pi<double>() * row.t_s / result.scenario.duration_s),
+                 weight = sine * sine * sine * sine;
     east += weight * row.axis_L[0], north += weight * row.axis_L[1], weights += weight;
   }
-  return std::hypot(east / weights - rest[0], north / weights - rest[1]) / std::hypot(rest[0], rest[1]);
+  return real::hypot(east / weights - rest[0], north / weights - rest[1]) / real::hypot(rest[0], rest[1]);
 }
 
 }  // namespace earthtop::verify_detail

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/elementary.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
 
@@ -42,7 +43,7 @@ double homoclinic_tilt_error(const RunResult& result, double until_s) {
   double error = 0;
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
-    const double sech = 1 / std::cosh(g * row.t_s);
+    const double sech = 1 / real::cosh(g * row.t_s);
     error = worse(error, std::abs(row.ref_axis_L[2] - (1 - 2 * (1 - f * f) * sech * sech)));
   }
   return error;
@@ -59,8 +60,8 @@ double separatrix_rates_error(const RunResult& result, double until_s) {
   double error = 0;
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
-    const double sech = 1 / std::cosh(p * row.t_s);
-    const Vec3<double> w(start * sech, w2 * std::tanh(p * row.t_s), w2 * std::sqrt(b * (b - a) / (c * (c - a))) * sech);
+    const double sech = 1 / real::cosh(p * row.t_s);
+    const Vec3<double> w(start * sech, w2 * real::tanh(p * row.t_s), w2 * std::sqrt(b * (b - a) / (c * (c - a))) * sech);
     error = worse(error, norm(Vec3<double>(vector(row.ref_w_LB_B) - w)));
   }
   return error / w2;

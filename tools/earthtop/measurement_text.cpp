@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 
 namespace earthtop::tool {
@@ -17,10 +18,10 @@ std::string strong(std::string_view text, std::string_view code, bool color) {
 /// "7.2921e-05 ± 2.3e-09": as many digits as the error leaves standing, and one beyond.
 std::string with_standard_error(double value, double error) {
   if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.8g}", value);
-  const double size = std::abs(value), last = std::floor(std::log10(error)) - 1;  // place of the last digit shown
+  const double size = std::abs(value), last = std::floor(real::log10(error)) - 1;  // place of the last digit shown
   if (size >= 1e-3 && size < 1e6 && last >= -12 && last <= 0)
     return fmt::format("{:.{}f} ± {:.2g}", value, static_cast<int>(-last), error);
-  const double digits = value != 0 ? std::floor(std::log10(size)) - last : 1;
+  const double digits = value != 0 ? std::floor(real::log10(size)) - last : 1;
   return fmt::format("{:.{}e} ± {:.1e}", value, static_cast<int>(std::clamp(digits, 1.0, 16.0)), error);
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
@@ -23,7 +24,7 @@ std::string with_bound(double value, double bound) {
   int decimals = 6;
   if (value != 0 && bound > 0)
     decimals =
-        static_cast<int>(std::clamp(std::floor(std::log10(std::abs(value))) - std::floor(std::log10(bound)) + 1, 1.0, 16.0));
+        static_cast<int>(std::clamp(std::floor(real::log10(std::abs(value))) - std::floor(real::log10(bound)) + 1, 1.0, 16.0));
   return fmt::format("{:.{}e} ± {:.1e} rad", value, decimals, bound);
 }
 
@@ -147,7 +148,7 @@ void write_drift(Page& page, const RunResult& result) {
 /// As many digits as the bound leaves, and one more.
 std::string time_with_bound(double t_s, const std::optional<double>& bound_s) {
   if (!bound_s || !(*bound_s > 0)) return fmt::format("{:.9g} s", t_s);
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(*bound_s))) + 1, 0, 17);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-real::log10(*bound_s))) + 1, 0, 17);
   return fmt::format("{:.{}f} ± {:.1e} s", t_s, decimals, *bound_s);
 }
 

@@ -12,12 +12,6 @@ inline constexpr double kEquatorialRadiusWgs84 = 6378137.0;
 inline constexpr double kInverseFlatteningWgs84 = 298.257223563;
 inline constexpr double kGravitationalConstantWgs84 = 3.986004418e14;
 
-template <class T>
-struct SinCos {
-  T sin;
-  T cos;
-};
-
 /// Sine and cosine of an angle in degrees; exact at every multiple of 90 degrees, so that a pole has no northward rate.
 template <class T>
 SinCos<T> sin_cos_degrees(T degrees) {
@@ -26,7 +20,7 @@ SinCos<T> sin_cos_degrees(T degrees) {
   while (r > T(45)) r -= T(90), ++quadrant;
   while (r < T(-45)) r += T(90), --quadrant;
   const T radians = r * real::pi<T>() / T(180);
-  const T s = real::sin(radians), c = real::cos(radians);
+  const auto [s, c] = real::sin_cos(radians);
   switch (((quadrant % 4) + 4) % 4) {
     case 0: return {s, c};
     case 1: return {c, T(0) - s};

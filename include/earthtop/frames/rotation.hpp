@@ -67,8 +67,9 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
   const T high = k * (T(2) * real::pi<T>()), low = real::fma(k, T(T(2) * real::pi<T>()), T(-high));
   const T angle = (product - high) + ((rest - low) - k * (T(2) * real::pi_rest<T>()));
   Quaternion<T> q;
-  q.w = real::cos(angle);
-  q.v[axis] = real::sin(angle);
+  const SinCos<T> both = real::sin_cos(angle);
+  q.w = both.cos;
+  q.v[axis] = both.sin;
   return q;
 }
 
@@ -97,12 +98,13 @@ class Rotation {
   static Rotation exp(const Vec3<T>& v) {
     const T angle = norm(v);
     if (!(angle > T(0))) return Rotation();
-    const T half = angle / T(2);
-    return Rotation(Quaternion<T>{real::cos(half), (real::sin(half) / angle) * v});
+    const SinCos<T> half = real::sin_cos(T(angle / T(2)));
+    return Rotation(Quaternion<T>{half.cos, (half.sin / angle) * v});
   }
   /// The rotation by `angle` (rad) about the unit vector `axis`.
   static Rotation about(const Vec3<T>& axis, T angle) {
-    return Rotation(Quaternion<T>{real::cos(angle / T(2)), real::sin(angle / T(2)) * axis});
+    const SinCos<T> half = real::sin_cos(T(angle / T(2)));
+    return Rotation(Quaternion<T>{half.cos, half.sin * axis});
   }
   /// The rotation vector v with exp(v) = *this, 0 <= |v| <= pi; no acos, so small angles keep all digits.
   Vec3<T> log() const {

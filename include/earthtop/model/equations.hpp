@@ -87,8 +87,8 @@ template <class T>
 LaboratoryTurn<T> laboratory_turn(const Model<T>& model, T t) {
   const T rate_scaled = norm(model.W_IL_L_scaled);
   if (!(rate_scaled > T(0))) return {T(1), Vec3<T>::Zero()};
-  const T half_angle = model.epsilon * rate_scaled * t / T(2);
-  return {real::cos(half_angle), (real::sin(half_angle) / (model.epsilon * rate_scaled)) * model.W_IL_L_scaled};
+  const SinCos<T> half = real::sin_cos(T(model.epsilon * rate_scaled * t / T(2)));
+  return {half.cos, (half.sin / (model.epsilon * rate_scaled)) * model.W_IL_L_scaled};
 }
 
 /// Inertial axes N. @param R_NL  the laboratory's attitude at this time; gravity turns with it.

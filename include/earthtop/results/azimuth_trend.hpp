@@ -11,7 +11,7 @@ namespace earthtop {
 /// @param axis_L, ref_axis_L  unit vectors (East, North, Up)   @param apart_rad  angle between them
 template <class Vector>
 bool azimuths_tell(const Vector& axis_L, const Vector& ref_axis_L, double apart_rad) {
-  return std::min(std::hypot(axis_L[0], axis_L[1]), std::hypot(ref_axis_L[0], ref_axis_L[1])) >= apart_rad;
+  return std::min(real::hypot(axis_L[0], axis_L[1]), real::hypot(ref_axis_L[0], ref_axis_L[1])) >= apart_rad;
 }
 
 }  // namespace earthtop

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/elementary.hpp"
 #include "integrate/drive_options.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/lanes/block.hpp"
@@ -28,7 +29,7 @@ struct Plan {
 /// a series with a near singularity takes.
 inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
   const double last_term = 1e-4 * relative_tolerance;
-  return {&kernel, std::clamp(static_cast<int>(1 - 0.7 * std::log(last_term)), 6, kMostOrder), last_term};
+  return {&kernel, std::clamp(static_cast<int>(1 - 0.7 * real::log(last_term)), 6, kMostOrder), last_term};
 }
 
 /// One point in its lane.

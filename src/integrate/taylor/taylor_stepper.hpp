@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "earthtop/elementary.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/taylor/products.hpp"
 
@@ -32,7 +33,7 @@ class TaylorStepper {
   using stepper_category = boost::numeric::odeint::dense_output_stepper_tag;
 
   TaylorStepper(T relative_tolerance, const GroupScales<T, System>& scales)
-      : log_tolerance_(std::log(kLastTerm * static_cast<double>(relative_tolerance))),
+      : log_tolerance_(real::log(kLastTerm * static_cast<double>(relative_tolerance))),
         scales_(&scales),
         order_(std::clamp(static_cast<int>(1 - 0.6 * log_tolerance_), kLeastOrder, kMostOrder<T>)) {}
 
@@ -112,21 +113,21 @@ class TaylorStepper {
   /// Logarithm of the step at whose end the term of order k meets the tolerance.
   double log_step(int k) const {
     const double size = static_cast<double>(scales_->largest_ratio(at(k)));
-    return size > 0 ? (log_tolerance_ - std::log(size)) / k : kUnlimited;
+    return size > 0 ? (log_tolerance_ - real::log(size)) / k : kUnlimited;
   }
   /// The last two terms count, as one of them may vanish by symmetry.
   T choose_step() {
     const double last = log_step(order_), before = log_step(order_ - 1);
     const double log_h = std::min(last, before);
     adapt_order(log_h, std::min(before, log_step(order_ - 2)));
-    const T h = log_h < kUnlimited / 2 ? T(std::exp(log_h)) : longest_;
+    const T h = log_h < kUnlimited / 2 ? T(real::exp(log_h)) : longest_;
     return longest_ > T(0) && !(h < longest_) ? longest_ : h;
   }
   /// One order up or down, whichever way less work for each unit of time lies; a step that is cut short needs no higher one.
   void adapt_order(double log_h, double log_h_below) {
-    const double log_longest = longest_ > T(0) ? std::log(static_cast<double>(longest_)) : kUnlimited;
+    const double log_longest = longest_ > T(0) ? real::log(static_cast<double>(longest_)) : kUnlimited;
     const auto log_work = [&](int order, double log_step) {
-      return 2 * std::log(order + 3.0) - std::min(log_step, log_longest);
+      return 2 * real::log(order + 3.0) - std::min(log_step, log_longest);
     };
     if (log_work(order_ - 1, log_h_below) < log_work(order_, log_h))
       order_ = std::max(order_ - 1, kLeastOrder);
