@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/row_source.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop::compare {
 

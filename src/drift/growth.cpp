@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "drift/stability.hpp"
+#include "earthtop/drift/growth.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
 
@@ -21,7 +22,7 @@ using State = std::array<double, kSize>;  // q, w, then theta and dw of each dis
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
-constexpr double kToldApart = 2;    // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr double kToldApart = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
 constexpr std::int64_t kStepLimit = 50'000'000;
 constexpr int kStages = 13;         // of Fehlberg's method of order 8
 constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump

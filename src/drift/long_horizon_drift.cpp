@@ -218,7 +218,7 @@ class LongHorizonDrift {
     StepCounters uncounted;
     std::vector<LongHorizonWalk<T>> walks;
     walks.reserve(looked_at_.size());
-    for (const Walked& walked : looked_at_) walks.emplace_back(walked.top, walked.plan, uncounted);
+    for (const Walked& walked : looked_at_) walks.emplace_back(walked.top, walked.plan, uncounted, watch_.part(1, 1));
     T begin = T(0);
     const T apart = T(kApart) / fast_rate();
     const auto pair_at = [&](T t) {

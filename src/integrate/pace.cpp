@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/real.hpp"
+
 namespace earthtop {
 namespace {
 

@@ -64,7 +64,7 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
     add_row(row, result);
   }
   result.drift = summarize_drift(result.rows, result.scenario.rotation_rate_rad_s);
-  result.drift.threshold_time_s = made.first.threshold_time_s;
+  if (made.first.threshold) result.drift.threshold_time_s = made.first.threshold->time_s();
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
   result.stops = made.first.stops;
   result.verdict.verdict = Verdict::unassessed;

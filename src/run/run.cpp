@@ -119,7 +119,7 @@ double estimated_run_seconds(const Scenario& scenario) {
   const IntegrationOptions first = method_choice(scenario).options;
   const ModelForm form = form_taken(make_problem<double>(scenario), first);
   const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
-  return choice + estimated_work(scenario, first, second_options(scenario, first, form), form).all();
+  return choice + work_of_run(scenario, first, second_options(scenario, first, form), form).all();
 }
 
 RunResult run(const Scenario& scenario, const RunOptions& options) {

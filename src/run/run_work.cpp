@@ -13,7 +13,7 @@ double seconds_a_row(Precision precision) { return precision == Precision::bits5
 }  // namespace
 
 RunWork work_of_run(const Scenario& scenario, const IntegrationOptions& first, const IntegrationOptions& second,
-                       ModelForm form) {
+                    ModelForm form) {
   RunWork work;
   work.solution = integration_work(scenario, first, form);
   work.bound = integration_work(scenario, second, form);

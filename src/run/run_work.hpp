@@ -13,6 +13,6 @@ struct RunWork {
 
 /// @param first, second  the options of the two integrations   @param form  that both take
 RunWork work_of_run(const Scenario& scenario, const IntegrationOptions& first, const IntegrationOptions& second,
-                       ModelForm form);
+                    ModelForm form);
 
 }  // namespace earthtop

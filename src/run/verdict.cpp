@@ -7,6 +7,7 @@
 
 #include "drift/stability.hpp"
 #include "earthtop/drift/growth.hpp"
+#include "earthtop/real.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -53,8 +54,8 @@ struct Growth {
   bool completed = true;
 };
 
-/// The tolerance of the first look at the growth: motions with a closed form are followed closely, as they leave a separatrix by
-/// the integration's own error.
+/// The tolerance of the first look at the growth: motions with a closed form are followed closely, as they leave a separatrix
+/// by the integration's own error.
 double growth_tolerance(const MotionProblem<double>& problem) { return is_integrable(problem) ? 1e-13 : 1e-7; }
 
 /// The growth along one motion. What a coarse integration calls growth may be its own error, so that a finer one has to say so,

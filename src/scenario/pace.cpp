@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/real.hpp"
 #include "scenario/platform_demand.hpp"
 
 namespace earthtop {

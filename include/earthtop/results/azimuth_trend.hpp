@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/real.hpp"
+
 namespace earthtop {
 
 /// Whether the compass azimuths of two axes tell where these stand to each other: neither is nearer to the vertical than the
