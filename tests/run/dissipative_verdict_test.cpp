@@ -186,10 +186,9 @@ TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
   RunResult result;
   result.scenario = testing::toy_top();
   result.status = RunStatus::step_underflow;
-  const std::atomic<bool> stop = false;
   for (const std::size_t rows : {0, 1}) {
     result.rows.resize(rows);
-    const VerdictReport verdict = assess_verdict(result, stop);
+    const VerdictReport verdict = assess_verdict(result, {});
     EXPECT_EQ(verdict.verdict, Verdict::unassessed) << rows;
     EXPECT_FALSE(verdict.lyapunov_exponent_1_s);
     EXPECT_FALSE(verdict.from_s);

@@ -139,7 +139,7 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   made.second = integrate_drift(problem, made.other_options);
   describe(problem, made.other_options, made.second, s.precision, made.certificate);
   ASSERT_EQ(made.second.status, RunStatus::step_limit);
-  const RunResult result = assemble_result(s, made);
+  const RunResult result = assemble_result(s, made, {}, Parts({}, 0));
   EXPECT_EQ(result.status, RunStatus::step_limit);
   EXPECT_EQ(result.solution.status, RunStatus::completed);
   EXPECT_EQ(result.certificate.status, RunStatus::step_limit);
