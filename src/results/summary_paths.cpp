@@ -63,7 +63,7 @@ Scenario any_scenario(int kind) {
 RunResult any_result(int kind) {
   RunResult result;
   result.scenario = result.modelled = any_scenario(kind);
-  result.rows.resize(1);
+  result.rows.resize(2);  // a row beyond the release, without which there are no numbers
   result.extended_rows.resize(1);
   result.selection = Selection{};
   result.selection->switched_on = result.selection->left_out = {""};

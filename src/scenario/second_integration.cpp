@@ -13,14 +13,15 @@ IntegrationOptions second_options(const Scenario& scenario, const IntegrationOpt
       form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
-  if (scenario.effects.applied.coulomb_N_m != 0) second.observer = first.observer;
+  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
+  if (dry_friction) second.observer = first.observer;
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;
   const double asked = first.relative_tolerance;
   const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);
   second.relative_tolerance = std::max(asked / 1000, least);
-  if (precision == Precision::bits64 && second.method == Method::rkf78 && second.relative_tolerance > asked / 30)
-    second.relative_tolerance = 10 * asked;
+  const bool dearer = precision == Precision::bits64 && second.method == Method::rkf78;
+  if ((dearer || dry_friction) && second.relative_tolerance > asked / 30) second.relative_tolerance = std::min(10 * asked, 0.1);
   constexpr double kAffordable = 3e4;  // rad; a tenth of a second
   const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
   if (first.method == Method::long_horizon && phase > kAffordable) {
