@@ -130,6 +130,8 @@ bool has_drift(const RunResult& result);
 
 /// Which integration took more steps than it may; empty where none did.
 std::string why_limited(const RunResult& result);
+/// Whether that was more than the work estimated of it allows, and not the limit that every run has.
+bool stopped_beyond_estimate(const RunResult& result);
 
 /// The last row before the verdict's time; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);

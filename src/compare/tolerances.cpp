@@ -23,7 +23,7 @@ constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 10;  // of errors: up or down
 constexpr double kTorque = 1e-9;          // of its largest value: the state's error, many times over
 constexpr double kDerived = 1e-6;         // of a number made of several, whose own bounds no summary states
-constexpr double kTime = 1e-3;            // of the time of an event: linear within a step, and steps are a method's own
+constexpr double kTime = 1e-3;            // of a time at which disturbances have grown: growth is followed to some percent
 constexpr double kOfSize = 0.1;           // most that error bounds allow where there is no effect: a tenth is no agreement
 constexpr double kSmall = 0.01;           // of the largest error: below it, errors of any ratio are of one size
 // The same computation, rounded otherwise: of a quantity's size, and of the error bounds, which are larger where rounding has

@@ -51,6 +51,7 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   const std::string_view quantity = check.stated.quantity;
   const double t_s = check.stated.at_s.value_or(result.scenario.duration_s);
   if (quantity.find('.') == std::string_view::npos) check.at_s = t_s;
+  if (!has_drift(result)) return check;
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
   if (result.verdict.from_s && check.at_s.value_or(result.scenario.duration_s) >= *result.verdict.from_s) {

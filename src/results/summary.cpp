@@ -300,7 +300,7 @@ std::string matching_rule(const Scenario& scenario) {
 }
 
 std::optional<DriftDigits> drift_digits(const RunResult& result) {
-  if (result.extended_rows.empty()) return std::nullopt;
+  if (result.extended_rows.empty() || !has_drift(result)) return std::nullopt;
   const auto in_full = [&](float128 value) { return digits(value, result.scenario.precision); };
   float128 axis_max = 0;
   for (const ExtendedDriftRow& row : result.extended_rows) axis_max = std::max(axis_max, row.drift_axis_rad);

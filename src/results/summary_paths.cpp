@@ -65,6 +65,7 @@ RunResult any_result(int kind) {
   result.scenario = result.modelled = any_scenario(kind);
   result.rows.resize(2);  // a row beyond the release, without which there are no numbers
   result.extended_rows.resize(1);
+  result.solution.status = result.certificate.status = RunStatus::step_limit;
   result.selection = Selection{};
   result.selection->switched_on = result.selection->left_out = {""};
   result.accuracy = AccuracyReport{};

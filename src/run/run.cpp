@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "earthtop/arithmetic.hpp"
@@ -92,7 +93,7 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptio
     attempt.watch = options.watch.part(std::exchange(done, next), next);
     RunResult result = run_once(scenario, attempt);
     ++accuracy.attempts;
-    accuracy.reached_rad = result.drift.axis_bound_rad + left_out_rad;
+    accuracy.reached_rad = has_drift(result) ? result.drift.axis_bound_rad + left_out_rad : HUGE_VAL;
     const bool may_be_finer = free && tolerance > least && accuracy.attempts < kAttempts;
     if (accuracy.reached() || !may_be_finer || result.status != RunStatus::completed) {
       result.accuracy = accuracy;

@@ -52,6 +52,7 @@ struct Growth {
   double mean_exponent_1_s = 0;
   double departure = 0;
   bool completed = true;
+  double followed_s = HUGE_VAL;  ///< along both motions
 };
 
 /// The tolerance of the first look at the growth: motions with a closed form are followed closely, as they leave a separatrix
@@ -84,6 +85,7 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
       growth.late_exponent_1_s = std::max(growth.late_exponent_1_s.value_or(-HUGE_VAL), *report.late_exponent_1_s);
     growth.critical_spin_s = earlier(growth.critical_spin_s, report.critical_spin_s);
     growth.completed = growth.completed && report.completed;
+    growth.followed_s = std::min(growth.followed_s, report.end_s);
     if (!report.exponential_s) continue;
     growth.departure = std::max(growth.departure, kind == MotionKind::reference ? report.departure : 0);
     growth.exponential_s = earlier(growth.exponential_s, report.exponential_s);
@@ -133,8 +135,10 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
   const std::optional<double> loose_s = loose_from_s(rows);
   const bool braked = growth.critical_spin_s.value_or(0) > 0;
   if (!growth.exponential_s && !braked) {
-    report.reason = growth.completed ? "disturbances grow no faster than the motion's own angles"
-                                     : "no exponential growth of disturbances, as far as it was followed";
+    report.reason =
+        growth.completed
+            ? "disturbances grow no faster than the motion's own angles"
+            : fmt::format("no exponential growth of disturbances, as far as it was followed, to {:.6g} s", growth.followed_s);
     return;
   }
   report.round_off_grown_s = growth.round_off_s;

@@ -47,7 +47,7 @@ std::string verdict(const CheckedFile& checked) {
     const Scenario& scenario = *report.scenario;
     text += fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
                         output_times(scenario.duration_s, scenario.output_step_s).size(), estimated_steps(scenario));
-    text += ", " + about_seconds(estimated_seconds(scenario));
+    text += ", " + about_seconds(estimated_run_seconds(scenario));
   }
   if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
   return text + '\n';

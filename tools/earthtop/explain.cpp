@@ -78,7 +78,7 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
     text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
   text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
-                      estimated_steps(scenario), about_seconds(estimated_seconds(scenario)));
+                      estimated_steps(scenario), about_seconds(estimated_run_seconds(scenario)));
   for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
   return text;
 }

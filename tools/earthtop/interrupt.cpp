@@ -21,13 +21,14 @@ namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;       // ns
 constexpr std::int64_t kGrace = 100 * kMillisecond;    // of processor time, for an orderly end
+constexpr std::int64_t kNoLimit = 0;                   // sets no timer
 constexpr std::int64_t kMoment = 10 * kMillisecond;    // of processor time, for what must not be cut in two
 constexpr std::int64_t kIdle = 2000 * kMillisecond;    // by the clock on the wall: who has used hardly any processor time
 constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // by then waits for something, and may do so for ever
 
 // What a handler reads and writes. Work is asked for by one thread; any thread may be the one that takes a signal.
 std::atomic<int> g_signal = 0;
-std::atomic<bool> g_orderly = false;
+std::atomic<bool> g_orderly = false, g_keeps = false;
 std::atomic<std::int64_t> g_used_before = 0;  // processor time at the last look
 bool g_json = false;
 const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come at the very end
@@ -73,7 +74,7 @@ extern "C" void on_stop_signal(int signal) {
   const bool is_first = g_signal.exchange(signal) == 0;
   if (is_first && g_orderly) {
     request_interrupt();
-    watch_the_end(kGrace);
+    watch_the_end(g_keeps ? kNoLimit : kGrace);
   } else {
     end_at_once();
   }
@@ -126,12 +127,19 @@ void install_stop_handlers(bool json) {
   }
 }
 
-OrderlyEnd::OrderlyEnd() { g_orderly = true; }
-OrderlyEnd::~OrderlyEnd() { g_orderly = false; }
+OrderlyEnd::OrderlyEnd(bool keeps) {
+  g_keeps = keeps;
+  g_orderly = true;
+}
+OrderlyEnd::~OrderlyEnd() {
+  g_orderly = false;
+  set(g_processor_timer, kNoLimit);
+  set(g_wall_timer, kNoLimit);
+}
 
 void keep_what_is_there() {
-  set(g_processor_timer, 0);
-  set(g_wall_timer, 0);
+  set(g_processor_timer, kNoLimit);
+  set(g_wall_timer, kNoLimit);
   withdraw_interrupt();
 }
 

@@ -11,7 +11,8 @@ void install_stop_handlers(bool json);
 /// of processor time. When that is used up, and where the work does nothing at all, the program ends as it does elsewhere.
 class OrderlyEnd {
  public:
-  OrderlyEnd();
+  /// @param keeps  whether what is there then is to be kept: a million rows take longer to put together
+  explicit OrderlyEnd(bool keeps = false);
   ~OrderlyEnd();
   OrderlyEnd(const OrderlyEnd&) = delete;
   OrderlyEnd& operator=(const OrderlyEnd&) = delete;

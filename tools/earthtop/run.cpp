@@ -82,7 +82,7 @@ struct WrittenRun {
 
 /// Runs and writes, with one progress for both.
 WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& dir, const RunArguments& arguments) {
-  const OrderlyEnd orderly;
+  const OrderlyEnd orderly(arguments.partial);
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
@@ -149,10 +149,9 @@ int run_verb(const RunArguments& arguments) try {
   }
   if (result.status == RunStatus::completed) return kDone;
   if (result.status == RunStatus::step_limit) {
-    message(fmt::format(
-        "earthtop: error: stopped ({}) at t = {} s of {} s: {}; the rows up to it are in {}; "
-        "--no-step-limit goes on",
-        to_string(result.status), result.reached_s, scenario.duration_s, why_limited(result), printable(dir.string())));
+    message(fmt::format("earthtop: error: stopped ({}) at t = {} s of {} s: {}; the rows up to it are in {}{}",
+                        to_string(result.status), result.reached_s, scenario.duration_s, why_limited(result),
+                        printable(dir.string()), stopped_beyond_estimate(result) ? "; --no-step-limit goes on" : ""));
     return kNumericalFailure;
   }
   message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",

@@ -173,7 +173,7 @@ void write_choice(Page& page, const RunResult& result) {
                                       listed(selection->switched_on), listed(selection->left_out),
                                       selection->left_out_drift_rad, selection->seconds));
   }
-  if (const auto& accuracy = result.accuracy) {
+  if (const auto& accuracy = result.accuracy; accuracy && std::isfinite(accuracy->reached_rad)) {
     const std::string text = fmt::format("{:.1e} rad asked for, {:.1e} rad {}", accuracy->asked_rad, accuracy->reached_rad,
                                          accuracy->reached() ? "reached" : "NOT reached");
     page.entry("Accuracy", accuracy->reached() ? text : page.warning(text));
