@@ -8,6 +8,10 @@
 namespace earthtop {
 namespace {
 
+/// Towards the round-off of 113 bits `extrapolation` has fewer columns left, each of which loses digits, and takes shorter
+/// steps: a tolerance against the one where that begins, as measured.
+double near_round_off(double tolerance) { return std::min(1.0, tolerance / 1e-30); }
+
 /// The phase of the fastest motion that a step covers (rad), as measured on a fast top; a method of order p takes steps that
 /// grow with the p-th root of its tolerance. The order of `extrapolation` follows its tolerance.
 double radians_a_step(Method method, double tolerance) {
@@ -15,7 +19,7 @@ double radians_a_step(Method method, double tolerance) {
     case Method::dopri5: return 0.25 * real::pow(tolerance / 1e-8, 1.0 / 5);
     case Method::rkf78: return 0.22 * real::pow(tolerance / 1e-14, 1.0 / 8);
     case Method::bulirsch_stoer: return 2 * real::pow(tolerance / 1e-12, 1.0 / 16);
-    case Method::extrapolation: return 4 * real::pow(tolerance / 1e-12, 1.0 / 35);
+    case Method::extrapolation: return 4 * real::pow(tolerance / 1e-12, 1.0 / 35) * real::pow(near_round_off(tolerance), 0.45);
     case Method::taylor: return 1.8;
     case Method::dop853: return 0.35 * real::pow(tolerance / 1e-12, 1.0 / 8);
     case Method::gauss: return std::min(2.0, 1.0 * real::pow(tolerance / 1e-12, 1.0 / 13));
@@ -57,7 +61,7 @@ double evaluations_a_step(Method method, double tolerance) {
   switch (method) {
     case Method::dopri5: return 6;
     case Method::bulirsch_stoer: return 53;
-    case Method::extrapolation: return 80 * real::pow(tolerance / 1e-12, -1.0 / 35);
+    case Method::extrapolation: return 80 * real::pow(tolerance / 1e-12, -1.0 / 35) * real::pow(near_round_off(tolerance), 0.2);
     case Method::abm8: return 2;
     case Method::taylor: return 8 - 0.7 * real::log(tolerance);
     case Method::gauss: return 120;

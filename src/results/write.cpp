@@ -106,7 +106,7 @@ void write_file(const fs::path& file, std::string_view content) {
 }
 
 double writing_work(const Scenario& scenario) {
-  const double seconds_a_row = scenario.precision == Precision::bits53 ? 2e-6 : 8e-5;  // as measured
+  const double seconds_a_row = scenario.precision == Precision::bits53 ? 3e-6 : 8e-5;  // as measured
   return (scenario.ledger ? 2 : 1) * seconds_a_row * scenario.duration_s / scenario.output_step_s;
 }
 

@@ -3,6 +3,9 @@
 where half of the processor time is used up, it says between a quarter and three quarters. Pipes, --quiet, --json and NO_COLOR
 are told nothing.
 
+A command is made slow by stopping it after every SLICE_S of processor time for longer than its line takes to be written anew:
+so a second of work is enough to see how the share grows, on any machine.
+
 usage: progress_test.py PATH_OF_EARTHTOP SCENARIOS [--all]
 """
 import json
@@ -10,14 +13,18 @@ import os
 import pty
 import re
 import select
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 from signals import processor_time
 
 TOOL, SCENARIOS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 ALL = "--all" in sys.argv
+SLICE_S = 0.08  # of processor time, and at least a tenth of what was used up so far
+FIRST_S, NEXT_S = 1.05, 0.27  # by the clock: the line is shown from the first second on, every quarter of one
 SHARE = re.compile(r"\r *(\d+)%  ([^\r]*)")
 faults = []
 
@@ -28,14 +35,25 @@ def fault(text):
 
 
 def watched(arguments, environment=None):
-    """Runs a command whose standard error is a terminal. @returns its status, [(processor time, share, rest of line)], text"""
+    """Runs a command, in slices, whose standard error is a terminal.
+
+    @returns its status, [(processor time, share, rest of line)], text, its processor time, the number of times it was stopped
+    """
     master, slave = pty.openpty()
     seen, text = [], ""
+    stops, stop_at_s = 0, SLICE_S
     with subprocess.Popen([TOOL, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave,
                           env={**os.environ, "TERM": "xterm", **(environment or {})}) as process:
         os.close(slave)
         while True:
-            if select.select([master], [], [], 0.05)[0]:
+            used = processor_time(process.pid) or 0
+            if used >= stop_at_s:
+                os.kill(process.pid, signal.SIGSTOP)
+                time.sleep(NEXT_S if stops else FIRST_S)
+                os.kill(process.pid, signal.SIGCONT)
+                stops += 1
+                stop_at_s = used + max(SLICE_S, used / 10)
+            if select.select([master], [], [], min(0.05, max(0.002, (stop_at_s - used) / 2)))[0]:
                 try:
                     piece = os.read(master, 65536).decode("utf-8", "replace")
                 except OSError:
@@ -50,15 +68,15 @@ def watched(arguments, environment=None):
         process.returncode = os.waitstatus_to_exitcode(status)
     os.close(master)
     whole = usage.ru_utime + usage.ru_stime
-    return process.returncode, [(whole if t is None else t, share, rest) for t, share, rest in seen], text, whole
+    return process.returncode, [(whole if t is None else t, share, rest) for t, share, rest in seen], text, whole, stops
 
 
 def check(name, arguments):
-    status, seen, text, whole = watched(arguments)
+    status, seen, text, whole, stops = watched(arguments)
     if status not in (0, 1):
         return fault(f"{name}: status {status}: {text}")
-    if len(seen) < 4:
-        return fault(f"{name}: only {len(seen)} looks in {whole:.1f} s: {text!r}")
+    if len(seen) < max(3, stops * 2 // 3):
+        return fault(f"{name}: only {len(seen)} looks in {whole:.2f} s of processor time and {stops} stops: {text!r}")
     shares = [share for _, share, _ in seen]
     if shares != sorted(shares):
         fault(f"{name}: the share falls: {shares}")
@@ -68,7 +86,7 @@ def check(name, arguments):
         fault(f"{name}: nothing says how long it will take")
     half = min(seen, key=lambda look: abs(look[0] - whole / 2))
     phases = sorted({rest.split(",")[0] for _, _, rest in seen if rest.strip()})
-    print(f"{name}: {whole:.1f} s, {half[1]} % at {half[0] / whole:.0%} of it; {phases}", flush=True)
+    print(f"{name}: {whole:.1f} s, {len(seen)} looks, {half[1]} % at {half[0] / whole:.0%} of it; {phases}", flush=True)
     if abs(half[0] - whole / 2) < whole / 8 and not 25 <= half[1] <= 75:
         fault(f"{name}: {half[1]} % where {half[0] / whole:.0%} of the processor time is used")
     return None
@@ -92,10 +110,10 @@ def scene(name, file, **sets):
 
 
 def main():
-    top = scene("toy-top", "top", motion__duration_s=400, motion__output_step_s=1)
-    body = scene("asymmetric-top", "body", motion__duration_s=600)
-    rows = scene("toy-top", "rows", motion__output_step_s=0.0003)
-    friction = scene("asymmetric-top", "friction", motion__duration_s=60, motion__output_step_s=1,
+    top = scene("toy-top", "top", motion__duration_s=300, motion__output_step_s=1)
+    body = scene("asymmetric-top", "body", motion__duration_s=900)
+    rows = scene("toy-top", "rows", motion__output_step_s=0.0004)
+    friction = scene("asymmetric-top", "friction", motion__duration_s=40, motion__output_step_s=1,
                      effects__coulomb_torque_N_m=1e-9)
     points = {"name": "points", "base": top, "collect": ["drift.axis_final_rad"],
               "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5, "to": 40, "points": 8}}]}

@@ -1,30 +1,29 @@
 """A program that is sent a signal when it has used so much processor time, and what it used after it.
 
-Processor time is read from the kernel, in nanoseconds, of all threads; a loaded machine makes a test slower, not stricter.
+Processor time is read from the kernel's clock of the process; a loaded machine makes a test slower, not stricter. Signals are
+sent with os.kill: Popen's own way to send one may reap the process, whose use of the processor is then lost.
 """
 import os
 import signal
 import subprocess
 import time
 
+LAST_S = 0.002  # of processor time, for what a program does after its last look at the signals
 PATIENCE = 120  # s by the clock, for what takes a fraction of a second of processor time
 
 
 def processor_time(pid):
-    """Seconds that the process has used; None when it has ended."""
-    total = 0
+    """Seconds that all threads of the process have used, ended ones included; None when nothing of it is left."""
     try:
-        for thread in os.listdir(f"/proc/{pid}/task"):
-            with open(f"/proc/{pid}/task/{thread}/schedstat", encoding="ascii") as file:
-                total += int(file.read().split()[0])
-    except (FileNotFoundError, ProcessLookupError):
+        return time.clock_gettime((~pid << 3) | 2)  # what clock_getcpuclockid(3) gives
+    except OSError:
         return None
-    return total * 1e-9
 
 
 class Interrupted:
     """What came of a command that was sent a signal.
 
+    at_s: processor time used at the signal; all of it where the command had ended before
     after_s: processor time between the signal and the end; None where the command had ended before
     waited_s: the same by the clock
     """
@@ -53,11 +52,11 @@ class Interrupted:
         ended = status is not None or used is None
         sent = time.monotonic()
         if not ended:
-            process.send_signal(number)
+            os.kill(process.pid, number)
             used = processor_time(process.pid) or used
             if second:
                 time.sleep(0.02)  # two of a kind that wait together are one
-                process.send_signal(number)
+                os.kill(process.pid, number)
         timeout = time.monotonic() + PATIENCE
         while True:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
@@ -69,6 +68,9 @@ class Interrupted:
             time.sleep(0.001)
         process.returncode = os.waitstatus_to_exitcode(status)
         self.status = process.returncode
-        self.at_s = used
+        # A command that was about to end when it was sent the signal ends as if there had been none.
+        whole = usage.ru_utime + usage.ru_stime
+        ended = ended or (self.status in (0, 1) and whole - used < LAST_S)
+        self.at_s = whole if ended else used
         self.waited_s = time.monotonic() - sent
-        self.after_s = None if ended else usage.ru_utime + usage.ru_stime - used
+        self.after_s = None if ended else whole - used

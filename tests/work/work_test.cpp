@@ -125,6 +125,25 @@ TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
   EXPECT_LE(growth.counters.accepted + growth.counters.rejected, limit.steps);
 }
 
+// Towards the round-off of 113 bits steps are ten times as many as the order of the method tells: within a factor of four of
+// what is promised, where a run stops at ten.
+TEST(WorkEstimate, KnowsTheStepsOfTheFinestTolerance) {
+  Scenario s = toy_top();
+  s.precision = Precision::bits113;
+  s.duration_s = s.output_step_s = 0.1;
+  DriftProblem<float128> problem = make_problem<float128>(s);
+  for (const double tolerance : {1e-30, 1e-31, 1e-32}) {
+    IntegrationOptions options = options_of(Method::extrapolation);
+    options.relative_tolerance = tolerance;
+    const auto done = integrate_drift(problem, options);
+    ASSERT_EQ(done.status, RunStatus::completed) << tolerance;
+    const double taken = static_cast<double>(done.counters.accepted + done.counters.rejected);
+    const double promised = estimated_work(problem.pace, options, false).steps;
+    EXPECT_LT(taken, 4 * promised) << tolerance;
+    EXPECT_GT(taken, promised / 4) << tolerance;
+  }
+}
+
 // No row without a bound, and the reason by name.
 TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   const Scenario s = long_enough();
