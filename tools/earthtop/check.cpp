@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
