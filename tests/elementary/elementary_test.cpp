@@ -75,7 +75,7 @@ double sine_of_pair(double x) noexcept { return real::sin_cos(x).sin; }
 double cosine_of_pair(double x) noexcept { return real::sin_cos(x).cos; }
 float128 exp10q(float128 x) noexcept { return powq(10, x); }
 float128 fifth_root_q(float128 x) noexcept { return powq(x, float128(1) / 5); }
-double fifth_root_by_pow(double x) { return x > 0 ? std::pow(x, 0.2) : 0; }
+double fifth_root_by_pow(double x) { return x > 0 ? static_cast<double>(std::pow(static_cast<long double>(x), 0.2L)) : 0; }
 
 const std::vector<Function> kFunctions = {
     {"sin", real::sin, sinq, std::sin, -1074, 1023.9},
