@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers='elementary
+layers='elementary fifth_root
 real text error arithmetic watch
 frames
 model

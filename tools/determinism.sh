@@ -107,7 +107,7 @@ hash_of() {
   python3 - "$work/results" <<'PYTHON'
 import json, pathlib, sys
 for path in pathlib.Path(sys.argv[1]).glob("*/summary.json"):
-    summary = json.loads(path.read_text())
+    summary = json.loads(path.read_text().replace(str(pathlib.Path(sys.argv[1]).parent), "."))
     summary["provenance"] = summary["provenance"]["constants"]
     path.write_text(json.dumps(summary, indent=1))
 PYTHON

@@ -1,8 +1,9 @@
 /// Elementary functions of double with the same digits on every machine.
 ///
-/// The C library's choose their code by the processor, and so their last digit. These are SLEEF's bit-reproducible ones, each
-/// within 1 unit in the last place (erfc: 1.5; atan2: 2 where the result is subnormal). Everything that reaches a result calls
-/// them, or the square root, fma, fmod, remainder and roundings of <cmath>, which are exact. Angles in rad.
+/// The C library's choose their code by the processor, and so their last digit. These are SLEEF's bit-reproducible ones, but
+/// for the fifth root, each within 1 unit in the last place (erfc: 1.5; atan2: 2 where the result is subnormal). Everything
+/// that reaches a result calls them, or the square root, fma, fmod, remainder and roundings of <cmath>, which are exact. Angles
+/// in rad.
 #pragma once
 
 namespace earthtop {
@@ -35,6 +36,8 @@ namespace real {
 [[gnu::const]] double log1p(double x) noexcept;
 [[gnu::const]] double pow(double x, double y) noexcept;
 [[gnu::const]] double cbrt(double x) noexcept;
+/// x^(1/5) where x is positive, else 0: within 0.53 units in the last place, by exact arithmetic operations only.
+[[gnu::const]] double fifth_root(double x) noexcept;
 
 [[gnu::const]] double sinh(double x) noexcept;
 [[gnu::const]] double cosh(double x) noexcept;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -67,12 +68,14 @@ struct Function {
   double (*c_library)(double);
   double low, high;  ///< binary exponents of its arguments
   bool positive = false;
-  double claim_ulp = 1;  ///< SLEEF's
+  double claim_ulp = 1;  ///< that of its header
 };
 
 double sine_of_pair(double x) noexcept { return real::sin_cos(x).sin; }
 double cosine_of_pair(double x) noexcept { return real::sin_cos(x).cos; }
 float128 exp10q(float128 x) noexcept { return powq(10, x); }
+float128 fifth_root_q(float128 x) noexcept { return powq(x, float128(1) / 5); }
+double fifth_root_by_pow(double x) { return x > 0 ? static_cast<double>(std::pow(static_cast<long double>(x), 0.2L)) : 0; }
 
 const std::vector<Function> kFunctions = {
     {"sin", real::sin, sinq, std::sin, -1074, 1023.9},
@@ -92,6 +95,7 @@ const std::vector<Function> kFunctions = {
     {"log10", real::log10, log10q, std::log10, -1074, 1023.9, true},
     {"log1p", real::log1p, log1pq, std::log1p, -1074, 1023.9, true},
     {"cbrt", real::cbrt, cbrtq, std::cbrt, -1020, 1023.9},
+    {"fifth root", real::fifth_root, fifth_root_q, fifth_root_by_pow, -1074, 1023.9, true, 0.53},
     {"sinh", real::sinh, sinhq, std::sinh, -1074, 9.4725},
     {"cosh", real::cosh, coshq, std::cosh, -1074, 9.4725},
     {"tanh", real::tanh, tanhq, std::tanh, -1074, 1023.9},
@@ -168,6 +172,15 @@ TEST(Elementary, PowersOfTenAreTheLiterals) {
     }
   }
   for (int n = -1074; n <= 1023; ++n) EXPECT_EQ(real::log2(std::ldexp(1.0, n)), n);
+}
+
+TEST(Elementary, FifthRootsOfFifthPowersAreExact) {
+  for (int n = 1; n <= 1552; ++n) {  // up to 2^53
+    const double power = static_cast<double>(std::int64_t{1} * n * n * n * n * n);
+    EXPECT_EQ(real::fifth_root(power), n);
+    EXPECT_EQ(real::fifth_root(std::ldexp(power, -1070)),
+              std::ldexp(n, -214));  // among them numbers below the least normal one
+  }
 }
 
 /// A spin of 1e6 rad/s for an hour, and for the age of the Earth.
