@@ -86,7 +86,7 @@ class Friction {
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
     }
     if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
-    if (applied.air_drag) disc(*applied.air_drag, scenario.site);
+    if (applied.air_drag) disc(*applied.air_drag, scenario.site, std::abs(scenario.rotation_rate_rad_s));
     if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
   }
 
