@@ -52,7 +52,7 @@ class RestingMotions {
   }
 
  private:
-  /// Of the momentum relative to the laboratory: the rotating motion's is the difference of two that the Earth's turn is part of.
+  /// Of the momentum relative to the laboratory: the rotating motion's is a difference that the Earth's rate cancels in.
   static T rounding(Prediction prediction, const Model<T>& model, const Quaternion<T>& q_LB) {
     if (prediction == Prediction::reference) return T(0);
     const Vec3<T> W_B = transposed_times(rotation_matrix(q_LB), model.W_IL_L);
