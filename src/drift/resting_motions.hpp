@@ -29,11 +29,12 @@ class RestingMotions {
   const std::vector<Stop>& stops() const { return stops_; }
 
   /// A step that does not pass the corner of the friction, where the motion comes to rest or turns round: what estimates a
-  /// step's error may miss a corner in its middle. Without end for a motion at rest, which sets out or stays.
+  /// step's error may miss a corner in its middle. Without end for a motion at rest, which sets out or stays; one released at
+  /// rest on the turning Earth has the rounding of the Earth's rate, which it has left after any step that can be seen.
   T longest_step(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) const {
     constexpr double kOfTheWay = 0.9, kTurn = 1e-13;
     const T momentum = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
-    if (rests(prediction) || !(momentum > T(0))) return T(HUGE_VAL);
+    if (rests(prediction) || !(momentum > rounding(prediction, model, q_LB))) return T(HUGE_VAL);
     const T other = other_torque(prediction, model, t, q_LB);
     const T least = model.applied.coulomb > other ? near(t) / T(4) : T(kTurn) * t;
     return std::max(T(kOfTheWay) * momentum / (model.applied.coulomb + other), least);
@@ -51,6 +52,12 @@ class RestingMotions {
   }
 
  private:
+  /// Of the momentum relative to the laboratory: the rotating motion's is a difference that the Earth's rate cancels in.
+  static T rounding(Prediction prediction, const Model<T>& model, const Quaternion<T>& q_LB) {
+    if (prediction == Prediction::reference) return T(0);
+    const Vec3<T> W_B = transposed_times(rotation_matrix(q_LB), model.W_IL_L);
+    return T(8) * real::epsilon<T>() * norm(Vec3<T>(times(model.I_BP_B, W_B)));
+  }
   /// How near a stop is one: of the time since the release, and where that is next to nothing, of the steps there are.
   static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
 

@@ -86,7 +86,7 @@ class Friction {
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
     }
     if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
-    if (applied.air_drag) disc(*applied.air_drag, scenario.site);
+    if (applied.air_drag) disc(*applied.air_drag, scenario.site, std::abs(scenario.rotation_rate_rad_s));
     if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
   }
 
@@ -120,7 +120,7 @@ class Friction {
              of_fall * std::min(3.0, falling * time_) + of_fall * driven_ * time_);
     turned_ = std::min(turned_, Braking{c / top_.largest(), 1}.turned(rate_, time_));
   }
-  void disc(const AirDragSpec& drag, const Site& site) {
+  void disc(const AirDragSpec& drag, const Site& site, double earth_rate) {
     const double w3 = std::abs(top_.release.w_XB_B[2]), I3 = top_.body.I_BP_B(2, 2);
     AppliedTorquesSpec spec;
     spec.air_drag = drag;
@@ -130,8 +130,15 @@ class Friction {
     damp("/effects/air_drag", braking.damping(w3, time_) + (1 + braking.n) * braking.r * real::pow(driven_, braking.n) * time_);
     // The spin alone is braked.
     const double rest = std::max(0.0, rate_ - w3);
-    // Of a body that is not symmetric the rate about axis 3 changes its sign, where the drag has no higher derivatives.
     constexpr double kSigns = 4 / std::numbers::pi;
+    // Once the spin has ended, the Earth's turn drives it to and fro with each swing of the axis, against the drag; beyond the
+    // swing's own rate the drag has a corner at each turn.
+    const double swing = torque_ > 0 ? falling_rate(torque_, top_.swinging()) : 0;
+    const double held = real::pow(earth_rate * swing / braking.r, 1 / (1 + braking.n)),
+                 stiff = braking.r * real::pow(held, braking.n);
+    damp("/effects/air_drag", (1 + braking.n) * stiff * time_);
+    if (stiff > 0) halts_ += kSigns * swing * time_ * std::min(1.0, stiff / swing);
+    // Of a body that is not symmetric the rate about axis 3 changes its sign, where the drag has no higher derivatives.
     if (top_.axis != 2 && stiffest_.damping > 1) halts_ += kSigns * rest * time_;
     turned_ = std::min(turned_, rest * time_ + braking.turned(w3, time_));
   }
@@ -179,6 +186,18 @@ double reduced_rate(const Scenario& scenario, const Released& top) {
   return top.momentum / I1 + falling_rate(torque, I1) + std::abs(scenario.rotation_rate_rad_s);
 }
 
+/// Where a wheel in a gimbal hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical
+/// leaves rounding alone, which a fine error control takes for errors: its steps are then as many as those of a watcher that
+/// looks at so many radians for each the motion turns through. As measured.
+double looks_at_rounding(const Scenario& scenario) {
+  if (!scenario.effects.applied.gimbal || scenario.rotation_rate_rad_s == 0) return 0;
+  constexpr double kDegree = std::numbers::pi / 180, kFelt = 1e-4, kFew = 6, kMost = 1000;
+  const double latitude = scenario.site.latitude_deg * kDegree;
+  const double driving = std::abs(real::cos(latitude) * real::sin(scenario.release.azimuth_deg * kDegree));
+  const double felt = kFelt * std::abs(real::sin(latitude));
+  return felt > driving ? std::min(kMost, kFew * real::pow(felt / std::max(driving, 1e-30), 0.6)) : 0;
+}
+
 }  // namespace
 
 Pace pace_of(const Scenario& scenario) {
@@ -193,7 +212,10 @@ Pace pace_of(const Scenario& scenario) {
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.settled_rad = swinging * (time - friction.swung_s());
-  pace.looks_rad = fastest_rate_rad_s(scenario) * time;
+  // What is only rounding is no reason to refuse a scene.
+  constexpr double kMostLooks = 1e9;
+  pace.looks_rad =
+      std::max(fastest_rate_rad_s(scenario) * time, std::min(kMostLooks, looks_at_rounding(scenario) * pace.turning_rad));
   pace.damping = friction.damping();
   pace.halts = friction.halts();
   const bool reducible = is_plain(scenario) && driven.top.axis == 2;

@@ -58,6 +58,30 @@ constexpr int kScenesAKind = 2;
 #endif
 TEST(WorkEstimate, HoldsForRandomScenes) { expect_promises_kept(kScenesAKind); }
 
+// Scenes that run: a pendulum that dry friction does not hold, a wheel at a pole, whose drift is rounding alone, and a disc
+// whose drag stops the spin at once.
+TEST(WorkEstimate, CoversWhatHardlyMoves) {
+  Scenario pendulum = toy_top(), wheel = toy_top(), disc = toy_top();
+  pendulum.release.tilt_deg = 120;
+  pendulum.release.spin_rad_s = 0;
+  pendulum.effects.applied.coulomb_N_m = 1e-4;
+  wheel.site.latitude_deg = 90;
+  wheel.release.tilt_deg = 90;
+  wheel.release.spin_rad_s = 300;
+  wheel.body.center_of_mass_m = {0, 0, 0};
+  wheel.effects.applied.gimbal = GimbalSpec{};
+  wheel.duration_s = 0.5;
+  disc.effects.applied.air_drag = AirDragSpec{10};
+  disc.duration_s = 10;
+  for (const Scenario& s : {pendulum, wheel, disc}) {
+    const testing::WorkDone done = testing::work_done(s);
+    EXPECT_EQ(done.status[0], RunStatus::completed);
+    EXPECT_EQ(done.status[1], RunStatus::completed);
+    EXPECT_LT(ratio(done), 5);
+    EXPECT_GT(ratio(done), 0.02);
+  }
+}
+
 /// A top with friction whose pace says that it takes next to nothing, so that it stops at what is granted in any case.
 Scenario long_enough() {
   Scenario s = toy_top();
