@@ -25,7 +25,7 @@ constexpr std::array<Start, 5 * kParts> kStarts = [] {
     const double middle = static_cast<double>(1U << i / kParts) * (1 + (static_cast<double>(i % kParts) + 0.5) / kParts);
     double root = 2;
     for (int k = 0; k < 12; ++k) root -= (root - middle / (root * root * root * root)) / 5;  // Newton, from above
-    root = static_cast<double>(static_cast<int>(512 * root + 0.5)) / 512;
+    root = static_cast<double>(static_cast<unsigned>(1024 * root + 1) >> 1U) / 512;
     const double power = root * root * root * root * root;
     starts[i] = {root, power, 1 / power};
   }
@@ -48,16 +48,17 @@ double fifth_root(double x) noexcept {
     return x < 1 ? 0x1p-12 * fifth_root(0x1p+60 * x) : x;
   }
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  const std::uint64_t exponent = (bits >> 52U) + 2;  // 5 * 205 more than that of 2
+  constexpr std::uint64_t kMore = 205;
+  const std::uint64_t exponent = (bits >> 52U) + 2;  // 5 * kMore more than that of 2
   const std::uint64_t fifth = exponent / 5, part = (bits >> 47U) % kParts;
   const Start& start = kStarts[kParts * (exponent - 5 * fifth) + part];
-  const double u = std::bit_cast<double>(bits - ((5 * fifth - 5 * 205) << 52U));
+  const double u = std::bit_cast<double>(bits - ((5 * fifth - 5 * kMore) << 52U));
 
   const auto& c = kSeries;
   const double e = (u - start.power) * start.inverse_power, e2 = e * e;
   const double low = (c[0] + c[1] * e) + e2 * (c[2] + c[3] * e), high = (c[4] + c[5] * e) + e2 * (c[6] + c[7] * e);
   const double root = start.root + start.root * e * (low + e2 * e2 * high);
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(root) + ((fifth - 205) << 52U));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(root) + ((fifth - kMore) << 52U));
 }
 
 }  // namespace earthtop::real
