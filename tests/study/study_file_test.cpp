@@ -205,10 +205,10 @@ TEST(SummaryPaths, EveryMemberOfAnySummaryIsAccepted) {
     const auto scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS "/") + name + ".json"), all);
     const auto summary = nlohmann::json::parse(summary_json(run(scenario)));
     int paths = 0;
-    for_each_path(summary, "", [&](const std::string& path) {
+    for_each_path(summary, "", [&, scene = name](const std::string& path) {
       if (path.find("libraries") != std::string::npos) return;  // one of them may have a dot in its name
       ++paths;
-      EXPECT_EQ(summary_path_fault(path).value_or(""), "") << name << " " << path;
+      EXPECT_EQ(summary_path_fault(path).value_or(""), "") << scene << " " << path;
     });
     EXPECT_GT(paths, 80) << name;
   }
