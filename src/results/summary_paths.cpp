@@ -112,7 +112,7 @@ const Json& every_member() {
 std::string place_of(std::string_view name, const Json& at, const std::string& path) {
   if (!at.is_object()) return "";
   for (const auto& [key, value] : at.items()) {
-    const std::string below = path.empty() ? key : path + "." + key;
+    std::string below = path.empty() ? key : fmt::format("{}.{}", path, key);
     if (key == name) return below;
     if (std::string found = place_of(name, value, below); !found.empty()) return found;
   }
