@@ -24,7 +24,7 @@ class Progress {
 
 /// A part of the watched work, as who does it sees it: whether to stop, and where to tell how much of the part is done. It is a
 /// small value: hand it on by copy or by reference. Loops ask it once a step, which costs one load, and tell it how far they
-/// are now and then. Nobody watches through a default one.
+/// are now and then. A default one asks for nothing and tells nobody.
 class Watch {
  public:
   Watch() = default;
