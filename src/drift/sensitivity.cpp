@@ -365,9 +365,8 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
     const std::size_t count = std::min(kInputs, inputs.size() - first);
     Inputs group;
     std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
-    const auto all = static_cast<double>((inputs.size() + kInputs - 1) / kInputs),
-               before = static_cast<double>(first / kInputs);
-    const Watch part = watch.part(before / all, (before + 1) / all);
+    const std::size_t groups = (inputs.size() + kInputs - 1) / kInputs, before = first / kInputs;
+    const Watch part = watch.part(double(before) / double(groups), double(before + 1) / double(groups));
     const auto& watched = first == 0 ? on_step : nullptr;
     if (plain)
       follow<SceneKind::plain>(problem, group, count, time_s, relative_tolerance, part, watched, result);

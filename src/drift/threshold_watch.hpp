@@ -173,7 +173,7 @@ class ThresholdWatch {
   template <class LookAt>
   AxisLook<T> look(LookAt&& look_at, T t) {
     --looks_left_;
-    const AxisLook<T> there = look_at(t);
+    AxisLook<T> there = look_at(t);
     fastest_ = std::max(fastest_, norm(there.difference_rate));
     return there;
   }

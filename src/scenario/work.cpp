@@ -42,8 +42,8 @@ double growth_work(const Scenario& scenario, double time_s, double relative_tole
 }
 
 double sensitivity_work(const Scenario& scenario, double time_s, double relative_tolerance, std::size_t inputs) {
-  const auto groups = static_cast<double>((inputs + kInputsAtOnce - 1) / kInputsAtOnce);
-  return groups * kOfSensitivities * embedded_work(scenario, time_s, relative_tolerance);
+  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
+  return double(groups) * kOfSensitivities * embedded_work(scenario, time_s, relative_tolerance);
 }
 
 }  // namespace earthtop
