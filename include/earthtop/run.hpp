@@ -136,21 +136,13 @@ bool stopped_beyond_estimate(const RunResult& result);
 /// The last row before the verdict's time; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);
 
-/// Asks a running integration to stop; safe in a signal handler.
-void request_interrupt() noexcept;
-bool interrupt_requested() noexcept;
-/// Takes the request back, so that what is to be kept can be written. Safe in a signal handler, too.
-void withdraw_interrupt() noexcept;
-/// What `request_interrupt` sets, for other work that can be stopped.
-const std::atomic<bool>& interrupt_flag() noexcept;
-
 struct RunOptions {
-  Watch watch{&interrupt_flag()};  ///< whoever stops the run and sees its progress
+  Watch watch;  ///< may stop the run, and sees how far it is
   /// Of a run that is interrupted when its solution is whole: keep the rows, without error bounds and verdict.
   bool partial = false;
 };
 
-/// Runs a scenario; a pure function but for `request_interrupt`. @throws ScenarioError for a scene that cannot be run;
+/// Runs a scenario; a pure function but for its watch. @throws ScenarioError for a scene that cannot be run;
 /// ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers.
 /// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none but with
 /// `RunOptions::partial`: then bounds are not numbers, and the verdict is `unassessed`.

@@ -19,6 +19,6 @@ struct BatchOutcome {
 /// Runs scenarios; the outcome of each depends on it alone, not on its neighbours or on how many there are. An interrupt
 /// (of the watch) leaves outcomes with RunStatus::interrupted.
 /// @throws ArithmeticError as `run` does.
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {&interrupt_flag()});
+std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {});
 
 }  // namespace earthtop

@@ -32,6 +32,9 @@ class Watch {
   Watch(const std::atomic<bool>* stop, Progress* progress = nullptr)
       : stop_(stop), progress_(progress) {}  // NOLINT: a flag is one
 
+  /// Stopped by the same, for work that tells another how far it is. @param progress  may be null; outlives the work
+  Watch telling(Progress* progress) const noexcept { return {stop_, progress}; }
+
   /// Whether anybody wants to know how far the work is.
   bool is_told() const noexcept { return progress_ != nullptr; }
   bool asks_to_stop() const noexcept { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }

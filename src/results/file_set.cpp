@@ -24,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void stop_if_asked() {
-  if (interrupt_requested()) throw Interrupted();
-}
-
 // What a signal handler needs to know: the names that must not stay, and whether files are being put in place.
 using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
@@ -69,10 +65,10 @@ bool is_temporary_of(std::string_view candidate, std::string_view name) {
   return middle.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-int write_all(int descriptor, std::string_view rest) {
+int write_all(int descriptor, std::string_view rest, const std::function<void()>& before_each) {
   constexpr std::size_t kChunk = std::size_t{1} << 20;
   while (!rest.empty()) {
-    stop_if_asked();
+    before_each();
     const ssize_t written = ::write(descriptor, rest.data(), std::min(rest.size(), kChunk));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
@@ -145,7 +141,8 @@ struct FileSet::File {
   bool is_set_aside = false;  // `last` is what was at `place`
 };
 
-FileSet::FileSet(fs::path dir, std::span<const std::string_view> names) : dir_(std::move(dir)) {
+FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Watch& watch)
+    : dir_(std::move(dir)), watch_(watch) {
   try {
     make_directory();
     lock();
@@ -165,6 +162,10 @@ FileSet::~FileSet() {
   if (!committed_)
     for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
   if (directory_ >= 0) ::close(directory_);
+}
+
+void FileSet::stop_if_asked() const {
+  if (watch_.asks_to_stop()) throw Interrupted();
 }
 
 void FileSet::make_directory() {
@@ -222,7 +223,8 @@ void FileSet::add(std::string_view name, const std::function<void(const Sink&)>&
   if (descriptor.get() < 0) fail_to_write(file.place, errno);
   file.is_written = true;
   produce([&](std::string_view content) {
-    if (const int error = write_all(descriptor.get(), content); error != 0) fail_to_write(file.place, error);
+    if (const int error = write_all(descriptor.get(), content, [this] { stop_if_asked(); }); error != 0)
+      fail_to_write(file.place, error);
   });
   stop_if_asked();
   if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_to_write(file.place, errno);

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "earthtop/watch.hpp"
+
 namespace earthtop {
 
 /// @throws WriteError for the file, with what errno means by `error`
@@ -23,8 +25,9 @@ namespace earthtop {
 class FileSet {
  public:
   /// Makes the directory and keeps others from writing there meanwhile (where the file system can lock).
-  /// @param names  the files that make up the whole; the seal last   @throws WriteError
-  FileSet(std::filesystem::path dir, std::span<const std::string_view> names);
+  /// @param names  the files that make up the whole; the seal last
+  /// @param watch  may stop it until `commit` puts the first file in place: then Interrupted is thrown   @throws WriteError
+  FileSet(std::filesystem::path dir, std::span<const std::string_view> names, const Watch& watch = {});
   /// Unless committed: no temporary is left, nor a directory made for nothing.
   ~FileSet();
   FileSet(const FileSet&) = delete;
@@ -51,7 +54,10 @@ class FileSet {
   void replace();
   void put_back() noexcept;
 
+  void stop_if_asked() const;
+
   std::filesystem::path dir_;
+  Watch watch_;
   std::vector<std::filesystem::path> made_;   // directories, the outermost first
   std::vector<std::shared_ptr<void>> known_;  // keeps their names known to `discard_temporaries`
   std::vector<std::unique_ptr<File>> files_;

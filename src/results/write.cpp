@@ -112,7 +112,7 @@ double writing_work(const Scenario& scenario) {
 
 void write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
   check_output_directory(dir, result.scenario, force);
-  FileSet files(dir, kFiles);
+  FileSet files(dir, kFiles, watch);
   check_present_files(dir, result.scenario, force);  // once more: no other run writes there now
   files.add("trajectory.csv",
             [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });

@@ -15,8 +15,6 @@
 namespace earthtop {
 namespace {
 
-std::atomic<bool> stop_asked = false;
-
 template <class T>
 DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const IntegrationOptions& options, Precision precision,
                                    const Watch& watch, IntegrationReport& report) {
@@ -107,14 +105,6 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptio
 }
 
 }  // namespace
-
-void request_interrupt() noexcept { stop_asked = true; }
-
-bool interrupt_requested() noexcept { return stop_asked; }
-
-void withdraw_interrupt() noexcept { stop_asked = false; }
-
-const std::atomic<bool>& interrupt_flag() noexcept { return stop_asked; }
 
 double estimated_run_seconds(const Scenario& scenario) {
   const IntegrationOptions first = method_choice(scenario).options;

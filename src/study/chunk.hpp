@@ -11,7 +11,6 @@ namespace earthtop::study {
 using Chunk = std::vector<PlannedPoint>;
 
 /// Runs the points of a chunk. Points whose run was interrupted are left out.
-std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk,
-                                 const Watch& watch = {&interrupt_flag()});
+std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk, const Watch& watch);
 
 }  // namespace earthtop::study

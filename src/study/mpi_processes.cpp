@@ -117,7 +117,7 @@ bool StudyProcesses::is_first() const { return session_->rank == 0; }
 
 unsigned StudyProcesses::workers() const { return static_cast<unsigned>(session_->size - 1); }
 
-void StudyProcesses::serve() {
+void StudyProcesses::serve(const Watch& watch) {
   std::optional<Study> study;
   std::optional<study::Collector> collector;
   for (;;) {
@@ -130,7 +130,7 @@ void StudyProcesses::serve() {
       study = study_from(message->bytes);
       collector.emplace(*study);
     } else if (message->tag == kChunk && collector) {
-      send(0, kResults, to_message(study::compute(*study, *collector, study::chunk_from(message->bytes))));
+      send(0, kResults, to_message(study::compute(*study, *collector, study::chunk_from(message->bytes), watch)));
     }
   }
 }

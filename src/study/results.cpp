@@ -187,10 +187,10 @@ void study_csv(const std::filesystem::path& file, const std::function<void(std::
   study::write_table(store, sink);
 }
 
-void write_study_results(const std::filesystem::path& file) {
+void write_study_results(const std::filesystem::path& file, const Watch& watch) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   static constexpr std::array<std::string_view, 3> kNames = {"study.csv", "study.svg", "study.json"};
-  FileSet files(file.parent_path(), kNames);
+  FileSet files(file.parent_path(), kNames, watch);
   files.add("study.csv", [&](const FileSet::Sink& sink) { study::write_table(store, sink); });
   const auto document = study::document_of(store);
   if (const auto figure = study::study_figure(store.study(), document)) files.add("study.svg", svg(*figure));

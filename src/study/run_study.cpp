@@ -159,7 +159,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
   bool open_transaction = false;
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {
-    while (!interrupt_requested() && !missing.all_given() && workforce.wants_work()) {
+    while (!options.watch.asks_to_stop() && !missing.all_given() && workforce.wants_work()) {
       Chunk chunk = missing.next(size.points(missing.left()));
       if (!chunk.empty()) workforce.give(std::move(chunk));
     }
@@ -189,7 +189,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
       options.on_progress(progress);
       last_told = Clock::now();
     }
-    if (ends && (interrupt_requested() || missing.all_given())) return progress;
+    if (ends && (options.watch.asks_to_stop() || missing.all_given())) return progress;
   }
 }
 
@@ -216,11 +216,11 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   const bool spread_out = options.processes && options.processes->workers() > 0;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned workers = spread_out ? options.processes->workers() : options.jobs > 0 ? options.jobs : cores;
-  const auto workforce = spread_out ? make_processes(study, *options.processes) : make_threads(study, workers);
+  const auto workforce = spread_out ? make_processes(study, *options.processes) : make_threads(study, workers, options.watch);
   const double seconds_a_point = expected.core_seconds / static_cast<double>(expected.points);
   report.progress = conduct(study, options, store, *workforce, workers, seconds_a_point);
   report.failed = store.failed_count();
-  report.interrupted = interrupt_requested();
+  report.interrupted = options.watch.asks_to_stop();
   store.finish();
   return report;
 }

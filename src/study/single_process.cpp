@@ -21,7 +21,7 @@ StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
 StudyProcesses::~StudyProcesses() = default;
 bool StudyProcesses::is_first() const { return true; }
 unsigned StudyProcesses::workers() const { return 0; }
-void StudyProcesses::serve() {}
+void StudyProcesses::serve(const Watch&) {}
 
 namespace study {
 

@@ -11,7 +11,8 @@ namespace {
 
 class Threads : public Workforce {
  public:
-  Threads(const Study& study, unsigned jobs) : study_(study), collector_(study), jobs_(jobs) {
+  Threads(const Study& study, unsigned jobs, const Watch& watch)
+      : study_(study), collector_(study), jobs_(jobs), watch_(watch) {
     threads_.reserve(jobs);
     for (unsigned i = 0; i < jobs; ++i) threads_.emplace_back([this] { work(); });
   }
@@ -67,7 +68,7 @@ class Threads : public Workforce {
         waiting_.pop_front();
         busy_.push_back({&progress, chunk.size()});
       }
-      std::vector<PointResult> results = compute(study_, collector_, chunk, {&interrupt_flag(), &progress});
+      std::vector<PointResult> results = compute(study_, collector_, chunk, watch_.telling(&progress));
       {
         const std::lock_guard lock(mutex_);
         results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));
@@ -88,6 +89,7 @@ class Threads : public Workforce {
   const Study& study_;
   Collector collector_;
   unsigned jobs_;
+  Watch watch_;
   mutable std::mutex mutex_;
   std::condition_variable work_came_, result_came_;
   std::deque<Chunk> waiting_;
@@ -100,6 +102,8 @@ class Threads : public Workforce {
 
 }  // namespace
 
-std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs) { return std::make_unique<Threads>(study, jobs); }
+std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs, const Watch& watch) {
+  return std::make_unique<Threads>(study, jobs, watch);
+}
 
 }  // namespace earthtop::study

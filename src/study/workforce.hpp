@@ -27,7 +27,7 @@ class Workforce {
   virtual std::vector<PointResult> collect(std::chrono::milliseconds patience) = 0;
 };
 
-/// @param jobs  threads, at least 1
-std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs);
+/// @param jobs  threads, at least 1   @param watch  may stop the runs
+std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs, const Watch& watch);
 
 }  // namespace earthtop::study

@@ -36,7 +36,7 @@ class Runs {
  private:
   ScenarioSource source_;
   std::map<Changes, RunResult> done_;
-  Watch watch_{&interrupt_flag()};
+  Watch watch_;
   double share_ = 0;  // of `watch_`, begun
 };
 

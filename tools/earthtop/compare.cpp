@@ -89,7 +89,7 @@ MeasurementReport measure_watched(const ScenarioSource& source, const Measuremen
   const OrderlyEnd orderly;
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
-  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
   MeasurementReport report =
       compare_with_measurement(source, split_sets(arguments.sets), measurement, arguments.estimates, watch);
   if (!watch.asks_to_stop()) progress.reach(1);

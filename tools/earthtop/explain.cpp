@@ -88,12 +88,12 @@ std::optional<Budget> watched_budget(Scenario& scenario, bool lively) {
   const OrderlyEnd orderly;
   Progress progress;
   const ProgressDisplay display(lively, progress);
-  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
   const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
   Parts parts(watch, choice + budget_work(scenario));
   if (scenario.effects.automatic) select_effects(scenario, parts.next(choice, "choice of effects"));
   std::optional<Budget> budget = effect_budget(scenario, parts.next(budget_work(scenario)));
-  if (interrupt_requested()) return std::nullopt;
+  if (watch.asks_to_stop()) return std::nullopt;
   progress.reach(1);
   return budget;
 }

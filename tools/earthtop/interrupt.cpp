@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "earthtop/results/results.hpp"
-#include "earthtop/run.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
 
@@ -28,7 +27,7 @@ constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // by then waits for some
 
 // What a handler reads and writes. Work is asked for by one thread; any thread may be the one that takes a signal.
 std::atomic<int> g_signal = 0;
-std::atomic<bool> g_orderly = false, g_keeps = false;
+std::atomic<bool> g_stop = false, g_orderly = false, g_keeps = false;
 std::atomic<std::int64_t> g_used_before = 0;  // processor time at the last look
 bool g_json = false;
 const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come at the very end
@@ -73,7 +72,7 @@ extern "C" void on_stop_signal(int signal) {
   const int error = errno;
   const bool is_first = g_signal.exchange(signal) == 0;
   if (is_first && g_orderly) {
-    request_interrupt();
+    g_stop = true;
     watch_the_end(g_keeps ? kNoLimit : kGrace);
   } else {
     end_at_once();
@@ -140,8 +139,10 @@ OrderlyEnd::~OrderlyEnd() {
 void keep_what_is_there() {
   set(g_processor_timer, kNoLimit);
   set(g_wall_timer, kNoLimit);
-  withdraw_interrupt();
+  g_stop = false;
 }
+
+const std::atomic<bool>* stop_flag() noexcept { return &g_stop; }
 
 int interrupted_status() {
   const int signal = g_signal;

@@ -85,7 +85,7 @@ WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& 
   const OrderlyEnd orderly(arguments.partial);
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
-  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
   const double writing = writing_work(scenario), share = writing / (writing + estimated_run_seconds(scenario));
   WrittenRun run{earthtop::run(scenario, {watch.part(0, 1 - share), arguments.partial})};
   run.was_interrupted = run.result.status == RunStatus::interrupted;

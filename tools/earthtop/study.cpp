@@ -106,7 +106,7 @@ int study_verb(const StudyArguments& arguments) {
   StudyProcesses processes;
   if (!processes.is_first()) {
     const OrderlyEnd orderly;
-    processes.serve();
+    processes.serve(stop_flag());
     return kDone;
   }
   if (arguments.study.empty()) throw ScenarioError("", "a study file is needed, or one of merge, show, export");
@@ -120,6 +120,7 @@ int study_verb(const StudyArguments& arguments) {
   options.keep_going = arguments.keep_going;
   options.retry_failed = arguments.retry_failed;
   options.processes = &processes;
+  options.watch = stop_flag();
   StudyRunReport report;
   {
     const OrderlyEnd orderly;

@@ -133,7 +133,7 @@ int verify_verb(const VerifyArguments& arguments) {
   if (!arguments.json) print(head());
   Progress progress;
   ProgressDisplay display(!arguments.json, progress);
-  const Watch watch(&interrupt_flag(), display.is_shown() ? &progress : nullptr);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
   std::vector<double> work(sources.size());
   if (display.is_shown())
     std::transform(sources.begin(), sources.end(), work.begin(), [&](const ScenarioSource& source) {

@@ -139,7 +139,7 @@ struct MeasurementReport {
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
                                            const Measurement& measurement, const std::vector<std::string>& estimates,
-                                           const Watch& watch = {&interrupt_flag()});
+                                           const Watch& watch = {});
 
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
 std::string measurement_json(const MeasurementReport& report);

@@ -49,7 +49,7 @@ Figure drift_figure(const RunResult& result);
 /// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
 void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
 
-/// An interrupt was requested before the first file was in place: nothing has changed.
+/// The watch asked to stop before the first file was in place: nothing has changed.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
@@ -60,7 +60,7 @@ class Interrupted : public std::runtime_error {
 /// changes: after a failure the old results are intact, and no temporary and no empty directory are left. While files are
 /// replaced there is no summary.json: where it is, the others belong to it, even if the program is killed. Where a result is a
 /// link, the link is replaced and what it leads to is left alone.
-/// @param watch  sees how far it is; it is stopped by `request_interrupt` alone
+/// @param watch  may stop it until the first file is in place, and sees how far it is
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted.
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
 /// What that costs, roughly, in the seconds of `estimated_seconds`.

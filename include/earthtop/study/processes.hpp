@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "earthtop/study/study.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -26,7 +27,8 @@ class StudyProcesses {
   bool is_first() const;
   unsigned workers() const;  ///< processes beside the first
   /// Of one that is not the first: computes what it is given until it is sent home.
-  void serve();
+  /// @param watch  may stop the runs
+  void serve(const Watch& watch = {});
 
   struct Session;
   Session& session() { return *session_; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "earthtop/study/processes.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop {
 
@@ -36,6 +37,7 @@ struct StudyRunOptions {
   bool keep_going = false;                                ///< compute a study even if all points looked at are refused
   bool retry_failed = false;                              ///< compute failed points again
   std::function<void(const StudyProgress&)> on_progress;  ///< some times a second; may be null
+  Watch watch;                                            ///< may end it early; where it is is told by `on_progress`
   StudyProcesses* processes = nullptr;                    ///< whose workers compute, if there are any, instead of threads
 };
 
@@ -52,7 +54,7 @@ struct StudyRunReport {
 std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard = {});
 
 /// Computes the points that the store lacks. Each point's result depends on that point alone; the store holds each within a
-/// second or so of its being computed. `request_interrupt` ends it early.
+/// second or so of its being computed.
 /// A store of another study that holds no point whose run came to its end is replaced.
 /// @throws ScenarioError for a study beyond its limits, for one of which all points of `sample_points` are refused alike before
 /// any point of it has been computed (unless it is to keep going), for a store of another study (unless forced), or one that
@@ -70,7 +72,8 @@ std::string study_json(const std::filesystem::path& store);
 
 /// Writes study.csv, one line a point, study.json, and where a few curves show it all study.svg, beside the store. @throws
 /// WriteError, Interrupted
-void write_study_results(const std::filesystem::path& store);
+/// @param watch  may end it before anything is in place
+void write_study_results(const std::filesystem::path& store, const Watch& watch = {});
 
 /// The table of the points alone, piece by piece.
 void study_csv(const std::filesystem::path& store, const std::function<void(std::string_view)>& sink);

@@ -24,8 +24,8 @@ struct VerificationRow {
 };
 
 struct VerificationOptions {
-  bool slow = false;               ///< judge criteria, too, that take over a minute
-  Watch watch{&interrupt_flag()};  ///< may stop it, and sees how far it is
+  bool slow = false;  ///< judge criteria, too, that take over a minute
+  Watch watch;        ///< may stop it, and sees how far it is
 };
 
 /// A criterion in words: kind, quantity, times and changes.
