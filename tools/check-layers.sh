@@ -39,7 +39,7 @@ find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ip
       if (!(from in rank)) complain("in no known layer: " from)
     }
     { code = $0; sub(/\/\/.*/, "", code) }
-    is_public && code ~ /#[ ]*include[ ]*[<"](sleef|nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|openssl|erfa)/ {
+    is_public && code ~ /#[ ]*include[ ]*[<"](sleef|nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|sha2|sqlite3|erfa)/ {
       complain("a public header must not need this: " $0)
     }
     # By that name the C library takes the last digit from the processor, and a compiler that of a constant from its own.

@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
 # Installs what earthtop is built with, on Debian 12 or a relative of it; only what is missing, so a second call costs nothing.
-#   tools/install-dependencies.sh [MORE_PACKAGES...]
+#   tools/install-dependencies.sh [--program] [MORE_PACKAGES...]     --program: without what only tests and benchmarks need
 set -euo pipefail
+
+tests=(libgtest-dev libbenchmark-dev)
+if [[ ${1:-} == --program ]]; then
+  tests=()
+  shift
+fi
 
 packages=(
   g++ cmake ninja-build pkg-config git
-  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libssl-dev libsqlite3-dev
-  libgtest-dev libbenchmark-dev
-  "$@"
+  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev
+  "${tests[@]}" "$@"
 )
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then

@@ -4,7 +4,6 @@
 #include <erfaextra.h>
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
-#include <openssl/opensslv.h>
 #include <sleef.h>
 
 #include <Eigen/Core>
@@ -31,7 +30,7 @@ const BuildInfo& build_info() {
        {"GeographicLib", GEOGRAPHICLIB_VERSION_STRING},
        {"ERFA", eraVersion()},
        {"SLEEF", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
-       {"OpenSSL", OPENSSL_VERSION_STR}}};
+       {"libmd", EARTHTOP_LIBMD_VERSION}}};
   return info;
 }
 

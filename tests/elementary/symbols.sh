@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # No digit depends on the processor through the C library's elementary functions: the library's objects call none of them, and the
 # program brings its own for the shared libraries that do. Nor does a fused product come in by vectorizing.
-#   symbols.sh LIBRARY PROGRAM
+#   symbols.sh LIBRARY... PROGRAM
 set -euo pipefail
 
-library=$1 program=$2
+libraries=("${@:1:$#-1}") program=${!#}
 status=0
 fail() {
   printf '%s\n' "$1" >&2
@@ -16,8 +16,10 @@ fail() {
 names='(a?(sin|cos|tan)h?|sincos|atan2|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|pow10|cbrt|erfc?|[tl]gamma(_r)?|gamma)'
 elementary() { grep -oE "\\b$names$1(@.*)?\$" | sed 's/@.*//' | LC_ALL=C sort -u || true; }
 
-called=$(nm --undefined-only "$library" | elementary 'f?')
-[[ -z $called ]] || fail "$library calls of the C library:" <<<"$called"
+for library in "${libraries[@]}"; do
+  called=$(nm --undefined-only "$library" | elementary 'f?')
+  [[ -z $called ]] || fail "$library calls of the C library:" <<<"$called"
+done
 
 called=$(nm --dynamic --undefined-only "$program" | elementary '')
 [[ -z $called ]] || fail "$program calls of the C library:" <<<"$called"
@@ -28,6 +30,8 @@ while read -r shared; do
   [[ -z $missing ]] || fail "$shared calls what $program does not bring:" <<<"$missing"
 done < <(ldd "$program" | grep -oE '/[^ ]+' | grep -vE '/(libm|libc|ld-linux[^/]*|libsleef|libquadmath)\.so')
 
-fused=$(objdump --disassemble --no-show-raw-insn "$library" | grep -oE 'vfm(addsub|subadd)[0-9a-z]*' | LC_ALL=C sort | uniq -c || true)
-[[ -z $fused ]] || fail "$library has fused products that no source asks for (-ffp-contract=off):" <<<"$fused"
+for library in "${libraries[@]}"; do
+  fused=$(objdump --disassemble --no-show-raw-insn "$library" | grep -oE 'vfm(addsub|subadd)[0-9a-z]*' | LC_ALL=C sort | uniq -c || true)
+  [[ -z $fused ]] || fail "$library has fused products that no source asks for (-ffp-contract=off):" <<<"$fused"
+done
 exit "$status"

@@ -142,7 +142,7 @@ TEST(Summary, ProvenanceNamesBuildLibrariesAndConstants) {
   const json provenance = summary_of(made_up_run()).at("provenance");
   for (const char* key : {"version", "commit", "compiler", "flags"})
     EXPECT_FALSE(provenance.at(key).get<std::string>().empty()) << key;
-  for (const char* library : {"Boost", "Eigen", "GSL", "nlohmann-json", "fmt", "GeographicLib", "ERFA", "SLEEF", "OpenSSL"})
+  for (const char* library : {"Boost", "Eigen", "GSL", "nlohmann-json", "fmt", "GeographicLib", "ERFA", "SLEEF", "libmd"})
     EXPECT_FALSE(provenance.at("libraries").at(library).get<std::string>().empty()) << library;
   EXPECT_EQ(provenance.at("/constants/0/value"_json_pointer).get<double>(), 7.292115e-5);
   EXPECT_EQ(provenance.at("/constants/1/source"_json_pointer), "scenario");

@@ -1,0 +1,141 @@
+# The workbench above the core: studies, comparison, measurement, benchmarks, verification and report pages. SQLite, and MPI and
+# SUNDIALS where they are installed, are needed here only.
+add_library(earthtop-workbench
+  bench/bench.cpp
+  bench/comparison.cpp
+  bench/contenders.cpp
+  bench/documents.cpp
+  bench/exact_motion.cpp
+  bench/figure.cpp
+  bench/gsl_peers.cpp
+  bench/names.cpp
+  bench/peers.cpp
+  bench/processor.cpp
+  bench/reference.cpp
+  bench/write.cpp
+  compare/compact_reference.cpp
+  compare/comparand.cpp
+  compare/compare.cpp
+  compare/cost.cpp
+  compare/csv_reader.cpp
+  compare/document.cpp
+  compare/estimated_inputs.cpp
+  compare/figure.cpp
+  compare/figures.cpp
+  compare/hints.cpp
+  compare/interpolate.cpp
+  compare/junit.cpp
+  compare/mapping.cpp
+  compare/measured_motion.cpp
+  compare/measurement.cpp
+  compare/measurement_columns.cpp
+  compare/measurement_file.cpp
+  compare/measurement_json.cpp
+  compare/pairing.cpp
+  compare/row.cpp
+  compare/row_source.cpp
+  compare/rows.cpp
+  compare/scaled_problem.cpp
+  compare/scenario_changes.cpp
+  compare/stores.cpp
+  compare/survey.cpp
+  compare/tolerances.cpp
+  compare/update.cpp
+  compare/weighted_fit.cpp
+  report/bars.cpp
+  report/content_policy.cpp
+  report/document_pages.cpp
+  report/html.cpp
+  report/measurement_page.cpp
+  report/report.cpp
+  report/run_page.cpp
+  report/study_page.cpp
+  report/thinning.cpp
+  study/chunk.cpp
+  study/collect.cpp
+  study/design.cpp
+  study/figure.cpp
+  study/gathering.cpp
+  study/identity.cpp
+  study/json_text.cpp
+  study/launcher.cpp
+  study/message.cpp
+  study/results.cpp
+  study/run_study.cpp
+  study/sqlite.cpp
+  study/statistics.cpp
+  study/store.cpp
+  study/store_lock.cpp
+  study/study_file.cpp
+  study/threads.cpp
+  study/value.cpp
+  verify/closed_form.cpp
+  verify/equivalence.cpp
+  verify/exactly_zero.cpp
+  verify/invariant.cpp
+  verify/order.cpp
+  verify/refused.cpp
+  verify/runs.cpp
+  verify/small_motions.cpp
+  verify/special_motions.cpp
+  verify/value.cpp
+  verify/verdict.cpp
+  verify/verify.cpp
+)
+add_library(earthtop::workbench ALIAS earthtop-workbench)
+set_target_properties(earthtop-workbench PROPERTIES EXPORT_NAME workbench)
+target_link_libraries(earthtop-workbench
+  PUBLIC earthtop
+  PRIVATE $<BUILD_INTERFACE:earthtop_compiled> GSL::gsl GSL::gslcblas fmt::fmt SQLite::SQLite3 Threads::Threads)
+# What reads and writes documents takes a third less time to compile so; what goes through millions of rows, or integrates, keeps
+# its optimisation.
+target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
+set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp compare/csv_reader.cpp
+                            compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
+                            PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+earthtop_unity_rooms(earthtop-workbench "bench;compare;report;study;verify")
+
+# The browser's part of a report.
+file(GLOB report_assets CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/assets/*)
+add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp
+  COMMAND ${CMAKE_COMMAND} -DDIRECTORY=${CMAKE_CURRENT_SOURCE_DIR}/report/assets -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp
+          -P ${CMAKE_CURRENT_SOURCE_DIR}/report/assets.cmake
+  DEPENDS ${report_assets} report/assets.cmake
+  VERBATIM)
+target_sources(earthtop-workbench PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp)
+
+# MPI carries a study beyond one machine, where it is installed. (Its C++ bindings are obsolete, and not wanted.)
+if(EARTHTOP_MPI)
+  find_package(MPI QUIET COMPONENTS CXX)
+endif()
+if(EARTHTOP_MPI AND MPI_CXX_FOUND)
+  target_sources(earthtop-workbench PRIVATE study/mpi_processes.cpp)
+  set_source_files_properties(study/mpi_processes.cpp PROPERTIES INCLUDE_DIRECTORIES "${MPI_CXX_INCLUDE_DIRS}"
+                                                                 COMPILE_DEFINITIONS "OMPI_SKIP_MPICXX;MPICH_SKIP_MPICXX")
+  target_link_libraries(earthtop-workbench PRIVATE ${MPI_CXX_LIBRARIES})
+  message(STATUS "MPI: mpirun -n N earthtop study")
+else()
+  target_sources(earthtop-workbench PRIVATE study/single_process.cpp)
+  message(STATUS "MPI: not found or not wanted; studies run in threads, or in shards (libopenmpi-dev)")
+endif()
+
+# SUNDIALS' integrators as peers of `earthtop bench`, where it is installed.
+if(EARTHTOP_SUNDIALS)
+  find_path(SUNDIALS_INCLUDE_DIR arkode/arkode_erkstep.h)
+  set(sundials_libraries "")
+  foreach(part cvode arkode nvecserial sunnonlinsolfixedpoint)
+    find_library(SUNDIALS_${part}_LIBRARY sundials_${part})
+    list(APPEND sundials_libraries ${SUNDIALS_${part}_LIBRARY})
+    mark_as_advanced(SUNDIALS_${part}_LIBRARY)
+  endforeach()
+  mark_as_advanced(SUNDIALS_INCLUDE_DIR)
+  if(SUNDIALS_INCLUDE_DIR AND NOT "${sundials_libraries}" MATCHES "NOTFOUND")
+    target_sources(earthtop-workbench PRIVATE bench/sundials_peers.cpp)
+    set_source_files_properties(bench/peers.cpp PROPERTIES COMPILE_DEFINITIONS EARTHTOP_SUNDIALS)
+    set_source_files_properties(bench/sundials_peers.cpp PROPERTIES INCLUDE_DIRECTORIES ${SUNDIALS_INCLUDE_DIR})
+    target_link_libraries(earthtop-workbench PRIVATE ${sundials_libraries})
+    message(STATUS "SUNDIALS: CVODE and ARKODE are peers of earthtop bench")
+  else()
+    message(STATUS "SUNDIALS: not found, no peer of earthtop bench (libsundials-dev)")
+  endif()
+endif()
