@@ -1,5 +1,5 @@
 // A bench report as CSV and as JSON.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "compare/compact_reference.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Paths to pairs, and pairs to verdicts.
 #include "earthtop/compare/compare.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "compare/cost.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace earthtop::compare {
 namespace {

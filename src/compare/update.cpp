@@ -1,5 +1,5 @@
 // New references, each with the reason for it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // What a study's store holds, as one JSON document and as one table.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

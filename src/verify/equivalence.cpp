@@ -4,7 +4,6 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/frames/earth.hpp"
-#include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 

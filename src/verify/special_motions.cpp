@@ -5,6 +5,7 @@
 #include "earthtop/elementary.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
+#include "verify/scene.hpp"
 
 namespace earthtop::verify_detail {
 

@@ -1,9 +1,10 @@
 // Numbers known from elsewhere.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
 #include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/model/body.hpp"
 #include "earthtop/results/headline.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
