@@ -17,5 +17,11 @@ double steady_precession_error(const RunResult& result);
 double homoclinic_tilt_error(const RunResult& result, double until_s);
 double separatrix_rates_error(const RunResult& result, double until_s);
 double cusp_tilts_error(const RunResult& result);
+/// The rotating motion is the reference seen from a laboratory that turns: q_LB = exp(-[W]t) ref_q_LB, and the whole drift is
+/// that turn; relative to it. The rows' attitudes have their own round-off, which the run states.
+double reference_turned_error(const RunResult& result, double until_s);
+
+/// The spin above which an upright top sleeps (rad/s).
+double critical_spin_of(const Scenario& scenario);
 
 }  // namespace earthtop::verify_detail
