@@ -102,6 +102,14 @@ struct AccuracyReport {
 };
 
 struct RunResult {
+  // Compiled once, not in every source that holds one.
+  RunResult();
+  RunResult(const RunResult&);
+  RunResult(RunResult&&) noexcept;
+  RunResult& operator=(const RunResult&);
+  RunResult& operator=(RunResult&&) noexcept;
+  ~RunResult();
+
   Scenario scenario;                       ///< as given
   Scenario modelled;                       ///< the same with the effects and the tolerance that were chosen for it
   std::optional<Selection> selection;      ///< where the scenario leaves the choice of effects open

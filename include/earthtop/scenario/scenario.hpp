@@ -49,6 +49,14 @@ inline constexpr std::array<std::string_view, 7> kInputNames{
     "latitude_deg", "gravity_m_s2", "spin_rad_s", "tilt_deg", "rotation_rate_rad_s", "inertia_ratio", "center_of_mass_m"};
 
 struct Scenario {
+  // Compiled once, not in every source that holds one.
+  Scenario();
+  Scenario(const Scenario&);
+  Scenario(Scenario&&) noexcept;
+  Scenario& operator=(const Scenario&);
+  Scenario& operator=(Scenario&&) noexcept;
+  ~Scenario();
+
   std::string name = "unnamed";
   std::string title;
   std::string purpose;
