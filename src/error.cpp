@@ -1,6 +1,6 @@
 #include "earthtop/error.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "text/utf8.hpp"
 

@@ -66,10 +66,12 @@ add_library(earthtop-workbench
   study/statistics.cpp
   study/store.cpp
   study/store_lock.cpp
+  study/study.cpp
   study/study_file.cpp
   study/threads.cpp
   study/value.cpp
   verify/closed_form.cpp
+  verify/differences.cpp
   verify/equivalence.cpp
   verify/exactly_zero.cpp
   verify/invariant.cpp

@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 
 layers='elementary fifth_root
 real text error arithmetic watch
+vectors
 frames
 model
 closed_form

@@ -4,8 +4,6 @@
 /// find; libquadmath provides them.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
@@ -128,57 +126,4 @@ T hypot(T x, T y, T z = T(0)) {
 }
 
 }  // namespace real
-
-template <class T>
-using Vec3 = Eigen::Matrix<T, 3, 1>;
-template <class T>
-using Mat3 = Eigen::Matrix<T, 3, 3>;
-
-template <class T>
-T norm(const Vec3<T>& v) {
-  return real::hypot(v[0], v[1], v[2]);
-}
-
-/// Products of 3x3 matrices and vectors for the hot loops, written out: a compiler makes twice as much of them as of Eigen's
-/// packet code for three components.
-template <class T>
-Vec3<T> times(const Mat3<T>& m, const Vec3<T>& v) {
-  return {m(0, 0) * v[0] + m(0, 1) * v[1] + m(0, 2) * v[2], m(1, 0) * v[0] + m(1, 1) * v[1] + m(1, 2) * v[2],
-          m(2, 0) * v[0] + m(2, 1) * v[1] + m(2, 2) * v[2]};
-}
-template <class T>
-Vec3<T> transposed_times(const Mat3<T>& m, const Vec3<T>& v) {
-  return {m(0, 0) * v[0] + m(1, 0) * v[1] + m(2, 0) * v[2], m(0, 1) * v[0] + m(1, 1) * v[1] + m(2, 1) * v[2],
-          m(0, 2) * v[0] + m(1, 2) * v[1] + m(2, 2) * v[2]};
-}
-/// R m R^T: a tensor's components from body axes to outer axes.
-template <class T>
-Mat3<T> turned_tensor(const Mat3<T>& R, const Mat3<T>& m) {
-  Mat3<T> half, turned;
-  for (int j = 0; j < 3; ++j) half.col(j) = times<T>(R, m.col(j));
-  const Mat3<T> half_transposed = half.transpose();
-  for (int j = 0; j < 3; ++j) turned.row(j) = times<T>(R, half_transposed.col(j)).transpose();
-  return turned;
-}
-
-/// [v]x, so that [v]x u = v x u.
-template <class T>
-Mat3<T> cross_matrix(const Vec3<T>& v) {
-  Mat3<T> m;
-  m << T(0), -v[2], v[1], v[2], T(0), -v[0], -v[1], v[0], T(0);
-  return m;
-}
-
 }  // namespace earthtop
-
-namespace Eigen {
-template <>
-struct NumTraits<__float128> : GenericNumTraits<double> {
-  using Real = __float128;
-  using NonInteger = __float128;
-  using Literal = __float128;
-  using Nested = __float128;
-  static __float128 epsilon() { return earthtop::real::epsilon<__float128>(); }
-  static __float128 dummy_precision() { return 16 * epsilon(); }
-};
-}  // namespace Eigen

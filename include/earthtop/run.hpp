@@ -6,7 +6,7 @@
 
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/drift.hpp"
-#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/drift/stop_event.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "earthtop/watch.hpp"
 
@@ -47,8 +47,8 @@ struct TheoryReport {
 /// The torques on the rotating motion, as the scenario's observer counts them.
 struct LedgerReport {
   LedgerObserver observer = LedgerObserver::laboratory;
-  std::vector<LedgerEntry<double>> entries;             ///< one for each row
-  std::vector<LedgerEntry<float128>> extended_entries;  ///< the same in full; none in double precision
+  std::vector<LedgerRow<double>> entries;             ///< one for each row
+  std::vector<LedgerRow<float128>> extended_entries;  ///< the same in full; none in double precision
   LedgerLargest largest;
 };
 
@@ -102,6 +102,14 @@ struct AccuracyReport {
 };
 
 struct RunResult {
+  // Compiled once, not in every source that holds one.
+  RunResult();
+  RunResult(const RunResult&);
+  RunResult(RunResult&&) noexcept;
+  RunResult& operator=(const RunResult&);
+  RunResult& operator=(RunResult&&) noexcept;
+  ~RunResult();
+
   Scenario scenario;                       ///< as given
   Scenario modelled;                       ///< the same with the effects and the tolerance that were chosen for it
   std::optional<Selection> selection;      ///< where the scenario leaves the choice of effects open

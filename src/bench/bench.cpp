@@ -1,6 +1,6 @@
 #include "earthtop/bench/bench.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
 // A bench report as CSV and as JSON.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 
 #include "earthtop/bench/comparison.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -133,7 +134,7 @@ std::string bench_json(std::span<const BenchReport> reports) {
                          {"processor", processor_description()},
                          {"peers", peers_description()},
                          {"scenarios", std::move(list)}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return written_replacing(document, 2) + '\n';
 }
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // A bench report as a picture.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // Contenders in words.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "earthtop/bench/bench.hpp"
 

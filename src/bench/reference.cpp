@@ -1,5 +1,5 @@
 // The certified reference: 113 or 64 bits, from two unrelated sources.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // The files of a bench.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "budget/candidates.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

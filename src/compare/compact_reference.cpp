@@ -1,14 +1,16 @@
 #include "compare/compact_reference.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -96,10 +98,10 @@ Comparand open_compact_reference(const fs::path& file) {
   for (const char* key : {"summary", "columns", "rows", "generator"})
     if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference anew", key));
   reference.summary = json.at("summary");
-  if (!reference.summary.is_object() || reference.word("/provenance/scenario_sha256").empty())
+  if (!reference.has_summary() || reference.word("/provenance/scenario_sha256").empty())
     refuse_path(file, "its summary has no scenario hash; write the reference anew");
   for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
-    if (!reference.summary.contains(key))
+    if (!reference.summary->contains(key))
       refuse_path(file, fmt::format("its summary has no \"{}\"; write the reference anew", key));
   if (!json.at("columns").is_array() || json.at("columns").empty() || json.at("columns").at(0) != "t_s" ||
       !json.at("rows").is_array())
@@ -113,7 +115,7 @@ Comparand open_compact_reference(const fs::path& file) {
     const Json& name = json.at("columns").at(i);
     const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
     if (!place || columns[*place])
-      refuse_path(file, fmt::format("its column {} is none of trajectory.csv, or stands twice", name.dump()));
+      refuse_path(file, fmt::format("its column {} is none of trajectory.csv, or stands twice", written(name)));
     places.push_back(*place);
     columns[*place] = true;
   }
@@ -162,10 +164,10 @@ std::string compact_reference(const Comparand& results, Json history, const std:
                {"precision", results.word("/solution/precision")},
                {"digits", known_digits(results)},
                {"history", with_reason(std::move(history), reason)},
-               {"summary", kept_of(results.summary)},
+               {"summary", kept_of(*results.summary)},
                {"row_count", kept_rows},
                {"columns", std::move(columns)}};
-  std::string text = head.dump(1);
+  std::string text = written(head, 1);
   text.resize(text.rfind('\n'));  // the closing brace comes after the rows
   return text + ",\n \"rows\": [\n" + rows_text + "\n ]\n}\n";
 }

@@ -1,14 +1,16 @@
 #include "compare/comparand.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -27,14 +29,14 @@ bool is_compact_reference(const fs::path& file) {
 bool may_be_member(const fs::directory_entry& entry) {
   std::error_code error;
   if (!entry.is_directory(error)) return entry.is_regular_file(error) && is_compact_reference(entry.path());
-  return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path())) ||
+  return is_there(entry.path() / "summary->json") || is_there(study_store(entry.path())) ||
          is_there(entry.path() / "trajectory.csv");
 }
 
 Comparand open_results(const fs::path& directory) {
   Comparand results;
   results.path = directory;
-  const fs::path file = directory / "summary.json";
+  const fs::path file = directory / "summary->json";
   results.summary = read_json_file(file, "summary");
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
@@ -68,12 +70,12 @@ ComparandKind kind_of(const fs::path& path) {
     if (path.extension() == ".sqlite") return ComparandKind::store;
     return path.extension() == ".json" ? ComparandKind::reference : ComparandKind::csv;
   }
-  if (is_there(path / "summary.json")) return ComparandKind::results;
+  if (is_there(path / "summary->json")) return ComparandKind::results;
   if (is_there(study_store(path))) return ComparandKind::store;
   if (is_there(path / "trajectory.csv"))
-    refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
+    refuse_path(path, "has a trajectory.csv without its summary->json: its writing was broken off; run the scenario again");
   if (members(path).empty())
-    refuse_path(path, "holds no results: no summary.json, no study.sqlite, no directories with one, no compact references");
+    refuse_path(path, "holds no results: no summary->json, no study.sqlite, no directories with one, no compact references");
   return ComparandKind::collection;
 }
 
@@ -95,23 +97,37 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
 Json read_json_file(const fs::path& file, std::string_view noun) {
   const std::string text = scenario::read_regular_file(file.string(), file.string(), {noun, false});
   if (text.empty()) refuse_path(file, "is empty");
-  Json json = Json::parse(text, nullptr, false);
+  Json json = json_or_discarded(text);
   if (json.is_discarded() || !json.is_object())
     refuse_path(file, fmt::format("is no JSON object, as a {} is: truncated or changed; write it anew", noun));
   return json;
 }
 
+Document::Document() : Document(Json()) {}
+Document::Document(Json json) : json_(std::make_shared<const Json>(std::move(json))) {}
+
 std::optional<double> Comparand::number(const std::string& pointer) const {
   const Json::json_pointer at(pointer);
-  if (!summary.is_object() || !summary.contains(at) || !summary.at(at).is_number()) return std::nullopt;
-  const auto value = summary.at(at).get<double>();
+  if (!summary->is_object() || !summary->contains(at) || !summary->at(at).is_number()) return std::nullopt;
+  const auto value = summary->at(at).get<double>();
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::string Comparand::word(const std::string& pointer) const {
   const Json::json_pointer at(pointer);
-  return summary.is_object() && summary.contains(at) && summary.at(at).is_string() ? summary.at(at).get<std::string>() : "";
+  return summary->is_object() && summary->contains(at) && summary->at(at).is_string() ? summary->at(at).get<std::string>() : "";
 }
+
+std::optional<double> Comparand::seconds() const {
+  double sum = 0;
+  for (const char* part : {"solution_s", "certificate_s"}) {
+    if (!timing->is_object() || !timing->contains(part) || !timing->at(part).is_number()) return std::nullopt;
+    sum += timing->at(part).get<double>();
+  }
+  return sum;
+}
+
+bool Comparand::has_summary() const { return summary->is_object(); }
 
 Comparand open_comparand(const fs::path& path, const Mapping* mapping) {
   const ComparandKind kind = kind_of(path);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +31,22 @@ bool is_there(const fs::path& path);
 /// What a path leads to. @throws ScenarioError where it is none of these
 ComparandKind kind_of(const fs::path& path);
 
+/// A JSON document that those who only hand it on need not know. Copies share it.
+class Document {
+ public:
+  Document();           ///< null
+  Document(Json json);  // NOLINT: its content is what it is
+  const Json& operator*() const { return *json_; }
+  const Json* operator->() const { return json_.get(); }
+
+ private:
+  std::shared_ptr<const Json> json_;
+};
+
 struct Comparand {
   fs::path path;
-  Json summary;                              ///< of a run; null of a CSV
-  Json timing;                               ///< null where there is none
+  Document summary;                          ///< of a run; null of a CSV
+  Document timing;                           ///< null where there is none
   bool has_some_rows_only = false;           ///< a compact reference: rows of the other between its own are of no concern
   std::optional<double> attitude_error_rad;  ///< of a mapped CSV, stated
   /// Opens the rows anew. @throws as `RowSource`
@@ -46,6 +58,10 @@ struct Comparand {
   /// A number of the summary, null where it has none.
   std::optional<double> number(const std::string& pointer) const;
   std::string word(const std::string& pointer) const;
+  /// Wall time of both integrations (s), where it is known.
+  std::optional<double> seconds() const;
+  /// Whether it is of a run.
+  bool has_summary() const;
 };
 
 /// @param mapping  of a foreign CSV; may be null

@@ -1,9 +1,10 @@
 // Paths to pairs, and pairs to verdicts.
 #include "earthtop/compare/compare.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "compare/cost.hpp"
 #include "compare/figures.hpp"
@@ -13,6 +14,7 @@
 #include "compare/stores.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/scenario/scenario.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -34,17 +36,17 @@ std::string listed(const std::vector<ScenarioChange>& changes) {
 /// Another scenario is told of, whatever else agrees.
 void compare_scenarios(const Comparand& reference, const Comparand& candidate, const CompareOptions& options,
                        PairReport& report) {
-  if (!reference.summary.is_object() || !candidate.summary.is_object()) return;
+  if (!reference.has_summary() || !candidate.has_summary()) return;
   const std::string before = reference.word("/provenance/scenario_sha256"), now = candidate.word("/provenance/scenario_sha256");
   const bool same_hash = before == now && !before.empty();
   for (const std::string& pointer : options.may_change) {
     const Json::json_pointer key("/scenario" + (pointer == "/" ? "" : pointer));
-    if (!reference.summary.contains(key) && !candidate.summary.contains(key))
+    if (!reference.summary->contains(key) && !candidate.summary->contains(key))
       report.notes.push_back(fmt::format("--allow-change {}: neither scenario has such a key", pointer));
   }
   std::vector<ScenarioChange> allowed, forbidden;
   for (ScenarioChange& change :
-       scenario_changes(reference.summary.value("scenario", Json()), candidate.summary.value("scenario", Json())))
+       scenario_changes(reference.summary->value("scenario", Json()), candidate.summary->value("scenario", Json())))
     (!same_hash && is_below(change.pointer, options.may_change) ? allowed : forbidden).push_back(std::move(change));
   if (same_hash && !forbidden.empty()) {
     report.findings.push_back({"other scenario", "the scenarios are not those of their hash: " + listed(forbidden)});
@@ -94,8 +96,8 @@ void append(RowsComparison&& rows, PairReport& report) {
 
 /// The fastest rate of the scene's motion; 0 where it is not known.
 double natural_rate(const Comparand& side) {
-  if (!side.summary.is_object() || !side.summary.contains("scenario")) return 0;
-  const ScenarioReport report = examine_scenario({"", side.summary.at("scenario").dump(), false});
+  if (!side.has_summary() || !side.summary->contains("scenario")) return 0;
+  const ScenarioReport report = examine_scenario({"", written(side.summary->at("scenario")), false});
   return report.scenario ? fastest_rate_rad_s(*report.scenario) : 0;
 }
 
@@ -103,7 +105,7 @@ double natural_rate(const Comparand& side) {
 void find_attitude_errors(const Comparand& reference, const Comparand& candidate, RowsContext& context) {
   context.attitude_errors_known = true;
   for (const Comparand* side : {&reference, &candidate}) {
-    const auto error = side->summary.is_object() ? side->number("/attitude_bound_rad") : side->attitude_error_rad;
+    const auto error = side->has_summary() ? side->number("/attitude_bound_rad") : side->attitude_error_rad;
     context.attitude_errors_known = context.attitude_errors_known && error;
     context.attitude_errors_rad += error.value_or(0);
   }
@@ -124,7 +126,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
   context.natural_rate_rad_s = std::max(natural_rate(reference), natural_rate(candidate));
-  context.both_runs = reference.summary.is_object() && candidate.summary.is_object();
+  context.both_runs = reference.has_summary() && candidate.has_summary();
   context.same_scenario = report.findings.empty() && context.both_runs &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
   if (context.both_runs) context.until_s = trusted_until(reference, candidate, context.same_scenario, report);
@@ -144,7 +146,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     report.findings.push_back({"extra file", "torques.csv is missing in the reference"});
   if (context.both_runs) {
     const Json::json_pointer motion("/scenario/motion");
-    const bool same_rows = reference.summary.value(motion, Json()) == candidate.summary.value(motion, Json());
+    const bool same_rows = reference.summary->value(motion, Json()) == candidate.summary->value(motion, Json());
     for (QuantityVerdict& figure :
          compare_figures(reference, candidate, {context.same_computation, !context.until_s, same_rows}, options))
       report.quantities.push_back(std::move(figure));

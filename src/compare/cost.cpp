@@ -1,6 +1,6 @@
 #include "compare/cost.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace earthtop::compare {
 namespace {
@@ -11,16 +11,6 @@ std::optional<double> sum_of(const Comparand& comparand, std::initializer_list<c
     const auto part = comparand.number(pointer);
     if (!part) return std::nullopt;
     sum += *part;
-  }
-  return sum;
-}
-
-std::optional<double> seconds_of(const Comparand& comparand) {
-  const Json& timing = comparand.timing;
-  double sum = 0;
-  for (const char* part : {"solution_s", "certificate_s"}) {
-    if (!timing.is_object() || !timing.contains(part) || !timing.at(part).is_number()) return std::nullopt;
-    sum += timing.at(part).get<double>();
   }
   return sum;
 }
@@ -42,7 +32,7 @@ std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand&
   const auto evaluations = {"/solution/right_hand_side_evaluations", "/certificate/right_hand_side_evaluations"};
   add("steps", sum_of(reference, steps), sum_of(candidate, steps), tolerances.steps_ratio);
   add("evaluations", sum_of(reference, evaluations), sum_of(candidate, evaluations), tolerances.steps_ratio);
-  add("seconds", seconds_of(reference), seconds_of(candidate), tolerances.seconds_ratio);
+  add("seconds", reference.seconds(), candidate.seconds(), tolerances.seconds_ratio);
   return ratios;
 }
 

@@ -2,6 +2,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/provenance.hpp"
+#include "text/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -80,7 +81,7 @@ std::string comparison_json(const CompareReport& report) {
                          {"tolerances_file", compare::text_or_null(report.tolerances_file)},
                          {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
                          {"pairs", std::move(pairs)}};
-  return json_with_escapes(document.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+  return json_with_escapes(written_replacing(document, 2)) + '\n';
 }
 
 }  // namespace earthtop

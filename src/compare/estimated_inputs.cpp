@@ -1,6 +1,6 @@
 #include "compare/estimated_inputs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "earthtop/real.hpp"
+#include "earthtop/frames/earth.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"

@@ -1,14 +1,16 @@
 #include "compare/figures.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "compare/tolerances.hpp"
 #include "earthtop/run.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -157,7 +159,7 @@ class FigureErrors {
 
   /// Of the invariant that the path leads to.
   static double scale_of(const std::string& path, const Comparand& reference) {
-    for (const Json& invariant : reference.summary.value("invariants", Json::array()))
+    for (const Json& invariant : reference.summary->value("invariants", Json::array()))
       if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return std::abs(invariant.value("scale", 0.0));
     return 0;
   }
@@ -178,7 +180,7 @@ QuantityVerdict failed(const std::string& name, std::string reason) {
 
 constexpr double kAnySize = std::numeric_limits<double>::max();  // what limits the errors of other figures is in them already
 
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string text_of(const Json& json) { return written_replacing(json); }
 
 QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json& a, const Json& b, const FigureErrors& errors,
                       const Rule& rule, const Comparand& reference) {
@@ -237,8 +239,8 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
                                              const FigureContext& context, const CompareOptions& options) {
   std::vector<QuantityVerdict> verdicts;
   Figures old_figures, new_figures;
-  flatten(reference.summary, "", old_figures);
-  flatten(candidate.summary, "", new_figures);
+  flatten(*reference.summary, "", old_figures);
+  flatten(*candidate.summary, "", new_figures);
   const FigureErrors errors(reference, candidate);
   const auto find = [](const Figures& figures, const std::string& path) -> const Json* {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == path; });

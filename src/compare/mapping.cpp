@@ -1,6 +1,6 @@
 #include "compare/mapping.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

@@ -1,13 +1,13 @@
 #include "compare/measured_motion.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop::compare {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "earthtop/compare/measurement.hpp"
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop::compare {

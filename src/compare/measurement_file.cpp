@@ -1,5 +1,5 @@
 // A measured motion from a CSV file.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

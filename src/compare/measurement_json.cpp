@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/compare/measurement.hpp"
+#include "text/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -76,7 +77,7 @@ std::string measurement_json(const MeasurementReport& report) {
       {"residuals_of", report.fitted ? "fitted" : "as_given"},
       {"residuals", residuals},
       {"notes", report.notes}};
-  return json_with_escapes(document.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+  return json_with_escapes(written_replacing(document, 2)) + '\n';
 }
 
 }  // namespace earthtop

@@ -1,6 +1,6 @@
 #include "compare/row_source.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,16 +1,16 @@
 #include "compare/scenario_changes.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "scenario/node.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
 
-std::string shown(const Json* json) {
-  return json ? scenario::excerpt(json->dump(-1, ' ', false, Json::error_handler_t::replace)) : "nothing";
-}
+std::string shown(const Json* json) { return json ? scenario::excerpt(written_replacing(*json)) : "nothing"; }
 
 void collect(const Json* a, const Json* b, const std::string& pointer, std::vector<ScenarioChange>& changes) {
   if (a && b && *a == *b) return;

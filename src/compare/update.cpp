@@ -1,5 +1,5 @@
 // New references, each with the reason for it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +9,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "results/file_set.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -28,7 +29,7 @@ Json history_in(const fs::path& file) {
 
 std::string notes(Json history, const std::string& reason) {
   const Json document = {{"$schema", kNotesSchema}, {"history", with_reason(std::move(history), reason)}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return written_replacing(document, 2) + '\n';
 }
 
 /// The file's bytes, a block at a time.
@@ -66,7 +67,7 @@ void require_sound(const fs::path& candidate) {
     if (results.word("/outcome/status") != "completed")
       refuse_path(pair.candidate, "its run was not completed; no reference is made of it");
     for (const char* key : {"scenario", "drift", "motion", "invariants", "solution", "provenance"})
-      if (!results.summary.contains(key) || results.summary.at(key).is_null())
+      if (!results.summary->contains(key) || results.summary->at(key).is_null())
         refuse_path(pair.candidate, fmt::format("its summary has no \"{}\"; run the scenario again", key));
     const auto rows = results.open_rows();
     for (std::size_t i = 0; i < trajectory_table().columns.size(); ++i)

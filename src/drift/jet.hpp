@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop::real {
 

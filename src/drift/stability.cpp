@@ -5,7 +5,7 @@
 
 #include "closed_form/principal_axes.hpp"
 #include "earthtop/closed_form/exact_motion.hpp"
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 namespace {

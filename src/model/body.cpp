@@ -1,6 +1,6 @@
 #include "earthtop/model/body.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -192,17 +192,17 @@ template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long 
 template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128, const Quaternion<float128>&,
                                             const Vec3<float128>&);
 
-void LedgerLargest::include(const LedgerEntry<double>& entry) {
-  const auto follow = [](double& largest, const Vec3<double>& column) {
-    const double size = norm(column);
+void LedgerLargest::include(const LedgerRow<double>& row) {
+  const auto follow = [](double& largest, const std::array<double, 3>& column) {
+    const double size = real::hypot(column[0], column[1], column[2]);
     if (!(size <= largest) && !std::isnan(largest)) largest = size;  // what is no number stays, to be seen
   };
-  follow(tau_phys, entry.tau_phys_A);
-  follow(tau_cor, entry.tau_cor_A);
-  follow(tau_trans, entry.tau_trans_A);
-  follow(tau_cent, entry.tau_cent_A);
-  follow(dL_dt, entry.dL_dt_A);
-  follow(residual, entry.residual_A);
+  follow(tau_phys, row.tau_phys_A);
+  follow(tau_cor, row.tau_cor_A);
+  follow(tau_trans, row.tau_trans_A);
+  follow(tau_cent, row.tau_cent_A);
+  follow(dL_dt, row.dL_dt_A);
+  follow(residual, row.residual_A);
 }
 
 double LedgerLargest::relative_residual() const {

@@ -1,6 +1,6 @@
 #include "earthtop/model/release.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace earthtop {
 namespace {

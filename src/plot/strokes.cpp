@@ -1,6 +1,6 @@
 #include "plot/strokes.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "plot/svg_text.hpp"
 

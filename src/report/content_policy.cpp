@@ -1,6 +1,6 @@
 #include "report/content_policy.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <set>
 #include <string_view>

@@ -1,5 +1,5 @@
 // The page of a measurement held against a scenario: what `compare SCENARIO MEASURED --json` writes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

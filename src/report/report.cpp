@@ -1,6 +1,6 @@
 #include "earthtop/report/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "compare/comparand.hpp"
 #include "earthtop/error.hpp"

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -56,7 +57,7 @@ std::string budget_json(const Budget& budget, const Scenario& scenario) {
                      {"relative_tolerance", choice.options.relative_tolerance},
                      {"estimated_steps", estimated_steps(scenario)},
                      {"estimated_seconds", estimated_seconds(scenario)}}}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return written_replacing(document, 2) + '\n';
 }
 
 }  // namespace earthtop

@@ -12,6 +12,7 @@
 #include "earthtop/results/results.hpp"
 #include "results/digits.hpp"
 #include "results/summary_section.hpp"
+#include "text/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -25,9 +26,7 @@ Json or_null(const std::optional<T>& value) {
 }
 
 /// Text from a user may be anything; bytes that are not UTF-8 become U+FFFD instead of an exception.
-std::string dump(const Json& json) {
-  return json_with_escapes(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
-}
+std::string dump(const Json& json) { return json_with_escapes(written_replacing(json, 2)) + '\n'; }
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 
@@ -355,7 +354,7 @@ constexpr Section kSections[] = {
     {"selection", true, [](const RunResult& r) { return r.selection ? selection_json(*r.selection) : Json(); }},
     {"accuracy", true, [](const RunResult& r) { return r.accuracy ? accuracy_json(*r.accuracy) : Json(); }},
     {"notes", false, [](const RunResult& r) -> Json { return r.notes; }},
-    {"scenario", false, [](const RunResult& r) { return Json::parse(canonical_json(r.scenario)); }},
+    {"scenario", false, [](const RunResult& r) { return json_of(canonical_json(r.scenario)); }},
     {"provenance", false, [](const RunResult& r) { return provenance_json(r.scenario); }},
 };
 

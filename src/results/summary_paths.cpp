@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "earthtop/results/results.hpp"
 #include "results/summary_section.hpp"
 #include "scenario/pointers.hpp"
 #include "scenario/suggest.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -102,7 +104,7 @@ void join(Json& all, Json more) {
 const Json& every_member() {
   static const Json all = [] {
     Json joined;
-    for (int kind = 0; kind < kKinds; ++kind) join(joined, Json::parse(summary_json(any_result(kind))));
+    for (int kind = 0; kind < kKinds; ++kind) join(joined, json_of(summary_json(any_result(kind))));
     return joined;
   }();
   return all;

@@ -1,7 +1,7 @@
 /// One member of summary.json, for those who want no more of it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

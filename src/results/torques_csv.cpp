@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -36,16 +36,16 @@ std::string header_of(const EffectsSpec& effects) {
 }
 
 template <class T, class Append>
-void append_torques(std::string& text, const LedgerEntry<T>& entry, const EffectsSpec& effects, Append append) {
-  for (const Vec3<T>* torque_A :
+void append_torques(std::string& text, const LedgerRow<T>& entry, const EffectsSpec& effects, Append append) {
+  for (const std::array<T, 3>* torque_A :
        {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       text += ',';
       append((*torque_A)[i]);
     }
   const auto shares = shares_of(effects);
   for (std::size_t share = 0; share < shares.size(); ++share)
-    for (int i = 0; shares[share] && i < 3; ++i) {
+    for (std::size_t i = 0; shares[share] && i < 3; ++i) {
       text += ',';
       append(entry.share_A[share][i]);
     }

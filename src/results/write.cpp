@@ -14,6 +14,7 @@
 #include "earthtop/results/results.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -36,8 +37,8 @@ std::string scenario_of(const fs::path& summary) {
   std::ifstream file(summary, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (!file) return "";
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  const nlohmann::json::json_pointer hash("/provenance/scenario_sha256");
+  const nlohmann::ordered_json json = json_or_discarded(text);
+  const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
   if (json.is_discarded() || !json.contains(hash) || !json.at(hash).is_string()) return "";
   return json.at(hash).get<std::string>();
 }

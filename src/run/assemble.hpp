@@ -1,6 +1,7 @@
 /// What follows the two integrations of a run, however they were made: bounds, rows, verdict and all that is told beside them.
 #pragma once
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
 #include "run/run_work.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
+#include "earthtop/model/ledger.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {
@@ -72,25 +73,24 @@ std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const s
 }
 
 template <class T>
-std::vector<LedgerEntry<T>> ledger_entries(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows,
-                                           const Watch& watch) {
+std::vector<LedgerRow<T>> ledger_rows(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows, const Watch& watch) {
   const auto model = make_model<T>(scenario);
-  std::vector<LedgerEntry<T>> entries;
-  entries.reserve(rows.size());
+  std::vector<LedgerRow<T>> ledger;
+  ledger.reserve(rows.size());
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
-    if (entries.size() % 64 == 0) watch.reach(static_cast<double>(entries.size()) / static_cast<double>(rows.size()));
-    entries.push_back(ledger_entry(*scenario.ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B)));
+    if (ledger.size() % 64 == 0) watch.reach(static_cast<double>(ledger.size()) / static_cast<double>(rows.size()));
+    ledger.push_back(ledger_row(ledger_entry(*scenario.ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B))));
   }
-  return entries;
+  return ledger;
 }
 
-LedgerEntry<double> in_double(const LedgerEntry<float128>& entry) {
-  const auto cast = [](const Vec3<float128>& v) {
-    return Vec3<double>(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+LedgerRow<double> in_double(const LedgerRow<float128>& entry) {
+  const auto cast = [](const std::array<float128, 3>& v) {
+    return std::array<double, 3>{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
   };
-  LedgerEntry<double> rounded{cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
-                              cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
+  LedgerRow<double> rounded{cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
+                            cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
   for (std::size_t i = 0; i < entry.share_A.size(); ++i) rounded.share_A[i] = cast(entry.share_A[i]);
   return rounded;
 }
@@ -153,13 +153,13 @@ std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& 
   LedgerReport report;
   report.observer = *scenario.ledger;
   if (result.extended_rows.empty()) {
-    report.entries = ledger_entries(scenario, result.rows, watch);
+    report.entries = ledger_rows(scenario, result.rows, watch);
   } else {
-    report.extended_entries = ledger_entries(scenario, result.extended_rows, watch);
+    report.extended_entries = ledger_rows(scenario, result.extended_rows, watch);
     report.entries.reserve(report.extended_entries.size());
-    for (const LedgerEntry<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
+    for (const LedgerRow<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
   }
-  for (const LedgerEntry<double>& entry : report.entries) report.largest.include(entry);
+  for (const LedgerRow<double>& entry : report.entries) report.largest.include(entry);
   return report;
 }
 

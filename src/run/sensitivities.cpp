@@ -1,6 +1,6 @@
 #include "run/sensitivities.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
 #include "run/verdict.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "drift/stability.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {

@@ -1,12 +1,13 @@
 #include "scenario/angle_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "earthtop/error.hpp"
+#include "earthtop/frames/angle_spline.hpp"
 #include "scenario/node.hpp"
 
 namespace earthtop::scenario {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "earthtop/frames/angle_spline.hpp"
+#include "earthtop/frames/angle_table.hpp"
 
 namespace earthtop::scenario {
 

@@ -1,5 +1,7 @@
 #include "scenario/closed_form_fit.hpp"
 
+#include "earthtop/closed_form/exact_motion.hpp"
+
 namespace earthtop {
 namespace {
 

@@ -1,7 +1,7 @@
 /// What the closed forms say of a scenario: whether it has one, and how finely its motion has to be looked at.
 #pragma once
 
-#include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/closed_form/exact_kind.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {

@@ -1,5 +1,5 @@
 // How much work a scenario asks for, before any of it is done.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "drift/stability.hpp"
-#include "earthtop/real.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/closed_form_fit.hpp"
 #include "scenario/pace.hpp"

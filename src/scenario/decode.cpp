@@ -1,7 +1,10 @@
 #include "scenario/decode.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <filesystem>
+
+#include "earthtop/model/release.hpp"
 #include "scenario/check.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/plausibility.hpp"

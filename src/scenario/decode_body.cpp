@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "earthtop/real.hpp"
+#include "earthtop/model/body.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/rules.hpp"

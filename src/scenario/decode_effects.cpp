@@ -1,5 +1,5 @@
 // Which torques act, and what they need of the rest of the scene.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/release.hpp"
-#include "earthtop/real.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/suggest.hpp"
 

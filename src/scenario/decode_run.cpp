@@ -1,5 +1,5 @@
 // Motion and numerics: what happens after the release.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

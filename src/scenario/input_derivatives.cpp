@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "earthtop/real.hpp"
 #include "scenario/problem.hpp"
 
 namespace earthtop {

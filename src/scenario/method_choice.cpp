@@ -1,6 +1,7 @@
 // What "auto" means for a scene.
 #include <algorithm>
 
+#include "earthtop/model/body.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
 namespace earthtop {

@@ -1,4 +1,5 @@
 // Which method fits which scene.
+#include "earthtop/model/release.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/closed_form_fit.hpp"
 

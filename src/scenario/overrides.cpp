@@ -1,6 +1,6 @@
 #include "scenario/overrides.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "scenario/pointers.hpp"
 #include "scenario/reader.hpp"

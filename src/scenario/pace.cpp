@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "earthtop/real.hpp"
+#include "earthtop/model/model.hpp"
 #include "scenario/platform_demand.hpp"
 
 namespace earthtop {

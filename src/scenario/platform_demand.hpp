@@ -1,7 +1,7 @@
 /// What a platform asks of those who follow it.
 #pragma once
 
-#include "earthtop/model/platform.hpp"
+#include "earthtop/model/platform_spec.hpp"
 
 namespace earthtop {
 

@@ -1,11 +1,11 @@
 #include "scenario/plausibility.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "earthtop/real.hpp"
+#include "earthtop/model/body.hpp"
 
 namespace earthtop::scenario {
 namespace {

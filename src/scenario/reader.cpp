@@ -1,6 +1,6 @@
 #include "scenario/reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

@@ -1,12 +1,13 @@
 #include "earthtop/scenario/reference.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "scenario/fields.hpp"
 #include "scenario/rules.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace scenario {
@@ -63,7 +64,7 @@ Json annotated(const Json& given, std::string_view pattern) {
     const bool stands = given.contains(key);
     if (is_about_original(field.pointer) || (!stands && field.fallback.empty())) continue;
     if (!stands && !belongs(key, given)) continue;
-    const Json value = stands ? given.at(key) : Json::parse(field.fallback);
+    const Json value = stands ? given.at(key) : json_of(field.fallback);
     if (!stands && value == Json::object() && keys_below(field.pointer).empty()) continue;
     std::string comment(field.doc);
     if (key != "$schema" && field.kind != FieldKind::object) comment += "; " + allowed_values(field);
@@ -85,7 +86,7 @@ Json annotated(const Json& given, std::string_view pattern) {
 void lay_out(std::string& text, const Json& json, std::size_t depth) {
   const bool is_flat = std::none_of(json.begin(), json.end(), [](const Json& j) { return j.is_structured(); });
   if (!json.is_structured() || json.empty()) {
-    text += json.dump();
+    text += written(json);
     return;
   }
   const bool on_lines = json.is_object() || !is_flat;
@@ -95,7 +96,7 @@ void lay_out(std::string& text, const Json& json, std::size_t depth) {
     text += separator;
     separator = on_lines ? "," : ", ";
     if (on_lines) text.append(1, '\n').append(2 * depth + 2, ' ');
-    if (json.is_object()) text.append(Json(key).dump()).append(": ");
+    if (json.is_object()) text.append(written(key)).append(": ");
     lay_out(text, value, depth + 1);
   }
   if (on_lines) text.append(1, '\n').append(2 * depth, ' ');
@@ -130,7 +131,7 @@ std::string tolerances_reference_markdown() { return markdown_of(scenario::toler
 std::string annotated_scenario(const ScenarioSource& source) {
   parse_scenario(source);
   std::string text;
-  scenario::lay_out(text, scenario::annotated(scenario::Json::parse(source.text), ""), 0);
+  scenario::lay_out(text, scenario::annotated(json_of(source.text), ""), 0);
   return text + '\n';
 }
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "earthtop/integrate/options.hpp"
-#include "earthtop/model/body.hpp"
-#include "earthtop/model/platform.hpp"
+#include "earthtop/model/body_spec.hpp"
+#include "earthtop/model/platform_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
 #include "scenario/quantities.hpp"
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,6 +6,7 @@
 #include "earthtop/scenario/reference.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/rules.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace scenario {
@@ -202,7 +203,7 @@ Json of_object(std::string_view pattern) {
     const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
     Json schema = of_field(field);
     schema["description"] = field.unit.empty() ? std::string(field.doc) : fmt::format("{} ({})", field.doc, field.unit);
-    if (!field.fallback.empty()) schema["default"] = Json::parse(field.fallback);
+    if (!field.fallback.empty()) schema["default"] = json_of(field.fallback);
     properties[key] = std::move(schema);
     if (field.required) needed.push_back(key);
   }
@@ -226,7 +227,7 @@ std::string schema_of(std::string_view pattern, std::string_view id, std::string
                            {"title", title},
                            {"description", std::string(description) + " Keys that begin with _ or // are comments."}};
   schema.update(scenario::of_object(pattern));
-  return schema.dump(2) + '\n';
+  return written(schema, 2) + '\n';
 }
 
 }  // namespace

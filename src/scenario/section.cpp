@@ -1,6 +1,6 @@
 #include "scenario/section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "scenario/fields.hpp"
 #include "scenario/reader.hpp"

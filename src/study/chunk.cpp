@@ -4,8 +4,6 @@
 #include <exception>
 #include <span>
 
-#include "study/json_text.hpp"
-
 namespace earthtop::study {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr double kMostRows = 200'000;
 double rows_of(const Scenario& scenario) { return 2 + scenario.duration_s / scenario.output_step_s; }
 
 Value axis_cell(const StudyAxis& axis, const Setting& setting) {
-  return setting.at_base ? Value() : value_of(Json::parse(axis_value(axis, setting)));
+  return setting.at_base ? Value() : read_value(axis_value(axis, setting));
 }
 
 std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const Watch& watch) {

@@ -1,14 +1,16 @@
 #include "study/figure.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "study/json_text.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -29,7 +31,7 @@ std::size_t numbers_of(const std::string& axis, const Json& points) {
 
 std::string shown(const Json& value) {
   if (value.is_number()) return fmt::format("{:.6g}", value.get<double>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.get<std::string>() : written(value);
 }
 
 /// A scale on which numbers that are all positive, and of different sizes, can be told apart.

@@ -1,7 +1,7 @@
 /// A study of one or two axes as curves.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "earthtop/plot/plot.hpp"

@@ -1,5 +1,5 @@
 // What a study will be, before any of it is computed: which one it is, how large, how long, and whether its points can be run.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

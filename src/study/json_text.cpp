@@ -1,8 +1,8 @@
 #include "study/json_text.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
+#include "text/json.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -30,8 +30,8 @@ Json tree_of(const scenario::Node& node) {
 
 }  // namespace
 
-std::string json_text(const scenario::Node& node) { return tree_of(node).dump(); }
+std::string json_text(const scenario::Node& node) { return written(tree_of(node)); }
 
-std::string json_text(double number) { return nlohmann::json(number).dump(); }
+std::string json_text(double number) { return written(number); }
 
 }  // namespace earthtop::study

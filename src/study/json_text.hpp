@@ -1,7 +1,7 @@
 /// A node of a study file as JSON text again: what `--set` would be given.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "scenario/node.hpp"

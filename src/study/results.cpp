@@ -1,5 +1,5 @@
 // What a study's store holds, as one JSON document and as one table.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include "study/gathering.hpp"
 #include "study/json_text.hpp"
 #include "study/store.hpp"
+#include "text/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -64,7 +65,7 @@ Json axes_json(const Study& study) {
       json[axis.range->logarithmic ? "log_range" : "range"] = {
           {"from", axis.range->from}, {"to", axis.range->to}, {"points", axis.range->points}};
     else if (axis.levels.size() <= kMostListedValues)
-      for (const auto& level : axis.levels) json["values"].push_back(Json::parse(level.front()));
+      for (const auto& level : axis.levels) json["values"].push_back(json_of(level.front()));
     axes.push_back(std::move(json));
   }
   return axes;
@@ -151,9 +152,7 @@ Json document_of(Store& store) {
   return document;
 }
 
-std::string text_of(const Json& document) {
-  return json_with_escapes(document.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
-}
+std::string text_of(const Json& document) { return json_with_escapes(written_replacing(document, 1)) + '\n'; }
 
 void write_table(Store& store, const FileSet::Sink& sink) {
   const Study& study = store.study();

@@ -1,6 +1,6 @@
 #include "earthtop/study/run_study.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

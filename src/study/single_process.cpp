@@ -1,5 +1,5 @@
 // What there is of processes in a program built without MPI: this one.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 

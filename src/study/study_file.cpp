@@ -1,5 +1,5 @@
 // A study file's text to a `Study`.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "study/value.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "text/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop::study {
@@ -19,8 +20,10 @@ Value value_of(const nlohmann::ordered_json& json) {
   }
   if (json.is_null()) return {};
   if (json.is_string()) return json.get<std::string>();
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return written_replacing(json);
 }
+
+Value read_value(std::string_view json) { return value_of(json_of(json)); }
 
 std::string plain_text(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace earthtop::study {
@@ -11,6 +12,8 @@ using Value = std::variant<std::monostate, double, std::string>;
 
 /// Of JSON; what is neither number nor string stays JSON.
 Value value_of(const nlohmann::ordered_json& json);
+/// The same of JSON text.
+Value read_value(std::string_view json);
 
 /// The shortest digits that read back to the same bits; a word as it is; empty for nothing.
 std::string plain_text(const Value& value);

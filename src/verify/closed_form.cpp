@@ -8,6 +8,7 @@
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
+#include "verify/scene.hpp"
 
 namespace earthtop::verify_detail {
 namespace {

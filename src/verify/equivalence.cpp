@@ -2,10 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "earthtop/elementary.hpp"
-#include "earthtop/frames/earth.hpp"
+#include "verify/differences.hpp"
 #include "verify/formulas.hpp"
-#include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 
 namespace earthtop::verify_detail {
@@ -98,36 +96,14 @@ double reversed_in_time(const RunResult& forth, const Watch& watch) {
   back.release.angular_velocity_body_rad_s = {-end.w_LB_B[0], -end.w_LB_B[1], -end.w_LB_B[2]};
   back.release.rates_relative_to = RatesRelativeTo::laboratory;
   const RunResult result = completed_run(back, watch);
-  const DriftRow& returned = result.rows.back();
-  const Vec3<double> missed = vector(returned.w_LB_B) + vector(start.w_LB_B);
-  return worse(attitude_distance(quaternion(returned.q_LB), quaternion(start.q_LB)), norm(missed) / norm(vector(start.w_LB_B)));
-}
-
-/// The rotating motion is the reference seen from a laboratory that turns: q_LB = exp(-[W]t) ref_q_LB, and the whole drift is
-/// that turn; relative to it. The rows' attitudes have their own round-off, which the run states.
-double reference_turned(const RunResult& result, double until_s) {
-  const double rate = std::abs(result.scenario.rotation_rate_rad_s);
-  const Vec3<double> celestial = celestial_axis_L<double>(result.scenario.site);
-  double error = 0, largest = 0, apart = 0;
-  for (const DriftRow& row : result.rows) {
-    if (row.t_s > until_s) break;
-    const double angle = rate * row.t_s, sine = norm(Vec3<double>(celestial.cross(vector(row.ref_axis_L))));
-    const double axis = 2 * real::asin(sine * std::abs(real::sin(angle / 2)));
-    const Rotation<double> turn = Rotation<double>::about(celestial, -result.scenario.rotation_rate_rad_s * row.t_s);
-    largest = std::max(largest, angle);
-    error = worse(error, worse(std::abs(row.drift_attitude_rad - angle), std::abs(row.drift_axis_rad - axis)));
-    apart = worse(apart, attitude_distance(quaternion(row.q_LB), turn.quaternion() * quaternion(row.ref_q_LB)));
-  }
-  if (!(apart <= 2 * result.attitude_bound_rad))
-    throw NotJudged("the attitudes are not those of the turned reference, within the run's own bound");
-  return error / largest;
+  return return_error(result.rows.back(), start);
 }
 
 }  // namespace
 
 double equivalence_error(const CriterionSpec& criterion, Runs& runs) {
   const double until_s = criterion.until_s.value_or(std::numeric_limits<double>::infinity());
-  if (criterion.quantity == "reference_turned") return reference_turned(runs.run(criterion.set), until_s);
+  if (criterion.quantity == "reference_turned") return reference_turned_error(runs.run(criterion.set), until_s);
   if (criterion.quantity == "reversed_in_time") return reversed_in_time(runs.run(criterion.set), runs.next_watch());
   const Pair pair{runs.run(), runs.run(criterion.set)};
   if (criterion.quantity == "same") return same(pair, until_s);

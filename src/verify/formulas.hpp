@@ -1,7 +1,6 @@
 /// The closed forms that a criterion may name: each gives the error of a run against its formula.
 #pragma once
 
-#include "earthtop/closed_form/state.hpp"
 #include "verify/runs.hpp"
 
 namespace earthtop::verify_detail {
@@ -18,12 +17,11 @@ double steady_precession_error(const RunResult& result);
 double homoclinic_tilt_error(const RunResult& result, double until_s);
 double separatrix_rates_error(const RunResult& result, double until_s);
 double cusp_tilts_error(const RunResult& result);
+/// The rotating motion is the reference seen from a laboratory that turns: q_LB = exp(-[W]t) ref_q_LB, and the whole drift is
+/// that turn; relative to it. The rows' attitudes have their own round-off, which the run states.
+double reference_turned_error(const RunResult& result, double until_s);
 
-/// The symmetric top of a scene. @throws NotJudged where it is none about body axis 3
-SymmetricTop<double> symmetric_top(const Scenario& scenario);
-/// The release as the scene gives it.
-Release<double> release_of(const Scenario& scenario);
-/// The Earth's rate in laboratory axes (rad/s).
-Vec3<double> earth_rate_L(const Scenario& scenario);
+/// The spin above which an upright top sleeps (rad/s).
+double critical_spin_of(const Scenario& scenario);
 
 }  // namespace earthtop::verify_detail

@@ -3,6 +3,7 @@
 
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/frames/rotation.hpp"
+#include "verify/differences.hpp"
 
 namespace earthtop::verify_detail {
 
@@ -21,8 +22,5 @@ double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
   const Quaternion<T> d = p.conjugate() * q;
   return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w)));
 }
-
-/// The larger; a number that is none is larger than all.
-inline double worse(double a, double b) { return !(b <= a) ? b : a; }
 
 }  // namespace earthtop::verify_detail

@@ -1,6 +1,6 @@
 #include "verify/runs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace earthtop::verify_detail {
 

@@ -4,6 +4,7 @@
 #include "earthtop/closed_form/special_cases.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
+#include "verify/scene.hpp"
 
 namespace earthtop::verify_detail {
 namespace {

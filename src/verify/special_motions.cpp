@@ -1,10 +1,13 @@
 // Motions that elementary functions give.
+#include <algorithm>
 #include <cmath>
 
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/elementary.hpp"
+#include "earthtop/frames/earth.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
+#include "verify/scene.hpp"
 
 namespace earthtop::verify_detail {
 
@@ -85,6 +88,30 @@ double cusp_tilts_error(const RunResult& result) {
   }
   if (lows < 2 || highs < 2) throw NotJudged("fewer than two falls and rises in this run");
   return error;
+}
+
+double reference_turned_error(const RunResult& result, double until_s) {
+  const double rate = std::abs(result.scenario.rotation_rate_rad_s);
+  const Vec3<double> celestial = celestial_axis_L<double>(result.scenario.site);
+  double error = 0, largest = 0, apart = 0;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > until_s) break;
+    const double angle = rate * row.t_s, sine = norm(Vec3<double>(celestial.cross(vector(row.ref_axis_L))));
+    const double axis = 2 * real::asin(sine * std::abs(real::sin(angle / 2)));
+    const Rotation<double> turn = Rotation<double>::about(celestial, -result.scenario.rotation_rate_rad_s * row.t_s);
+    largest = std::max(largest, angle);
+    error = worse(error, worse(std::abs(row.drift_attitude_rad - angle), std::abs(row.drift_axis_rad - axis)));
+    apart = worse(apart, attitude_distance(quaternion(row.q_LB), turn.quaternion() * quaternion(row.ref_q_LB)));
+  }
+  if (!(apart <= 2 * result.attitude_bound_rad))
+    throw NotJudged("the attitudes are not those of the turned reference, within the run's own bound");
+  return error / largest;
+}
+
+double critical_spin_of(const Scenario& scenario) {
+  const auto body = make_body<double>(scenario.body);
+  const double mgl = body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2];
+  return critical_spin<double>({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl});
 }
 
 }  // namespace earthtop::verify_detail

@@ -1,11 +1,11 @@
 // Numbers known from elsewhere.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
-#include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/results/headline.hpp"
-#include "verify/geometry.hpp"
+#include "verify/differences.hpp"
+#include "verify/formulas.hpp"
 #include "verify/judge.hpp"
 
 namespace earthtop::verify_detail {
@@ -15,12 +15,6 @@ double initial_invariant(const RunResult& result, std::string_view name) {
   for (const InvariantReport& invariant : result.invariants)
     if (invariant.name == name) return invariant.initial;
   throw NotJudged(fmt::format("this run has no {}", name));
-}
-
-double critical_spin_of(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  const double mgl = body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2];
-  return critical_spin<double>({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl});
 }
 
 double figure(const RunResult& result, std::string_view quantity, double t_s) {
@@ -51,8 +45,7 @@ double value_error(const CriterionSpec& criterion, Runs& runs) {
   const double t_s = criterion.at_s.value_or(result.scenario.duration_s);
   const std::vector<double> computed = numbers_of(result, criterion.quantity, t_s), &known = criterion.values;
   if (computed.size() == 4)
-    return attitude_distance<long double>({computed[0], {computed[1], computed[2], computed[3]}},
-                                          {known[0], {known[1], known[2], known[3]}});
+    return attitude_distance({computed[0], computed[1], computed[2], computed[3]}, {known[0], known[1], known[2], known[3]});
   double error = 0;
   for (std::size_t i = 0; i < computed.size(); ++i) error = worse(error, std::abs(computed[i] - known[i]));
   return error;

@@ -1,5 +1,5 @@
 // What a run says of the worth of its own drift.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

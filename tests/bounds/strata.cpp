@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "earthtop/model/body.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::testing {

@@ -7,6 +7,8 @@
 
 #include "collection/shipped.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/frames/earth.hpp"
+#include "earthtop/model/body.hpp"
 
 namespace earthtop {
 namespace {

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "compare/estimated_inputs.hpp"
+#include "earthtop/frames/earth.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop {

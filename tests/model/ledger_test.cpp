@@ -271,7 +271,7 @@ TEST(Ledger, NothingTurnsNothingIsCounted) {
     LedgerLargest largest;
     for (const LedgerObserver observer : kLedgerObservers) {
       const auto entry = ledger_entry<double>(observer, model, 100.0, q_LB, Vec3<double>::Zero());
-      largest.include(entry);
+      largest.include(ledger_row(entry));
       EXPECT_NEAR(norm(entry.tau_phys_A), arm * 9.75, 1e-14);
       EXPECT_EQ(norm(entry.tau_cor_A), 0);
       EXPECT_EQ(norm(entry.tau_cent_A), 0);
@@ -296,20 +296,20 @@ TEST(Ledger, ASlowEarthsTorquesKeepTheirDigits) {
 }
 
 TEST(Ledger, LargestAreNormsAndWhatIsNoNumberIsSeen) {
-  LedgerEntry<double> entry;
+  LedgerRow<double> entry;
   entry.tau_phys_A = {3, 4, 0};
   entry.tau_cor_A = {0, 0, -2};
   entry.residual_A = {0, 1, 0};
   LedgerLargest largest;
   largest.include(entry);
-  largest.include(LedgerEntry<double>());
+  largest.include(LedgerRow<double>());
   EXPECT_EQ(largest.tau_phys, 5);
   EXPECT_EQ(largest.tau_cor, 2);
   EXPECT_EQ(largest.tau_trans, 0);
   EXPECT_EQ(largest.relative_residual(), 0.2);
   entry.residual_A[0] = NAN;
   largest.include(entry);
-  largest.include(LedgerEntry<double>());
+  largest.include(LedgerRow<double>());
   EXPECT_TRUE(std::isnan(largest.residual));
   EXPECT_TRUE(std::isnan(largest.relative_residual()));
   EXPECT_EQ(LedgerLargest().relative_residual(), 0);

@@ -65,11 +65,11 @@ inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
   LedgerReport& ledger = result.ledger.emplace();
   ledger.observer = LedgerObserver::platform;
   for (std::size_t i = 0; i < rows; ++i) {
-    LedgerEntry<double> entry;
+    LedgerRow<double> entry;
     double number = 0;
-    for (Vec3<double>* column :
+    for (std::array<double, 3>* column :
          {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A, &entry.residual_A})
-      for (int k = 0; k < 3; ++k) (*column)[k] = ++number * static_cast<double>(i + 1);
+      for (std::size_t k = 0; k < 3; ++k) (*column)[k] = ++number * static_cast<double>(i + 1);
     ledger.entries.push_back(entry);
   }
   ledger.largest = {1, 2, 3, 4, 5, 0.5};

@@ -25,7 +25,7 @@ TEST(TorquesCsv, HeaderIsTheContractsAndEveryColumnHoldsItsOwnNumber) {
 TEST(TorquesCsv, NumbersAreShortestAndWhatIsNotFiniteIsEmpty) {
   RunResult result = made_up_run_with_ledger(2);
   result.ledger->entries.resize(1);
-  LedgerEntry<double>& entry = result.ledger->entries[0];
+  LedgerRow<double>& entry = result.ledger->entries[0];
   entry.tau_phys_A = {5e-324, std::numeric_limits<double>::quiet_NaN(), 1.0 / 3};
   entry.residual_A[2] = -std::numeric_limits<double>::infinity();
   EXPECT_EQ(torques_csv(result), std::string(kHeader) + "0,5e-324,,0.3333333333333333,4,5,6,7,8,9,10,11,12,13,14,15,16,17,\n");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "earthtop/model/body.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "support/effect_scenes.hpp"
@@ -114,11 +115,12 @@ TEST(Effects, TheLedgerNamesTheirShares) {
   without.effects.applied = {};
   without.effects.tide.reset();
   const RunResult busy = run(with), plain = run(without);
-  const LedgerEntry<double>&a = busy.ledger->entries.front(), &b = plain.ledger->entries.front();
+  const LedgerRow<double>&a = busy.ledger->entries.front(), &b = plain.ledger->entries.front();
+  const auto vector = [](const std::array<double, 3>& v) { return Vec3<double>(v[0], v[1], v[2]); };
   Vec3<double> shares = Vec3<double>::Zero();
-  for (const Vec3<double>& share : a.share_A) shares += share;
+  for (const std::array<double, 3>& share : a.share_A) shares += vector(share);
   EXPECT_GT(norm(shares), 0);
-  EXPECT_LT(norm(Vec3<double>(a.tau_phys_A - b.tau_phys_A - shares)), 1e-15 * norm(a.tau_phys_A));
+  EXPECT_LT(norm(Vec3<double>(vector(a.tau_phys_A) - vector(b.tau_phys_A) - shares)), 1e-15 * norm(vector(a.tau_phys_A)));
   const std::string header = torques_csv(busy).substr(0, torques_csv(busy).find('\n'));
   EXPECT_TRUE(header.ends_with("tau_friction_x_N_m,tau_friction_y_N_m,tau_friction_z_N_m")) << header;
   EXPECT_TRUE(torques_csv(plain).find("tau_friction") == std::string::npos);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "earthtop/frames/earth.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "earthtop/model/platform.hpp"
 #include "support.hpp"
 #include "support/temporary_directory.hpp"
 #include "text/sha256.hpp"

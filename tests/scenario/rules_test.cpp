@@ -1,6 +1,8 @@
 // Rules that involve more than one key, and the defaults.
 #include <random>
 
+#include "earthtop/model/platform.hpp"
+#include "earthtop/model/release.hpp"
 #include "scenario/fields.hpp"
 #include "support.hpp"
 

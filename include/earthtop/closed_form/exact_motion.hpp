@@ -4,26 +4,18 @@
 
 #include <variant>
 
+#include "earthtop/closed_form/exact_kind.hpp"
 #include "earthtop/closed_form/free_body.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/model/reduced_top.hpp"
 
 namespace earthtop {
 
-/// The closed form that a model has, or why it has none.
-enum class ExactKind {
-  free_body,       ///< no torque: anywhere, any body
-  symmetric_top,   ///< symmetric, its centre of mass on the axis, in a gravity that stands still in space
-  not_plain,       ///< none: a platform, or one of the non-inertial torques left out
-  not_symmetric,   ///< none: gravity acts on a body that is no symmetric top
-  turning_gravity  ///< none: away from the poles the Earth turns gravity
-};
 template <class T>
 ExactKind exact_kind(const Model<T>& model);
 extern template ExactKind exact_kind(const Model<double>&);
 extern template ExactKind exact_kind(const Model<long double>&);
 extern template ExactKind exact_kind(const Model<float128>&);
-constexpr bool has_closed_form(ExactKind kind) { return kind == ExactKind::free_body || kind == ExactKind::symmetric_top; }
 
 /// What of a model the motion depends on, in the model's units.
 template <class T>

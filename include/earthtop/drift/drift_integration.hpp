@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "earthtop/drift/deviation.hpp"
+#include "earthtop/drift/stop_event.hpp"
 #include "earthtop/drift/threshold.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
 #include "earthtop/watch.hpp"
@@ -79,16 +80,6 @@ template <class T>
 struct DriftProblem : MotionProblem<T> {
   std::optional<double> threshold_rad;
   RotatingMotion rotating = RotatingMotion::integrated;
-};
-
-/// One of the two predictions.
-enum class Prediction { reference, rotating };
-/// A motion came to rest in dry friction.
-struct StopEvent {
-  Prediction prediction = Prediction::reference;
-  double t_s = 0;
-  double slowing_rad_s2 = 0;        ///< how fast its rate fell at the end
-  std::optional<double> bound_s{};  ///< on the error of the time; none where the second integration knows of no such stop
 };
 
 template <class T>

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 

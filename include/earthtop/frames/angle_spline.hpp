@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "earthtop/frames/angle_table.hpp"
 #include "earthtop/real.hpp"
 
 namespace earthtop {
-
-/// Angles at times, as measured.
-struct AngleTable {
-  std::vector<double> t_s;        ///< strictly ascending, at least four
-  std::vector<double> angle_rad;  ///< one for each time
-};
 
 /// The piecewise cubic through a table with two continuous derivatives, and at the second time and the last but one a third:
 /// so it is the cubic polynomial itself where the angles lie on one [de Boor, A Practical Guide to Splines, chapter IV].

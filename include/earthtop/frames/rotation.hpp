@@ -3,7 +3,7 @@
 /// R_AB takes components in B to components in A: v_A = R_AB v_B, and R_AC = R_AB R_BC.
 #pragma once
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 

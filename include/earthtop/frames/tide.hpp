@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "earthtop/frames/earth.hpp"
+#include "earthtop/frames/tide_spec.hpp"
 #include "earthtop/frames/utc_instant.hpp"
 
 namespace earthtop {
@@ -12,16 +13,6 @@ namespace earthtop {
 /// Geocentric gravitational constants GM (m^3/s^2) of DE440 [Park et al. 2021, Astron. J. 161, 105].
 inline constexpr double kGravitationalConstantMoon = 4.902800118e12;
 inline constexpr double kGravitationalConstantSun = 1.32712440041279419e20;
-
-/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the
-/// vertical part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the
-/// tilt factor, about 0.69 [Melchior 1983; for degree 2, oceans left out].
-struct TideOptions {
-  bool moon = true;
-  bool sun = true;
-  double gravimetric_factor = 1;
-  double tilt_factor = 1;
-};
 
 /// The tidal acceleration at the site in geodetic East, North, Up (m/s^2), `seconds_later` after `utc`:
 ///   a = GM [ (d - r)/|d - r|^3 - d/|d|^3 ],  d: body, r: site, both from the Earth's centre,

@@ -2,38 +2,13 @@
 /// that make it physical.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "earthtop/error.hpp"
-#include "earthtop/real.hpp"
+#include "earthtop/model/body_spec.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
-
-enum class InertiaAbout { pivot, center_of_mass };
-enum class SolidShape { disc, cylinder, ring, cone, sphere, rod };
-
-/// A uniform solid of revolution about body axis 3. A cone's tip points to -z.
-struct Solid {
-  SolidShape shape = SolidShape::disc;
-  double radius_m = 0;        ///< outer radius; a rod without radius is thin
-  double inner_radius_m = 0;  ///< ring: annular cylinder; sphere: shell
-  double length_m = 0;        ///< along axis 3; disc and ring may have none
-  std::optional<double> mass_kg;
-  std::optional<double> density_kg_m3;
-  double at_m = 0;  ///< axial coordinate of its centre of mass, signed
-};
-
-/// A body as a scenario gives it.
-struct BodySpec {
-  double mass_kg = 0;
-  std::array<double, 3> center_of_mass_m = {0, 0, 0};
-  InertiaAbout inertia_about = InertiaAbout::pivot;
-  std::array<std::array<double, 3>, 3> inertia_kg_m2 = {};
-  std::vector<Solid> solids;  ///< if not empty, the four members above are computed from it
-};
 
 /// A rigid body on its pivot; every tensor about the pivot P, in body axes B.
 template <class T>

@@ -2,20 +2,11 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
+#include "earthtop/model/ledger_row.hpp"
 #include "earthtop/model/model.hpp"
 
 namespace earthtop {
-
-/// Whose torques a ledger lists: the frame that counts them, in its own axes. The inertial one is N, parallel to the laboratory
-/// at t = 0. Without a platform, or on one that never turns, the platform's observer is the laboratory's.
-enum class LedgerObserver { inertial, laboratory, platform, body };
-
-std::string_view to_string(LedgerObserver observer);
-
-/// What may act beside gravity and the pivot, each a share of the physical torques.
-inline constexpr std::array<std::string_view, 4> kAppliedShares{"tide", "gradient", "friction", "gimbal"};
 
 /// One instant's torques about the pivot (N m), in the axes of the observing frame A.
 template <class T>
@@ -29,6 +20,16 @@ struct LedgerEntry {
   std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
                                                         Vec3<T>::Zero()};  ///< of tau_phys_A, in the order of kAppliedShares
 };
+
+/// The row of an entry.
+template <class T>
+LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
+  const auto plain = [](const Vec3<T>& v) { return std::array<T, 3>{v[0], v[1], v[2]}; };
+  LedgerRow<T> row{plain(entry.tau_phys_A), plain(entry.tau_cor_A), plain(entry.tau_trans_A),
+                   plain(entry.tau_cent_A), plain(entry.dL_dt_A),   plain(entry.residual_A)};
+  for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = plain(entry.share_A[i]);
+  return row;
+}
 
 /// The ledger of one state. The two sides of it have nothing but the state in common:
 ///   torques   [F]'s tensor forms, from the second moment S and the velocity moment J in A axes
@@ -49,19 +50,5 @@ extern template LedgerEntry<long double> ledger_entry(LedgerObserver, const Mode
                                                       const Quaternion<long double>&, const Vec3<long double>&);
 extern template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128,
                                                    const Quaternion<float128>&, const Vec3<float128>&);
-
-/// The largest norms of a ledger's torques over its entries (N m).
-struct LedgerLargest {
-  double tau_phys = 0;
-  double tau_cor = 0;
-  double tau_trans = 0;
-  double tau_cent = 0;
-  double dL_dt = 0;
-  double residual = 0;
-
-  void include(const LedgerEntry<double>& entry);
-  /// The largest residual over the largest of all torques; 0 where there is no torque at all.
-  double relative_residual() const;
-};
 
 }  // namespace earthtop

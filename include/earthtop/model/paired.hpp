@@ -4,7 +4,7 @@
 /// along the differences: x -> x + epsilon dx for an epsilon of no size.
 #pragma once
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 

@@ -1,32 +1,11 @@
 /// How the top is released: attitude and rates in the laboratory, turned into initial conditions.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/model/release_spec.hpp"
 
 namespace earthtop {
-
-/// The frame whose rates are given, and the matching rule: both predictions start from the same rates of this kind.
-enum class RatesRelativeTo { laboratory, inertial };
-enum class Precession { none, steady_slow, steady_fast, given };
-
-/// A release as a scenario gives it. Quaternion (w, x, y, z), where given, replaces the three angles; the body rates, where
-/// given, replace spin and precession.
-struct ReleaseSpec {
-  double tilt_deg = 0;
-  double azimuth_deg = 0;
-  double spin_angle_deg = 0;
-  std::optional<std::array<double, 4>> quaternion_LB;
-  RatesRelativeTo rates_relative_to = RatesRelativeTo::laboratory;
-  std::optional<std::array<double, 3>> angular_velocity_body_rad_s;
-  double spin_rad_s = 0;
-  Precession precession = Precession::none;
-  double precession_rate_rad_s = 0;  ///< counterclockwise about Up; for Precession::given
-};
 
 /// Attitude and rates at release: q_LB and the rate of the body in the frame X that the matching rule names.
 template <class T>

@@ -5,7 +5,7 @@
 /// J_mn = integral x_m xdot_n dm is the velocity moment. Neither is an inertia tensor.
 #pragma once
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 

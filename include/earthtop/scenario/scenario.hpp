@@ -1,7 +1,7 @@
 /// A scenario: everything a run needs, typed, with every default resolved.
 #pragma once
 
-#include <filesystem>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,27 +9,18 @@
 #include <vector>
 
 #include "earthtop/error.hpp"
-#include "earthtop/frames/earth.hpp"
-#include "earthtop/frames/tide.hpp"
+#include "earthtop/frames/site.hpp"
+#include "earthtop/frames/tide_spec.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/integrate/pace.hpp"
-#include "earthtop/model/applied_torques.hpp"
-#include "earthtop/model/body.hpp"
-#include "earthtop/model/ledger.hpp"
-#include "earthtop/model/platform.hpp"
-#include "earthtop/model/release.hpp"
+#include "earthtop/model/applied_torques_spec.hpp"
+#include "earthtop/model/body_spec.hpp"
+#include "earthtop/model/ledger_row.hpp"
+#include "earthtop/model/platform_spec.hpp"
+#include "earthtop/model/release_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
 
 namespace earthtop {
-
-/// A tide: of Moon and Sun from the scene's start on, or harmonic, of a given amplitude.
-struct TideSpec {
-  bool given = false;
-  TideOptions options;                               ///< of Moon and Sun
-  std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< of a given one: East, North, Up
-  double frequency_hz = 0;
-  double phase_deg = 0;
-};
 
 /// Which of [F]'s three torques act (switched off means: left out of dL'/dt in the laboratory), and what acts beside gravity.
 struct EffectsSpec {
@@ -58,6 +49,14 @@ inline constexpr std::array<std::string_view, 7> kInputNames{
     "latitude_deg", "gravity_m_s2", "spin_rad_s", "tilt_deg", "rotation_rate_rad_s", "inertia_ratio", "center_of_mass_m"};
 
 struct Scenario {
+  // Compiled once, not in every source that holds one.
+  Scenario();
+  Scenario(const Scenario&);
+  Scenario(Scenario&&) noexcept;
+  Scenario& operator=(const Scenario&);
+  Scenario& operator=(Scenario&&) noexcept;
+  ~Scenario();
+
   std::string name = "unnamed";
   std::string title;
   std::string purpose;

@@ -68,6 +68,14 @@ struct StudyLimits {
 };
 
 struct Study {
+  // Compiled once, not in every source that holds one.
+  Study();
+  Study(const Study&);
+  Study(Study&&) noexcept;
+  Study& operator=(const Study&);
+  Study& operator=(Study&&) noexcept;
+  ~Study();
+
   std::string name = "unnamed";
   std::string title, purpose, finding;
   std::string text;  ///< the study file's

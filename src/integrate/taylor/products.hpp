@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "earthtop/real.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop::taylor {
 

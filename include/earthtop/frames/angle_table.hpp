@@ -1,0 +1,14 @@
+/// A turn as a table gives it.
+#pragma once
+
+#include <vector>
+
+namespace earthtop {
+
+/// Angles at times, as measured.
+struct AngleTable {
+  std::vector<double> t_s;        ///< strictly ascending, at least four
+  std::vector<double> angle_rad;  ///< one for each time
+};
+
+}  // namespace earthtop

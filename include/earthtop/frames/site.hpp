@@ -1,0 +1,46 @@
+/// The laboratory's place on the Earth as a scenario gives it, and the Earth's constants with their sources.
+#pragma once
+
+namespace earthtop {
+
+/// WGS 84 nominal rate of the Earth (rad/s) [NIMA TR8350.2].
+inline constexpr double kEarthRateWgs84 = 7.292115e-5;
+/// WGS 84 ellipsoid: equatorial radius (m), inverse flattening, geocentric gravitational constant (m^3/s^2) [NIMA TR8350.2].
+inline constexpr double kEquatorialRadiusWgs84 = 6378137.0;
+inline constexpr double kInverseFlatteningWgs84 = 298.257223563;
+inline constexpr double kGravitationalConstantWgs84 = 3.986004418e14;
+
+/// The pole in Earth-fixed axes: x towards Greenwich, y towards 90 degrees WEST (arcsec) [IERS Conventions (2010), 5.4.1].
+struct PolarMotion {
+  double x_arcsec = 0;
+  double y_arcsec = 0;
+};
+
+/// The plumb line's zenith less the ellipsoid's normal: xi towards North, eta towards East (arcsec), each the angle between the
+/// normal and the zenith's projection onto that vertical plane. Astronomical latitude = geodetic + xi, astronomical longitude =
+/// geodetic + eta / cos(latitude) to first order [Heiskanen & Moritz, ch. 2].
+struct VerticalDeflection {
+  double north_arcsec = 0;
+  double east_arcsec = 0;
+};
+
+/// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity
+/// (m/s^2); and how the Earth's pole and the plumb line depart from the ellipsoid's.
+struct Site {
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double height_m = 0;
+  double gravity_m_s2 = 0;
+  PolarMotion pole = {};
+  VerticalDeflection deflection = {};
+  /// Whether the pole is the ellipsoid's and Up its normal.
+  bool follows_ellipsoid() const {
+    return pole.x_arcsec == 0 && pole.y_arcsec == 0 && deflection.north_arcsec == 0 && deflection.east_arcsec == 0;
+  }
+};
+
+/// Normal gravity of WGS 84 at a geodetic latitude (deg) and height (m): what a plumb line and a gravimeter feel,
+/// centrifugal part included (m/s^2). [GeographicLib::NormalGravity]
+double normal_gravity(double latitude_deg, double height_m);
+
+}  // namespace earthtop

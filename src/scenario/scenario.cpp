@@ -1,0 +1,13 @@
+// Copies, moves and ends of a Scenario: much code, which sources that hold one would each compile for themselves.
+#include "earthtop/scenario/scenario.hpp"
+
+namespace earthtop {
+
+Scenario::Scenario() = default;
+Scenario::Scenario(const Scenario&) = default;
+Scenario::Scenario(Scenario&&) noexcept = default;
+Scenario& Scenario::operator=(const Scenario&) = default;
+Scenario& Scenario::operator=(Scenario&&) noexcept = default;
+Scenario::~Scenario() = default;
+
+}  // namespace earthtop

@@ -1,0 +1,17 @@
+/// What the closed forms take of a judged scene.
+#pragma once
+
+#include "earthtop/closed_form/state.hpp"
+#include "earthtop/model/release.hpp"
+#include "earthtop/scenario/scenario.hpp"
+
+namespace earthtop::verify_detail {
+
+/// The symmetric top of a scene. @throws NotJudged where it is none about body axis 3
+SymmetricTop<double> symmetric_top(const Scenario& scenario);
+/// The release as the scene gives it.
+Release<double> release_of(const Scenario& scenario);
+/// The Earth's rate in laboratory axes (rad/s).
+Vec3<double> earth_rate_L(const Scenario& scenario);
+
+}  // namespace earthtop::verify_detail
