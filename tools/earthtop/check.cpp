@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "output.hpp"
@@ -95,14 +96,15 @@ int check_verb(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action) {
+Verb describe_check() {
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* check = app.add_subcommand("check", "find everything that is wrong in scenario files; run nothing");
-  check->add_option("SCENARIO", arguments->files, "scenario files (JSON); - is standard input")->required();
-  check->add_flag("--json", arguments->json, "print what was found as one JSON document");
-  check->add_flag("--quiet", arguments->quiet, "print nothing but errors");
-  add_set_option(*check, arguments->sets);
-  check->callback([&action, arguments] { action = [arguments] { return check_verb(*arguments); }; });
+  Verb check("check", "find everything that is wrong in scenario files; run nothing",
+             [arguments] { return check_verb(*arguments); });
+  check.add("SCENARIO", &arguments->files, "scenario files (JSON); - is standard input").required().json_file();
+  check.add("--json", &arguments->json, "print what was found as one JSON document");
+  check.add("--quiet", &arguments->quiet, "print nothing but errors");
+  add_set_option(check, arguments->sets);
+  return check;
 }
 
 }  // namespace earthtop::tool

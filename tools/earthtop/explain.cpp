@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
@@ -112,15 +113,15 @@ int explain_verb(const ExplainArguments& arguments) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Action& action) {
+Verb describe_explain() {
   auto arguments = std::make_shared<ExplainArguments>();
-  CLI::App* explain =
-      app.add_subcommand("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why");
-  explain->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
-  explain->add_flag("--json", arguments->json, "as one JSON document, errors too");
-  explain->add_flag("--quiet", arguments->quiet, "no warnings about the scenario");
-  add_set_option(*explain, arguments->sets);
-  explain->callback([&action, arguments] { action = [arguments] { return explain_verb(*arguments); }; });
+  Verb explain("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why",
+               [arguments] { return explain_verb(*arguments); });
+  explain.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
+  explain.add("--json", &arguments->json, "as one JSON document, errors too");
+  explain.add("--quiet", &arguments->quiet, "no warnings about the scenario");
+  add_set_option(explain, arguments->sets);
+  return explain;
 }
 
 }  // namespace earthtop::tool

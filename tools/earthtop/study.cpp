@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "interrupt.hpp"
@@ -28,7 +29,8 @@ struct StudyArguments {
   std::string shard;
   bool force = false, keep_going = false, retry_failed = false, dry_run = false;
   bool json = false, quiet = false;
-  std::vector<std::string> stores;  // of merge, show, export
+  std::vector<std::string> stores;  // of merge
+  std::string store;                // of show, export
 };
 
 StudyShard parse_shard(const std::string& text) {
@@ -173,59 +175,53 @@ int merge_verb(const StudyArguments& arguments) {
 }
 
 int show_verb(const StudyArguments& arguments) {
-  const std::string text = study_json(store_of(arguments.stores.front()));
+  const std::string text = study_json(store_of(arguments.store));
   print(arguments.json ? text : study_text(Json::parse(text)));
   return kDone;
 }
 
 int export_verb(const StudyArguments& arguments) {
-  const fs::path store = store_of(arguments.stores.front());
+  const fs::path store = store_of(arguments.store);
   study_csv(store, [](std::string_view piece) { print(piece); });
   return kDone;
 }
 
 }  // namespace
 
-void add_study(CLI::App& app, Action& action) {
+Verb describe_study() {
   auto arguments = std::make_shared<StudyArguments>();
-  const auto add_output_flags = [&](CLI::App& verb) {
-    verb.add_flag("--json", arguments->json, "print the results as one JSON document, errors too");
-    verb.add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  StudyArguments& a = *arguments;
+  const auto add_output_flags = [&](Verb& verb) {
+    verb.add("--json", &a.json, "print the results as one JSON document, errors too");
+    verb.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   };
-  CLI::App* study = app.add_subcommand("study", "a parameter study: many runs, resumable; merge, show and export its results");
-  study->add_option("STUDY", arguments->study, "study file (JSON); - is standard input");
-  study->add_option("--out", arguments->out, "directory of store and results; default: out/studies/<name>")->type_name("DIR");
-  study->add_option("--jobs", arguments->jobs, "threads; default: one a core")->type_name("N")->check(CLI::Range(1, 4096));
-  study->add_option("--shard", arguments->shard, "compute every N-th point only, from the K-th on")->type_name("K/N");
-  study->add_flag("--force", arguments->force, "throw away a store of another study");
-  study->add_flag("--keep-going", arguments->keep_going,
-                  "compute it even if all points looked at beforehand are refused alike");
-  study->add_flag("--retry-failed", arguments->retry_failed, "compute failed points again");
-  study->add_flag("--dry-run", arguments->dry_run, "count the points and estimate time and disk, compute nothing");
-  add_output_flags(*study);
-  study->require_subcommand(0, 1);
+  Verb study("study", "a parameter study: many runs, resumable; merge, show and export its results",
+             [arguments] { return study_verb(*arguments); });
+  study.add("STUDY", &a.study, "study file (JSON); - is standard input").json_file();
+  study.add("--out", &a.out, "directory of store and results; default: out/studies/<name>").called("DIR");
+  study.add("--jobs", &a.jobs, "threads; default: one a core").called("N").within(1, 4096);
+  study.add("--shard", &a.shard, "compute every N-th point only, from the K-th on").called("K/N");
+  study.add("--force", &a.force, "throw away a store of another study");
+  study.add("--keep-going", &a.keep_going, "compute it even if all points looked at beforehand are refused alike");
+  study.add("--retry-failed", &a.retry_failed, "compute failed points again");
+  study.add("--dry-run", &a.dry_run, "count the points and estimate time and disk, compute nothing");
+  add_output_flags(study);
 
-  CLI::App* merge = study->add_subcommand("merge", "put the stores of shards together");
-  merge->add_option("STORE", arguments->stores, "stores, or directories that hold one")->required();
-  merge->add_option("--out", arguments->out, "directory of the merged store and its results")->type_name("DIR")->required();
-  merge->add_flag("--force", arguments->force, "throw away a store of another study there");
-  add_output_flags(*merge);
+  Verb merge("merge", "put the stores of shards together", [arguments] { return merge_verb(*arguments); });
+  merge.add("STORE", &a.stores, "stores, or directories that hold one").required();
+  merge.add("--out", &a.out, "directory of the merged store and its results").called("DIR").required();
+  merge.add("--force", &a.force, "throw away a store of another study there");
+  add_output_flags(merge);
 
-  CLI::App* show = study->add_subcommand("show", "what a store holds: statistics, fits, indices");
-  show->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
-  show->add_flag("--json", arguments->json, "as one JSON document");
+  Verb show("show", "what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });
+  show.add("STORE", &a.store, "a store, or the directory that holds it").required();
+  show.add("--json", &a.json, "as one JSON document");
 
-  CLI::App* table = study->add_subcommand("export", "the points as CSV on standard output");
-  table->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
+  Verb table("export", "the points as CSV on standard output", [arguments] { return export_verb(*arguments); });
+  table.add("STORE", &a.store, "a store, or the directory that holds it").required();
 
-  study->callback([&action, arguments, merge, show, table] {
-    action = [arguments, merging = merge->parsed(), showing = show->parsed(), exporting = table->parsed()] {
-      if (merging) return merge_verb(*arguments);
-      if (showing) return show_verb(*arguments);
-      if (exporting) return export_verb(*arguments);
-      return study_verb(*arguments);
-    };
-  });
+  study.verbs = {merge, show, table};
+  return study;
 }
 
 }  // namespace earthtop::tool

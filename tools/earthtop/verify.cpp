@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 
+#include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "examples.hpp"
 #include "interrupt.hpp"
@@ -164,14 +165,15 @@ int verify_verb(const VerifyArguments& arguments) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Action& action) {
+Verb describe_verify() {
   auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* verify = app.add_subcommand("verify", "run scenarios and judge them by their criteria; the hard cases by default");
-  verify->add_option("SCENARIO", arguments->files, "scenario files (JSON) with criteria, or directories of them");
-  verify->add_flag("--json", arguments->json, "print the table as one JSON document, errors too");
-  verify->add_flag("--slow", arguments->slow, "judge criteria, too, that take over a minute");
-  verify->add_flag("--list", arguments->list, "print the criteria; run nothing");
-  verify->callback([&action, arguments] { action = [arguments] { return verify_verb(*arguments); }; });
+  Verb verify("verify", "run scenarios and judge them by their criteria; the hard cases by default",
+              [arguments] { return verify_verb(*arguments); });
+  verify.add("SCENARIO", &arguments->files, "scenario files (JSON) with criteria, or directories of them").json_file();
+  verify.add("--json", &arguments->json, "print the table as one JSON document, errors too");
+  verify.add("--slow", &arguments->slow, "judge criteria, too, that take over a minute");
+  verify.add("--list", &arguments->list, "print the criteria; run nothing");
+  return verify;
 }
 
 }  // namespace earthtop::tool

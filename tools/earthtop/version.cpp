@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "command_line.hpp"
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/processes.hpp"
@@ -31,11 +32,11 @@ int version_verb(bool json) {
   return kDone;
 }
 
-void add_version(CLI::App& app, Action& action) {
+Verb describe_version() {
   auto json = std::make_shared<bool>(false);
-  CLI::App* version = app.add_subcommand("version", "what was built, from what and how");
-  version->add_flag("--json", *json, "as one JSON document");
-  version->callback([&action, json] { action = [json] { return version_verb(*json); }; });
+  Verb version("version", "what was built, from what and how", [json] { return version_verb(*json); });
+  version.add("--json", json.get(), "as one JSON document");
+  return version;
 }
 
 }  // namespace earthtop::tool
