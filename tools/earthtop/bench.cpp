@@ -1,5 +1,3 @@
-#include "earthtop/bench/bench.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 
 #include "bench_text.hpp"
 #include "command_line.hpp"
+#include "earthtop/bench/comparison.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 

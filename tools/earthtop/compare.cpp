@@ -1,6 +1,6 @@
 #include "earthtop/compare/compare.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,5 @@
 // earthtop explain: the effect budget of a scenario.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

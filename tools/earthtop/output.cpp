@@ -11,7 +11,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "earthtop/results/results.hpp"
 #include "progress_line.hpp"
 
 namespace earthtop::tool {

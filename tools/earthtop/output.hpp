@@ -2,17 +2,15 @@
 #pragma once
 
 #include <exception>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "earthtop/error.hpp"
+#include "exit_status.hpp"
 
 namespace earthtop::tool {
-
-/// Exit statuses; 128 + signal where a signal stopped the work.
-enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4, kReaderGone = 141 };
 
 /// The name of standard output in a WriteError.
 inline constexpr const char* kStandardOutput = "<standard output>";

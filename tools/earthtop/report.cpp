@@ -1,8 +1,9 @@
 #include "earthtop/report/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command_line.hpp"

@@ -1,11 +1,13 @@
 #include "study_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "earthtop/study/run_study.hpp"
 
 namespace earthtop::tool {
 namespace {

@@ -1,10 +1,12 @@
 /// A study for people: its results as text, its progress as a line.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "earthtop/study/run_study.hpp"
+namespace earthtop {
+struct StudyProgress;
+}
 
 namespace earthtop::tool {
 
