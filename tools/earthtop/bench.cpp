@@ -189,6 +189,11 @@ Verb describe_bench() {
   bench.add("--json", &a.json, "print everything as one JSON document, errors too");
   bench.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   add_set_option(bench, a.sets);
+  bench.describe(
+      "Times every method at several tolerances and in every precision that fits the scenario, and measures its "
+      "error against a reference. The table shows which contenders no other one beats in both.");
+  bench.example("earthtop bench toy-top.json --methods auto,taylor --out bench",
+                "compares one method with what auto takes, and keeps table and picture");
   return bench;
 }
 

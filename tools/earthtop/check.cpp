@@ -105,6 +105,11 @@ Verb describe_check() {
   check.add("--json", &arguments->json, "print what was found as one JSON document");
   check.add("--quiet", &arguments->quiet, "print nothing but errors");
   add_set_option(check, arguments->sets);
+  check.describe(
+      "Reads every file as run does and tells of everything that is wrong, each with line, column and JSON "
+      "pointer, and of values that can hardly be meant. Of a sound file it tells how many rows a run would have "
+      "and how long it would take.");
+  check.example("earthtop check scenarios/*.json", "checks all files of a directory");
   return check;
 }
 

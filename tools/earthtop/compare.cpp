@@ -198,6 +198,16 @@ Verb describe_compare() {
   compare.add("--all", &a.all, "of many results list those that are the same, too");
   compare.add("--json", &a.json, "print one JSON document, errors too");
   compare.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
+  compare.describe(
+      "Tells of each quantity whether it moved by more than both error bounds and rounding explain, or than "
+      "another profile or a file of tolerances allows. Where REFERENCE is a scenario, NEW is a measurement, a "
+      "CSV file with values and standard errors, and the answer is whether the two agree. The exit status is 0 "
+      "where nothing differs and 1 where something does.");
+  compare.example("earthtop compare old/toy-top new/toy-top", "compares two results");
+  compare.example("earthtop compare references results --junit verdicts.xml",
+                  "compares two directories and writes the verdicts for a build server");
+  compare.example("earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s",
+                  "fits the vertical part of the Earth's rotation to a measurement");
   return compare;
 }
 

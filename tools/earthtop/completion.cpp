@@ -172,6 +172,10 @@ Verb describe_completion(const Verb& program) {
   Verb completion("completion", "print a script that completes earthtop's command lines",
                   [&program, shell] { return completion_verb(program, *shell); });
   completion.add("SHELL", shell.get(), "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
+  completion.describe(
+      "The script completes verbs, options, names of files and examples, and the JSON pointers that --set "
+      "takes.");
+  completion.example("source <(earthtop completion bash)", "completes in this shell; the same line in ~/.bashrc in every one");
   return completion;
 }
 

@@ -59,6 +59,11 @@ Verb describe_example() {
   example.add("NAME", &arguments->name, "one of the shipped scenarios").completed_to(example_names());
   example.add("--annotated", &arguments->annotated, "every key that applies, each explained, with its default");
   example.add("--list", &arguments->list, "names and titles of the shipped scenarios").without("NAME").without("--annotated");
+  example.describe(
+      "The shipped scenarios are inside the program. Printed by name, they are as they are in its source; with "
+      "--annotated every key that applies is there, with an explanation and its default.");
+  example.example("earthtop example > mine.json", "begins with a scenario that explains itself");
+  example.example("earthtop example --list", "lists what is there");
   return example;
 }
 

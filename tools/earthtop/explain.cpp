@@ -121,6 +121,11 @@ Verb describe_explain() {
   explain.add("--json", &arguments->json, "as one JSON document, errors too");
   explain.add("--quiet", &arguments->quiet, "no warnings about the scenario");
   add_set_option(explain, arguments->sets);
+  explain.describe(
+      "Tells of each torque how large it is, by how much it moves the axis, how much of that is drift, and "
+      "whether the scenario models it. Below stands how well each input must be known if its error is to move "
+      "the axis by less than the Earth does, and what a run would take. Nothing is written.");
+  explain.example("earthtop explain toy-top.json", "prints the budget as a table");
   return explain;
 }
 

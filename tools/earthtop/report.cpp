@@ -55,6 +55,8 @@ Verb describe_report() {
   report.add("--svg", &arguments->svg, "write its pictures as SVG files beside it, too");
   report.add("--json", &arguments->json, "print what was written as one JSON document, errors too");
   report.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
+  report.describe("Writes a page that needs no other file and no network: pictures, tables and where the numbers come from.");
+  report.example("earthtop report out/toy-top", "writes out/toy-top/report.html");
   return report;
 }
 

@@ -178,6 +178,16 @@ Verb describe_run() {
   run.add("--no-step-limit", &arguments->no_step_limit,
           "go on where the run takes more than ten times the steps estimated; without it, it stops there");
   add_set_option(run, arguments->sets);
+  run.describe(
+      "Integrates the top's motion in the laboratory that turns with the Earth, and beside it the motion that "
+      "is predicted without the Earth's rotation. The difference is the drift; its error bound and a verdict on "
+      "what it is worth come with it. Into the directory go trajectory.csv, summary.json, timing.json and "
+      "drift.svg, and torques.csv where the scenario asks for a ledger. They change together or not at all. The "
+      "results of another scenario are overwritten with --force only. The summary on standard output is for "
+      "people, or with --json the content of summary.json.");
+  run.example("earthtop run toy-top.json", "predicts the motion and writes it to out/toy-top");
+  run.example("earthtop run toy-top.json --set /site/latitude_deg=60 --out north", "the same at another latitude");
+  run.example("earthtop example foucault-pendulum | earthtop run -", "takes the scenario from standard input");
   return run;
 }
 

@@ -47,6 +47,11 @@ Verb describe_schema() {
   schema.add("--markdown", &arguments->markdown, "the same for people: a table of all keys");
   for (std::size_t i = 1; i < kDescribedFiles.size(); ++i)
     schema.add(kDescribedFiles[i].flag, &arguments->chosen[i], kDescribedFiles[i].what).in_group("file");
+  schema.describe(
+      "An editor that is given the schema completes keys, shows what they mean and marks what is wrong while a "
+      "file is written. The schema is made from the table that files are read by.");
+  schema.example("earthtop schema > scenario.schema.json", "keeps the schema for an editor");
+  schema.example("earthtop schema --study --markdown", "prints what a study file may say, for people");
   return schema;
 }
 

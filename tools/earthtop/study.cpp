@@ -221,6 +221,15 @@ Verb describe_study() {
   Verb table("export", "the points as CSV on standard output", [arguments] { return export_verb(*arguments); });
   table.add("STORE", &a.store, "a store, or the directory that holds it").required();
 
+  study.describe(
+      "Runs a scenario at many points, of a grid or a sample, and keeps every point in a store as soon "
+      "as it is computed. Interrupted, it goes on from there when the same command is given again. At the end "
+      "it prints statistics, fits and indices and writes study.csv, study.json, study.sqlite and, of one or two "
+      "axes, study.svg beside the store. With --shard several machines share the points; merge puts their "
+      "stores together.");
+  study.example("earthtop study latitudes.json --dry-run", "counts the points and estimates time and disk");
+  study.example("earthtop study latitudes.json --shard 1/4 --out part1", "computes a quarter of the points");
+  study.example("earthtop study merge part*/shard-*.sqlite --out all", "puts the shards together");
   study.verbs = {merge, show, table};
   return study;
 }

@@ -21,6 +21,8 @@ Verb describe_schema();
 Verb describe_example();
 /// @param program  all verbs, which outlive this one
 Verb describe_completion(const Verb& program);
+/// @param program  as of `describe_completion`   @param names  of all verbs
+Verb describe_man(const Verb& program, const std::vector<std::string>& names);
 Verb describe_version();
 
 /// Prints what was built, from what and how. @throws WriteError

@@ -174,6 +174,14 @@ Verb describe_verify() {
   verify.add("--json", &arguments->json, "print the table as one JSON document, errors too");
   verify.add("--slow", &arguments->slow, "judge criteria, too, that take over a minute");
   verify.add("--list", &arguments->list, "print the criteria; run nothing");
+  verify.describe(
+      "A criterion owes nothing to the run that it judges: it is an invariant, a closed form, a published "
+      "value, an equivalence, an exact zero, an order of convergence, a verdict or a refusal. Without an "
+      "operand the hard cases are judged, which are inside the program. The exit status is 1 where a criterion "
+      "is not met.");
+  verify.example("earthtop verify", "judges the hard cases");
+  verify.example("earthtop verify --list", "prints what would be judged");
+  verify.example("earthtop verify my.json scenarios/hard", "judges a file and a directory");
   return verify;
 }
 

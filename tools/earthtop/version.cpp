@@ -36,6 +36,10 @@ Verb describe_version() {
   auto json = std::make_shared<bool>(false);
   Verb version("version", "what was built, from what and how", [json] { return version_verb(*json); });
   version.add("--json", json.get(), "as one JSON document");
+  version.describe(
+      "Prints version, commit, compiler and its flags, the versions of libraries, and which of the optional "
+      "parts were compiled in.");
+  version.example("earthtop version --json", "the same for programs");
   return version;
 }
 
