@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -105,8 +104,9 @@ std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArgume
     return has(name) || (contender.is_auto && has("auto"));
   };
   std::erase_if(all, [&](const Contender& contender) { return !is_asked(contender); });
-  if (all.empty())
-    refuse(fmt::format("--methods {}: none of these fits \"{}\"", fmt::join(arguments.methods, ","), scenario.name));
+  std::string asked;
+  for (const std::string& method : arguments.methods) asked += (asked.empty() ? "" : ",") + method;
+  if (all.empty()) refuse(fmt::format("--methods {}: none of these fits \"{}\"", asked, scenario.name));
   return all;
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -66,22 +66,20 @@ void report_text(const std::vector<CheckedFile>& files, bool quiet) {
 }
 
 void report_json(const std::vector<CheckedFile>& files) {
-  using Json = nlohmann::ordered_json;
-  Json errors = Json::array(), warnings = Json::array(), list = Json::array();
+  std::vector<JsonObject> list, errors, warnings;
   for (const CheckedFile& checked : files) {
     const auto& scenario = checked.report.scenario;
-    list.push_back({{"file", checked.file},
-                    {"valid", scenario.has_value()},
-                    {"name", scenario ? Json(scenario->name) : Json(nullptr)},
-                    {"errors", checked.report.error_count},
-                    {"warnings", checked.report.warnings.size()}});
+    JsonObject entry;
+    entry.put("file", checked.file).put("valid", scenario.has_value());
+    scenario ? entry.put("name", scenario->name) : entry.put_null("name");
+    entry.put("errors", checked.report.error_count).put("warnings", checked.report.warnings.size());
+    list.push_back(std::move(entry));
     for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
     for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));
   }
-  print_json({{"valid", errors.empty()},
-              {"files", std::move(list)},
-              {"errors", std::move(errors)},
-              {"warnings", std::move(warnings)}});
+  JsonObject document;
+  document.put("valid", errors.empty()).put("files", list).put("errors", errors).put("warnings", warnings);
+  print_json(document);
 }
 
 int check_verb(const CheckArguments& arguments) {

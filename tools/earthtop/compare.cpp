@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command_line.hpp"
@@ -13,6 +13,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "measurement_text.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -53,7 +54,7 @@ CompareOptions options_of(const CompareArguments& arguments) {
 int update_verb(const CompareArguments& arguments) {
   const std::vector<std::string> written = update_reference(arguments.reference, arguments.candidate, arguments.reason);
   if (arguments.json)
-    print_json({{"written", written}, {"reason", arguments.reason}});
+    print_json(JsonObject().put("written", written).put("reason", arguments.reason));
   else if (!arguments.quiet)
     for (const std::string& path : written) print(fmt::format("new reference: {}\n", printable(path)));
   return kDone;
@@ -64,8 +65,9 @@ bool is_scenario(const std::string& path) {
   std::error_code error;
   if (path == "-") return true;
   if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) return false;
-  const auto json = nlohmann::json::parse(read_scenario_source(path).text, nullptr, false);
-  return json.is_object() && (json.contains("body") || json.contains("release") || json.contains("motion"));
+  const std::vector<std::string> keys = json_keys(read_scenario_source(path).text);
+  return std::any_of(keys.begin(), keys.end(),
+                     [](const std::string& key) { return key == "body" || key == "release" || key == "motion"; });
 }
 
 /// What is written must not be what is read.

@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "earthtop/watch.hpp"
-#include "study_text.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -50,6 +49,15 @@ void ProgressLine::clear() {
 }
 
 bool is_line_shown() noexcept { return line_shown; }
+
+std::string duration_text(double seconds) {
+  if (seconds < 0.1) return "less than 0.1 s";
+  if (seconds < 0.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
 
 std::string progress_text(double share, std::string_view phase, double seconds) {
   // Before a hundredth is done, what is left is a guess.

@@ -34,6 +34,9 @@ class ProgressLine {
 /// Whether a line stands on the terminal. Safe in a signal handler.
 bool is_line_shown() noexcept;
 
+/// "3.2 s", "12 min", "4.5 h", "2.1 days".
+std::string duration_text(double seconds);
+
 /// "42%  error bound, 12 s left". @param seconds  since the work began
 std::string progress_text(double share, std::string_view phase, double seconds);
 

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command_line.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -37,7 +37,7 @@ int report_verb(const ReportArguments& arguments) {
       written.push_back(file.string());
     }
   if (arguments.json)
-    print_json({{"written", written}});
+    print_json(JsonObject().put("written", written));
   else if (!arguments.quiet)
     for (const std::string& file : written) print(printable(file) + "\n");
   return kDone;

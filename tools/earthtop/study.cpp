@@ -5,15 +5,16 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command_line.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "study_progress.hpp"
 #include "study_text.hpp"
 #include "verbs.hpp"
 
@@ -21,7 +22,6 @@ namespace earthtop::tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct StudyArguments {
   std::string study;  // a file, or "-"
@@ -59,13 +59,14 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   const StudySample sample = sample_points(study);
   if (sample.common && !arguments.keep_going) throw *sample.common;
   if (arguments.json)
-    print_json({{"name", study.name},
-                {"points", expected.points},
-                {"core_seconds", expected.core_seconds},
-                {"disk_bytes", expected.disk_bytes},
-                {"points_looked_at", sample.looked_at},
-                {"points_refused", sample.refused},
-                {"study_sha256", study_sha256(study)}});
+    print_json(JsonObject()
+                   .put("name", study.name)
+                   .put("points", expected.points)
+                   .put("core_seconds", expected.core_seconds)
+                   .put("disk_bytes", expected.disk_bytes)
+                   .put("points_looked_at", sample.looked_at)
+                   .put("points_refused", sample.refused)
+                   .put("study_sha256", study_sha256(study)));
   else
     print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
                       about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
@@ -78,10 +79,11 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
 /// What there is to tell after a shard, whose points are no study yet.
 void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments) {
   if (arguments.json)
-    print_json({{"store", report.store.string()},
-                {"points_wanted", report.progress.wanted},
-                {"points_computed", report.progress.before + report.progress.done},
-                {"points_failed", report.failed}});
+    print_json(JsonObject()
+                   .put("store", report.store.string())
+                   .put("points_wanted", report.progress.wanted)
+                   .put("points_computed", report.progress.before + report.progress.done)
+                   .put("points_failed", report.failed));
   else if (!arguments.quiet)
     print(fmt::format("{}: {} of {} points of this shard, {} failed; earthtop study merge puts the shards together\n",
                       printable(report.store.string()), report.progress.before + report.progress.done, report.progress.wanted,
@@ -100,7 +102,7 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
   if (json)
     print(text);
   else
-    print(study_text(Json::parse(text)) +
+    print(study_text(text) +
           fmt::format("\nResults in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes\n",
                       printable(store.parent_path().string())));
 }
@@ -165,19 +167,17 @@ int merge_verb(const StudyArguments& arguments) {
   merge_study_stores(stores, dir, arguments.force);
   const fs::path merged = study_store(dir);
   write_study_results(merged);
-  const Json document = Json::parse(written_document(merged));
+  const auto [planned, computed, failed] = study_counts(written_document(merged));
   tell_results(merged, arguments.json, arguments.quiet);
-  const auto computed = document.at("points_computed").get<std::uint64_t>(),
-             planned = document.at("points_planned").get<std::uint64_t>();
   if (computed < planned)
     message(fmt::format("earthtop: {} of {} points are missing; earthtop study STUDY.json --out {} computes them",
                         planned - computed, planned, printable(dir.string())));
-  return computed < planned || document.at("points_failed").get<std::uint64_t>() > 0 ? kNegative : kDone;
+  return computed < planned || failed > 0 ? kNegative : kDone;
 }
 
 int show_verb(const StudyArguments& arguments) {
   const std::string text = study_json(store_of(arguments.store));
-  print(arguments.json ? text : study_text(Json::parse(text)));
+  print(arguments.json ? text : study_text(text));
   return kDone;
 }
 

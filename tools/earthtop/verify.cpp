@@ -6,21 +6,19 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "examples.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct VerifyArguments {
   std::vector<std::string> files;  // files and directories; the hard cases inside the program if there are none
@@ -91,16 +89,16 @@ std::string head() {
   return fmt::format("{}  {:>8}  {:>7}  {:>6}\n", left_part("case", "criterion"), "error", "bound", "cpu s");
 }
 
-Json json_of(const VerificationRow& row) {
+JsonObject json_of(const VerificationRow& row) {
   const bool judged = row.outcome != VerificationOutcome::skipped;
-  return {{"case", row.name},
-          {"criterion", row.criterion},
-          {"why", row.why},
-          {"outcome", word(row.outcome) == "FAIL" ? "fail" : word(row.outcome)},
-          {"error", judged && std::isfinite(row.error) ? Json(row.error) : Json(nullptr)},
-          {"bound", row.bound},
-          {"cpu_s", judged ? Json(row.seconds) : Json(nullptr)},
-          {"remark", row.remark}};
+  JsonObject object;
+  object.put("case", row.name).put("criterion", row.criterion).put("why", row.why);
+  object.put("outcome", word(row.outcome) == "FAIL" ? "fail" : word(row.outcome));
+  judged ? object.put("error", row.error) : object.put_null("error");
+  object.put("bound", row.bound);
+  judged ? object.put("cpu_s", row.seconds) : object.put_null("cpu_s");
+  object.put("remark", row.remark);
+  return object;
 }
 
 struct Counts {
@@ -143,7 +141,7 @@ int verify_verb(const VerifyArguments& arguments) {
     });
   Parts parts(watch, std::accumulate(work.begin(), work.end(), 0.0));
   Counts counts;
-  Json rows = Json::array();
+  std::vector<JsonObject> rows;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     verify(sources[i], {arguments.slow, parts.next(work[i])}, [&](const VerificationRow& row) {
       counts.include(row);
@@ -158,7 +156,11 @@ int verify_verb(const VerifyArguments& arguments) {
   }
   progress.reach(1);
   if (arguments.json)
-    print_json({{"passed", counts.passed}, {"failed", counts.failed}, {"skipped", counts.skipped}, {"rows", std::move(rows)}});
+    print_json(JsonObject()
+                   .put("passed", counts.passed)
+                   .put("failed", counts.failed)
+                   .put("skipped", counts.skipped)
+                   .put("rows", rows));
   else
     display.aside([&] { print(sum_of(counts)); });
   return counts.failed == 0 ? kDone : kNegative;
