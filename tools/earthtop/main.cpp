@@ -1,5 +1,4 @@
 /// The earthtop program: reads the command line and hands over to a verb.
-
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -8,7 +7,7 @@
 
 #include "command_line.hpp"
 #include "earthtop/arithmetic.hpp"
-#include "earthtop/results/results.hpp"
+#include "earthtop/error.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "program.hpp"

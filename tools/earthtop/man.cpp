@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "command_line.hpp"
+#include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "exit_status.hpp"
 #include "manual_page.hpp"
@@ -20,16 +21,18 @@ struct ManArguments {
 
 int man_verb(const Verb& program, const ManArguments& arguments) {
   const auto& verbs = program.verbs;
+  const std::string& version = build_info().version;
   if (arguments.all) {
     const auto write = [&](const Verb& verb) {
-      write_file(std::filesystem::path(*arguments.all) / (manual_page_name(program, verb) + ".1"), manual_page(program, verb));
+      write_file(std::filesystem::path(*arguments.all) / (manual_page_name(program, verb) + ".1"),
+                 manual_page(program, verb, version));
     };
     write(program);
     std::for_each(verbs.begin(), verbs.end(), write);
     return kDone;
   }
   const auto named = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& verb) { return verb.name == arguments.verb; });
-  print(manual_page(program, named != verbs.end() ? *named : program));
+  print(manual_page(program, named != verbs.end() ? *named : program, version));
   return kDone;
 }
 

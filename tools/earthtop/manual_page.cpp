@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "command_line.hpp"
-#include "earthtop/results/provenance.hpp"
 #include "exit_status.hpp"
 #include "roff.hpp"
 
@@ -143,12 +142,12 @@ std::string manual_page_name(const Verb& program, const Verb& verb) {
   return &verb == &program ? program.name : program.name + "-" + verb.name;
 }
 
-std::string manual_page(const Verb& program, const Verb& verb) {
+std::string manual_page(const Verb& program, const Verb& verb, std::string_view version) {
   const bool is_program = &verb == &program;
   const std::string name = manual_page_name(program, verb), path = is_program ? program.name : program.name + " " + verb.name;
   // No date: the version says how old the page is, and the same program always prints the same page.
   std::string page = fmt::format(".TH {} 1 \"\" \"{} {}\" \"{}\"\n.nh\n.ad l\n", roff_literal(capitals(name)), program.name,
-                                 build_info().version, "User Commands");
+                                 version, "User Commands");
   page += section("NAME") + roff_literal(name) + " \\- " + roff_text(verb.help);
   page += section("SYNOPSIS");
   if (is_program)

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace earthtop::tool {
 
 struct Verb;
 
 /// Section 1's page of a verb: "earthtop-run". Of the program itself: "earthtop", with a list of the verbs.
-std::string manual_page(const Verb& program, const Verb& verb);
+/// @param version  of the program
+std::string manual_page(const Verb& program, const Verb& verb, std::string_view version);
 
 /// The page's name, without the section: "earthtop-run".
 std::string manual_page_name(const Verb& program, const Verb& verb);
