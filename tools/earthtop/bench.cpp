@@ -1,7 +1,4 @@
-#include "earthtop/bench/bench.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +6,8 @@
 #include <set>
 
 #include "bench_text.hpp"
+#include "command_line.hpp"
+#include "earthtop/bench/comparison.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -105,8 +104,9 @@ std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArgume
     return has(name) || (contender.is_auto && has("auto"));
   };
   std::erase_if(all, [&](const Contender& contender) { return !is_asked(contender); });
-  if (all.empty())
-    refuse(fmt::format("--methods {}: none of these fits \"{}\"", fmt::join(arguments.methods, ","), scenario.name));
+  std::string asked;
+  for (const std::string& method : arguments.methods) asked += (asked.empty() ? "" : ",") + method;
+  if (all.empty()) refuse(fmt::format("--methods {}: none of these fits \"{}\"", asked, scenario.name));
   return all;
 }
 
@@ -163,37 +163,38 @@ std::vector<std::string> method_names() {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Action& action) {
+Verb describe_bench() {
   auto arguments = std::make_shared<BenchArguments>();
   BenchArguments& a = *arguments;
-  CLI::App* bench = app.add_subcommand("bench", "speed against error: every method, tolerance and precision on scenarios");
-  bench->add_option("SCENARIO", a.files, "scenario files (JSON); - is standard input")->required();
-  bench->add_option("--out", a.out, "write NAME.csv and NAME.svg of each scenario there")->type_name("DIR");
-  bench->add_flag("--force", a.force, "overwrite files that are there");
-  bench->add_option("--workload", a.workload, "drift: both motions and the drift (default); motion: one; axis: its axis")
-      ->check(CLI::IsMember({"drift", "motion", "axis"}))
-      ->type_name("WHAT");
-  bench->add_option("--error", a.error, "which error is compared; default: that of the workload")
-      ->check(CLI::IsMember({"drift", "attitude", "axis"}))
-      ->type_name("WHICH");
-  bench->add_option("--methods", a.methods, "only these, with commas between them; auto: what auto takes")
-      ->delimiter(',')
-      ->check(CLI::IsMember(method_names()))
-      ->type_name("NAMES")
-      ->allow_extra_args(false);
-  bench->add_option("--duration", a.duration_s, "at most the first S seconds; default: what the reference can afford")
-      ->type_name("S");
-  bench->add_option("--repetitions", a.repetitions, "how often each contender is timed; default 5")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  bench->add_option("--limit", a.limit_s, "stop a contender after S seconds; default 1")->type_name("S");
-  bench->add_option("--reference-limit", a.reference_s, "seconds that the reference may take, by estimate; default 15")
-      ->type_name("S");
-  bench->add_flag("--brief", a.brief, "of the table print the Pareto front and auto only");
-  bench->add_flag("--json", a.json, "print everything as one JSON document, errors too");
-  bench->add_flag("--quiet", a.quiet, "print nothing but errors (and what --json asks for)");
-  add_set_option(*bench, a.sets);
-  bench->callback([&action, arguments] { action = [arguments] { return bench_verb(*arguments); }; });
+  Verb bench("bench", "speed against error: every method, tolerance and precision on scenarios",
+             [arguments] { return bench_verb(*arguments); });
+  bench.add("SCENARIO", &a.files, "scenario files (JSON); - is standard input").required().json_file();
+  bench.add("--out", &a.out, "write NAME.csv and NAME.svg of each scenario there").called("DIR");
+  bench.add("--force", &a.force, "overwrite files that are there");
+  bench.add("--workload", &a.workload, "drift: both motions and the drift (default); motion: one; axis: its axis")
+      .called("WHAT")
+      .one_of({"drift", "motion", "axis"});
+  bench.add("--error", &a.error, "which error is compared; default: that of the workload")
+      .called("WHICH")
+      .one_of({"drift", "attitude", "axis"});
+  bench.add("--methods", &a.methods, "only these, with commas between them; auto: what auto takes")
+      .called("NAMES")
+      .with_commas()
+      .one_of(method_names());
+  bench.add("--duration", &a.duration_s, "at most the first S seconds; default: what the reference can afford").called("S");
+  bench.add("--repetitions", &a.repetitions, "how often each contender is timed; default 5").called("N").within(1, 1000);
+  bench.add("--limit", &a.limit_s, "stop a contender after S seconds; default 1").called("S");
+  bench.add("--reference-limit", &a.reference_s, "seconds that the reference may take, by estimate; default 15").called("S");
+  bench.add("--brief", &a.brief, "of the table print the Pareto front and auto only");
+  bench.add("--json", &a.json, "print everything as one JSON document, errors too");
+  bench.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
+  add_set_option(bench, a.sets);
+  bench.describe(
+      "Times every method at several tolerances and in every precision that fits the scenario, and measures its "
+      "error against a reference. The table shows which contenders no other one beats in both.");
+  bench.example("earthtop bench toy-top.json --methods auto,taylor --out bench",
+                "compares one method with what auto takes, and keeps table and picture");
+  return bench;
 }
 
 }  // namespace earthtop::tool

@@ -1,9 +1,10 @@
 #include "bench_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "earthtop/bench/comparison.hpp"
 #include "earthtop/error.hpp"
 
 namespace earthtop::tool {

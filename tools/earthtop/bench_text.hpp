@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "earthtop/bench/comparison.hpp"
+namespace earthtop {
+struct BenchReport;
+}
 
 namespace earthtop::tool {
 

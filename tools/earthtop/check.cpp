@@ -1,10 +1,12 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -64,22 +66,20 @@ void report_text(const std::vector<CheckedFile>& files, bool quiet) {
 }
 
 void report_json(const std::vector<CheckedFile>& files) {
-  using Json = nlohmann::ordered_json;
-  Json errors = Json::array(), warnings = Json::array(), list = Json::array();
+  std::vector<JsonObject> list, errors, warnings;
   for (const CheckedFile& checked : files) {
     const auto& scenario = checked.report.scenario;
-    list.push_back({{"file", checked.file},
-                    {"valid", scenario.has_value()},
-                    {"name", scenario ? Json(scenario->name) : Json(nullptr)},
-                    {"errors", checked.report.error_count},
-                    {"warnings", checked.report.warnings.size()}});
+    JsonObject entry;
+    entry.put("file", checked.file).put("valid", scenario.has_value());
+    scenario ? entry.put("name", scenario->name) : entry.put_null("name");
+    entry.put("errors", checked.report.error_count).put("warnings", checked.report.warnings.size());
+    list.push_back(std::move(entry));
     for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
     for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));
   }
-  print_json({{"valid", errors.empty()},
-              {"files", std::move(list)},
-              {"errors", std::move(errors)},
-              {"warnings", std::move(warnings)}});
+  JsonObject document;
+  document.put("valid", errors.empty()).put("files", list).put("errors", errors).put("warnings", warnings);
+  print_json(document);
 }
 
 int check_verb(const CheckArguments& arguments) {
@@ -95,14 +95,20 @@ int check_verb(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action) {
+Verb describe_check() {
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* check = app.add_subcommand("check", "find everything that is wrong in scenario files; run nothing");
-  check->add_option("SCENARIO", arguments->files, "scenario files (JSON); - is standard input")->required();
-  check->add_flag("--json", arguments->json, "print what was found as one JSON document");
-  check->add_flag("--quiet", arguments->quiet, "print nothing but errors");
-  add_set_option(*check, arguments->sets);
-  check->callback([&action, arguments] { action = [arguments] { return check_verb(*arguments); }; });
+  Verb check("check", "find everything that is wrong in scenario files; run nothing",
+             [arguments] { return check_verb(*arguments); });
+  check.add("SCENARIO", &arguments->files, "scenario files (JSON); - is standard input").required().json_file();
+  check.add("--json", &arguments->json, "print what was found as one JSON document");
+  check.add("--quiet", &arguments->quiet, "print nothing but errors");
+  add_set_option(check, arguments->sets);
+  check.describe(
+      "Reads every file as run does and tells of everything that is wrong, each with line, column and JSON "
+      "pointer, and of values that can hardly be meant. Of a sound file it tells how many rows a run would have "
+      "and how long it would take.");
+  check.example("earthtop check scenarios/*.json", "checks all files of a directory");
+  return check;
 }
 
 }  // namespace earthtop::tool

@@ -1,17 +1,19 @@
 #include "earthtop/compare/compare.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "command_line.hpp"
 #include "compare_text.hpp"
 #include "earthtop/compare/measurement.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "measurement_text.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -52,7 +54,7 @@ CompareOptions options_of(const CompareArguments& arguments) {
 int update_verb(const CompareArguments& arguments) {
   const std::vector<std::string> written = update_reference(arguments.reference, arguments.candidate, arguments.reason);
   if (arguments.json)
-    print_json({{"written", written}, {"reason", arguments.reason}});
+    print_json(JsonObject().put("written", written).put("reason", arguments.reason));
   else if (!arguments.quiet)
     for (const std::string& path : written) print(fmt::format("new reference: {}\n", printable(path)));
   return kDone;
@@ -63,8 +65,9 @@ bool is_scenario(const std::string& path) {
   std::error_code error;
   if (path == "-") return true;
   if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) return false;
-  const auto json = nlohmann::json::parse(read_scenario_source(path).text, nullptr, false);
-  return json.is_object() && (json.contains("body") || json.contains("release") || json.contains("motion"));
+  const std::vector<std::string> keys = json_keys(read_scenario_source(path).text);
+  return std::any_of(keys.begin(), keys.end(),
+                     [](const std::string& key) { return key == "body" || key == "release" || key == "motion"; });
 }
 
 /// What is written must not be what is read.
@@ -149,60 +152,65 @@ int compare_verb(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action) {
+Verb describe_compare() {
   auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  CLI::App* compare =
-      app.add_subcommand("compare", "what moved between two results, directories of results, studies or CSV files");
+  Verb compare("compare", "what moved between two results, directories of results, studies or CSV files",
+               [arguments] { return compare_verb(*arguments); });
   compare
-      ->add_option(
-          "REFERENCE", a.reference,
-          "results, a compact reference, a study store, a CSV, or a directory of several; or a scenario, for a measurement")
-      ->required();
+      .add("REFERENCE", &a.reference,
+           "results, a compact reference, a study store, a CSV, or a directory of several; or a scenario, for a measurement")
+      .required();
+  compare.add("NEW", &a.candidate, "what is held against it; with a scenario, a CSV with measured values and standard errors")
+      .required();
   compare
-      ->add_option("NEW", a.candidate,
-                   "what is held against it; with a scenario, a CSV with measured values and standard errors")
-      ->required();
+      .add("--estimate", &a.estimates,
+           "of a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or "
+           "/release/spin_rad_s; may be repeated")
+      .called("NAME");
+  add_set_option(compare, a.sets);
   compare
-      ->add_option("--estimate", a.estimates,
-                   "of a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or "
-                   "/release/spin_rad_s; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  add_set_option(*compare, a.sets);
-  compare
-      ->add_option("--profile", a.profile,
-                   "regression (default): both error bounds and rounding; bitwise; physics: a thousandth "
-                   "of the Earth's effect")
-      ->check(CLI::IsMember({"bitwise", "regression", "physics"}))
-      ->type_name("NAME");
-  compare
-      ->add_option("--tolerances", a.tolerances, "a file with tolerances of single quantities (earthtop schema --tolerances)")
-      ->type_name("FILE");
-  compare
-      ->add_option("--mapping", a.mapping,
-                   "a file that says what another program's CSV columns are (earthtop schema --mapping)")
-      ->type_name("FILE");
-  compare->add_option("--allow-change", a.may_change, "a scenario key in which the two may differ, e.g. /numerics; / for all")
-      ->type_name("POINTER")
-      ->allow_extra_args(false);
-  compare->add_flag("--allow-missing", a.may_lack_rows, "rows, points and results that only the reference has are no fault");
-  compare->add_option("--max-steps-ratio", a.steps_ratio, "fail where steps or evaluations grow by more than this")
-      ->check(CLI::Range(1e-9, 1e9))
-      ->type_name("R");
-  compare->add_option("--max-seconds-ratio", a.seconds_ratio, "fail where the wall time grows by more than this")
-      ->check(CLI::Range(1e-9, 1e9))
-      ->type_name("R");
-  compare->add_option("--junit", a.junit, "write the verdicts as JUnit XML")->type_name("FILE");
-  compare->add_option("--svg", a.svg, "write a picture of the differences over time")->type_name("FILE");
-  CLI::Option* update = compare->add_flag("--update", a.update, "make NEW the reference; needs --reason");
-  compare->add_option("--reason", a.reason, "of --update: why, kept in the reference")->type_name("TEXT");
-  for (const char* name : {"--junit", "--svg", "--tolerances", "--profile", "--mapping"})
-    update->excludes(compare->get_option(name));
-  compare->add_flag("--all", a.all, "of many results list those that are the same, too");
-  compare->add_flag("--json", a.json, "print one JSON document, errors too");
-  compare->add_flag("--quiet", a.quiet, "print nothing but errors (and what --json asks for)");
-  compare->callback([&action, arguments] { action = [arguments] { return compare_verb(*arguments); }; });
+      .add("--profile", &a.profile,
+           "regression (default): both error bounds and rounding; bitwise; physics: a thousandth "
+           "of the Earth's effect")
+      .called("NAME")
+      .one_of({"bitwise", "regression", "physics"});
+  compare.add("--tolerances", &a.tolerances, "a file with tolerances of single quantities (earthtop schema --tolerances)")
+      .called("FILE");
+  compare.add("--mapping", &a.mapping, "a file that says what another program's CSV columns are (earthtop schema --mapping)")
+      .called("FILE");
+  compare.add("--allow-change", &a.may_change, "a scenario key in which the two may differ, e.g. /numerics; / for all")
+      .called("POINTER");
+  compare.add("--allow-missing", &a.may_lack_rows, "rows, points and results that only the reference has are no fault");
+  compare.add("--max-steps-ratio", &a.steps_ratio, "fail where steps or evaluations grow by more than this")
+      .called("R")
+      .within(1e-9, 1e9);
+  compare.add("--max-seconds-ratio", &a.seconds_ratio, "fail where the wall time grows by more than this")
+      .called("R")
+      .within(1e-9, 1e9);
+  compare.add("--junit", &a.junit, "write the verdicts as JUnit XML").called("FILE");
+  compare.add("--svg", &a.svg, "write a picture of the differences over time").called("FILE");
+  compare.add("--update", &a.update, "make NEW the reference; needs --reason")
+      .without("--junit")
+      .without("--svg")
+      .without("--tolerances")
+      .without("--profile")
+      .without("--mapping");
+  compare.add("--reason", &a.reason, "of --update: why, kept in the reference").called("TEXT");
+  compare.add("--all", &a.all, "of many results list those that are the same, too");
+  compare.add("--json", &a.json, "print one JSON document, errors too");
+  compare.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
+  compare.describe(
+      "Tells of each quantity whether it moved by more than both error bounds and rounding explain, or than "
+      "another profile or a file of tolerances allows. Where REFERENCE is a scenario, NEW is a measurement, a "
+      "CSV file with values and standard errors, and the answer is whether the two agree. The exit status is 0 "
+      "where nothing differs and 1 where something does.");
+  compare.example("earthtop compare old/toy-top new/toy-top", "compares two results");
+  compare.example("earthtop compare references results --junit verdicts.xml",
+                  "compares two directories and writes the verdicts for a build server");
+  compare.example("earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s",
+                  "fits the vertical part of the Earth's rotation to a measurement");
+  return compare;
 }
 
 }  // namespace earthtop::tool

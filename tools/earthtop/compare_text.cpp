@@ -1,9 +1,10 @@
 #include "compare_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
 
 namespace earthtop::tool {

@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "earthtop/compare/compare.hpp"
+namespace earthtop {
+struct CompareReport;
+}
 
 namespace earthtop::tool {
 

@@ -1,51 +1,20 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
+#include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
-#include "examples.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
 namespace {
 
-struct Flag {
-  std::string name;  // with its dashes
-  std::string help;
-  bool takes_value;
-};
-
-struct Verb {
-  std::string name;
-  std::string help;
-  std::vector<Flag> flags;
-  bool takes_files;
-};
-
-constexpr const char* kShells[] = {"bash", "zsh", "fish"};
-
-/// The verbs as the command line knows them.
-std::vector<Verb> verbs_of(const CLI::App& app) {
-  std::vector<Verb> verbs;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    Verb verb{sub->get_name(), sub->get_description(), {}, false};
-    for (const CLI::Option* option : sub->get_options()) {
-      if (option->get_positional())
-        verb.takes_files = verb.takes_files || (option->get_name() == "SCENARIO" || option->get_name() == "STUDY");
-      for (const std::string& name : option->get_lnames())
-        verb.flags.push_back({"--" + name, option->get_description(), option->get_items_expected_max() > 0});
-    }
-    verbs.push_back(std::move(verb));
-  }
-  return verbs;
-}
-
-std::string example_names() {
-  std::string names;
-  for (const Example& example : examples()) names += fmt::format("{}{}", names.empty() ? "" : " ", example.name);
-  return names;
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
 }
 
 std::string set_words() {
@@ -60,16 +29,34 @@ std::string quoted(std::string text) {
   return text;
 }
 
-std::string flag_names(const Verb& verb) {
-  std::string names;
-  for (const Flag& flag : verb.flags) names += (names.empty() ? "" : " ") + flag.name;
-  return names;
+/// The options that a verb has, --help among them.
+std::vector<Option> options_of(const Verb& verb) {
+  static bool unused;
+  std::vector<Option> options;
+  Option help;
+  help.name = kHelpOption;
+  help.help = kHelpText;
+  help.target = &unused;
+  options.push_back(std::move(help));
+  for (const Option& option : verb.options)
+    if (!option.is_operand()) options.push_back(option);
+  return options;
 }
 
-/// What stands where a file or a name is expected: shell code for each verb.
+std::string option_names(const Verb& verb) {
+  std::vector<std::string> names;
+  for (const Option& option : options_of(verb)) names.push_back(option.name);
+  return joined(names);
+}
+
+bool takes_json_files(const Verb& verb) {
+  return std::any_of(verb.options.begin(), verb.options.end(), [](const Option& option) { return option.is_json_file; });
+}
+
+/// What stands where a verb expects a name.
 std::string words_of(const Verb& verb) {
-  if (verb.name == "example") return example_names();
-  if (verb.name == "completion") return fmt::format("{}", fmt::join(kShells, " "));
+  for (const Option& option : verb.options)
+    if (option.is_operand() && !option.words.empty()) return joined(option.words);
   return "";
 }
 
@@ -77,8 +64,8 @@ std::string bash_script(const std::vector<Verb>& verbs) {
   std::string names, flags, words;
   for (const Verb& verb : verbs) {
     names += (names.empty() ? "" : " ") + verb.name;
-    flags += fmt::format("      {}) words='{}' ;;\n", verb.name, flag_names(verb));
-    if (verb.takes_files)
+    flags += fmt::format("      {}) words='{}' ;;\n", verb.name, option_names(verb));
+    if (takes_json_files(verb))
       words += fmt::format(
           "      {}) COMPREPLY=($(compgen -d -- \"$current\") $(compgen -f -X '!*.json' -- \"$current\")) ;;\n", verb.name);
     else if (const std::string list = words_of(verb); !list.empty())
@@ -115,9 +102,9 @@ std::string zsh_script(const std::vector<Verb>& verbs) {
   for (const Verb& verb : verbs) {
     names += fmt::format("    '{}:{}'\n", verb.name, quoted(verb.help));
     flags += fmt::format("      {}) flags=(", verb.name);
-    for (const Flag& flag : verb.flags) flags += fmt::format("'{}:{}' ", flag.name, quoted(flag.help));
+    for (const Option& option : options_of(verb)) flags += fmt::format("'{}:{}' ", option.name, quoted(option.help));
     flags += ") ;;\n";
-    if (verb.takes_files)
+    if (takes_json_files(verb))
       words += fmt::format("      {}) _files -g '*.json' ;;\n", verb.name);
     else if (const std::string list = words_of(verb); !list.empty())
       words += fmt::format("      {}) compadd -- {} ;;\n", verb.name, list);
@@ -156,15 +143,15 @@ std::string fish_script(const std::vector<Verb>& verbs) {
   for (const Verb& verb : verbs) {
     text += fmt::format("complete -c earthtop -n __fish_use_subcommand -a {} -d '{}'\n", verb.name, quoted(verb.help));
     const std::string here = fmt::format("complete -c earthtop -n '__fish_seen_subcommand_from {}'", verb.name);
-    if (verb.takes_files) text += fmt::format("{} -k -a '(__fish_complete_suffix .json)'\n", here);
+    if (takes_json_files(verb)) text += fmt::format("{} -k -a '(__fish_complete_suffix .json)'\n", here);
     if (const std::string list = words_of(verb); !list.empty()) text += fmt::format("{} -a '{}'\n", here, list);
-    for (const Flag& flag : verb.flags) {
-      text += fmt::format("{} -l {} -d '{}'", here, flag.name.substr(2), quoted(flag.help));
-      if (flag.name == "--set")
+    for (const Option& option : options_of(verb)) {
+      text += fmt::format("{} -l {} -d '{}'", here, option.name.substr(2), quoted(option.help));
+      if (option.name == "--set")
         text += fmt::format(" -x -a '{}'", set_words());
-      else if (flag.name == "--out")
+      else if (option.name == "--out")
         text += " -r -a '(__fish_complete_directories)'";
-      else if (flag.takes_value)
+      else if (!option.is_flag())
         text += " -x";
       text += '\n';
     }
@@ -172,21 +159,24 @@ std::string fish_script(const std::vector<Verb>& verbs) {
   return text;
 }
 
+int completion_verb(const Verb& program, std::string_view shell) {
+  const auto& verbs = program.verbs;
+  print(shell == "bash" ? bash_script(verbs) : shell == "zsh" ? zsh_script(verbs) : fish_script(verbs));
+  return kDone;
+}
+
 }  // namespace
 
-void add_completion(CLI::App& app, Action& action) {
+Verb describe_completion(const Verb& program) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* completion = app.add_subcommand("completion", "print a script that completes earthtop's command lines");
-  completion->add_option("SHELL", *shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kShells), std::end(kShells))));
-  completion->callback([&app, &action, shell] {
-    action = [&app, shell] {
-      const auto verbs = verbs_of(app);
-      print(*shell == "bash" ? bash_script(verbs) : *shell == "zsh" ? zsh_script(verbs) : fish_script(verbs));
-      return static_cast<int>(kDone);
-    };
-  });
+  Verb completion("completion", "print a script that completes earthtop's command lines",
+                  [&program, shell] { return completion_verb(program, *shell); });
+  completion.add("SHELL", shell.get(), "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
+  completion.describe(
+      "The script completes verbs, options, names of files and examples, and the JSON pointers that --set "
+      "takes.");
+  completion.example("source <(earthtop completion bash)", "completes in this shell; the same line in ~/.bashrc in every one");
+  return completion;
 }
 
 }  // namespace earthtop::tool

@@ -1,9 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "examples.hpp"
 #include "output.hpp"
@@ -18,12 +19,18 @@ struct ExampleArguments {
   bool list = false;
 };
 
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const Example& example : examples()) names.emplace_back(example.name);
+  return names;
+}
+
 const Example& find_example(const std::string& name) {
   const auto all = examples();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == name; });
   if (found != all.end()) return *found;
   std::string names;
-  for (const Example& example : all) names += fmt::format("{}{}", names.empty() ? "" : ", ", example.name);
+  for (const std::string& known : example_names()) names += (names.empty() ? "" : ", ") + known;
   throw ScenarioError(
       std::vector<Diagnostic>{{0, 0, "", fmt::format("there is no example \"{}\"; there are: {}", name, names)}});
 }
@@ -45,16 +52,19 @@ int example_verb(const ExampleArguments& arguments) {
 
 }  // namespace
 
-void add_example(CLI::App& app, Action& action) {
+Verb describe_example() {
   auto arguments = std::make_shared<ExampleArguments>();
-  CLI::App* example = app.add_subcommand("example", "print a scenario to begin with; without a name, one that explains itself");
-  CLI::Option* name = example->add_option("NAME", arguments->name, "one of the shipped scenarios");
-  CLI::Option* annotated =
-      example->add_flag("--annotated", arguments->annotated, "every key that applies, each explained, with its default");
-  example->add_flag("--list", arguments->list, "names and titles of the shipped scenarios")
-      ->excludes(name)
-      ->excludes(annotated);
-  example->callback([&action, arguments] { action = [arguments] { return example_verb(*arguments); }; });
+  Verb example("example", "print a scenario to begin with; without a name, one that explains itself",
+               [arguments] { return example_verb(*arguments); });
+  example.add("NAME", &arguments->name, "one of the shipped scenarios").completed_to(example_names());
+  example.add("--annotated", &arguments->annotated, "every key that applies, each explained, with its default");
+  example.add("--list", &arguments->list, "names and titles of the shipped scenarios").without("NAME").without("--annotated");
+  example.describe(
+      "The shipped scenarios are inside the program. Printed by name, they are as they are in its source; with "
+      "--annotated every key that applies is there, with an explanation and its default.");
+  example.example("earthtop example > mine.json", "begins with a scenario that explains itself");
+  example.example("earthtop example --list", "lists what is there");
+  return example;
 }
 
 }  // namespace earthtop::tool

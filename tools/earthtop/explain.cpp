@@ -1,10 +1,11 @@
 // earthtop explain: the effect budget of a scenario.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
@@ -112,15 +113,20 @@ int explain_verb(const ExplainArguments& arguments) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Action& action) {
+Verb describe_explain() {
   auto arguments = std::make_shared<ExplainArguments>();
-  CLI::App* explain =
-      app.add_subcommand("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why");
-  explain->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
-  explain->add_flag("--json", arguments->json, "as one JSON document, errors too");
-  explain->add_flag("--quiet", arguments->quiet, "no warnings about the scenario");
-  add_set_option(*explain, arguments->sets);
-  explain->callback([&action, arguments] { action = [arguments] { return explain_verb(*arguments); }; });
+  Verb explain("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why",
+               [arguments] { return explain_verb(*arguments); });
+  explain.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
+  explain.add("--json", &arguments->json, "as one JSON document, errors too");
+  explain.add("--quiet", &arguments->quiet, "no warnings about the scenario");
+  add_set_option(explain, arguments->sets);
+  explain.describe(
+      "Tells of each torque how large it is, by how much it moves the axis, how much of that is drift, and "
+      "whether the scenario models it. Below stands how well each input must be known if its error is to move "
+      "the axis by less than the Earth does, and what a run would take. Nothing is written.");
+  explain.example("earthtop explain toy-top.json", "prints the budget as a table");
+  return explain;
 }
 
 }  // namespace earthtop::tool

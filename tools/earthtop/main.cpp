@@ -1,18 +1,16 @@
 /// The earthtop program: reads the command line and hands over to a verb.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string_view>
 
+#include "command_line.hpp"
 #include "earthtop/arithmetic.hpp"
-#include "earthtop/results/results.hpp"
+#include "earthtop/error.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
-#include "verbs.hpp"
+#include "program.hpp"
 
 namespace earthtop::tool {
 
@@ -28,42 +26,23 @@ int usage_error(const std::string& what, bool json) {
   return status;
 }
 
-int parse_and_do(int argc, char** argv) {
-  CLI::App app(
-      "Spinning tops and gyroscopes in a laboratory that turns with the Earth: how far does the Earth's rotation make "
-      "them drift?",
-      "earthtop");
-  app.require_subcommand(0, 1);
-  bool version = false;
-  bool version_json = false;
-  app.add_flag("--version", version, "what was built, from what and how");
-  app.add_flag("--json", version_json, "with --version: as one JSON document");
-
-  Action action;
-  for (const auto& add_verb : {add_run, add_check, add_explain, add_verify, add_bench, add_study, add_compare, add_report,
-                               add_schema, add_example, add_completion, add_version})
-    add_verb(app, action);
-
+int parse_and_do(int argc, char** argv, bool json) {
+  const auto program = describe_program();
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());  // of the verb, if there is one
+    const Request request = read_command_line(*program, argc, argv);
+    if (request.help.empty()) return request.verb.action();
+    print(request.help);
     return kDone;
-  } catch (const CLI::ParseError& error) {
-    return usage_error(error.what(), wants_json(argc, argv));
+  } catch (const UsageError& error) {
+    return usage_error(error.what(), json);
   }
-  if (action) return action();
-  if (version) return version_verb(version_json);
-  std::string verbs;
-  for (const CLI::App* verb : app.get_subcommands({})) verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-  return usage_error("a verb is needed: " + verbs, wants_json(argc, argv));
 }
 
 int guarded_main(int argc, char** argv) {
   const bool json = wants_json(argc, argv);
   try {
     require_ieee_arithmetic();
-    return parse_and_do(argc, argv);
+    return parse_and_do(argc, argv, json);
   } catch (const ScenarioError& error) {
     return report_errors(error.file(), error.diagnostics(), json, kRefused);
   } catch (const ReadError& error) {
@@ -81,7 +60,7 @@ int guarded_main(int argc, char** argv) {
     return report_errors("", {{0, 0, "", "out of memory; take fewer rows (a longer output_step_s, no ledger)"}}, json,
                          kNumericalFailure);
   } catch (const std::exception& error) {
-    return report_errors("", {{0, 0, "", fmt::format("unexpected: {}", error.what())}}, json, kNumericalFailure);
+    return report_errors("", {{0, 0, "", std::string("unexpected: ") + error.what()}}, json, kNumericalFailure);
   }
 }
 

@@ -1,10 +1,11 @@
 #include "measurement_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/compare/measurement.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 

@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "earthtop/compare/measurement.hpp"
+namespace earthtop {
+struct MeasurementReport;
+}
 
 namespace earthtop::tool {
 

@@ -9,9 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
-#include "earthtop/results/results.hpp"
+#include "json_object.hpp"
 #include "progress_line.hpp"
 
 namespace earthtop::tool {
@@ -65,29 +64,22 @@ void report_warnings(const std::string& file, const std::vector<Diagnostic>& war
   for (const Diagnostic& warning : warnings) message(format_diagnostic(file, warning, "warning"));
 }
 
-nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic& diagnostic) {
-  using Json = nlohmann::ordered_json;
+JsonObject diagnostic_json(const std::string& file, const Diagnostic& diagnostic) {
   const bool placed = diagnostic.line > 0;
-  return {{"file", file},
-          {"line", placed ? Json(diagnostic.line) : Json(nullptr)},
-          {"column", placed ? Json(diagnostic.column) : Json(nullptr)},
-          {"pointer", diagnostic.pointer},
-          {"message", diagnostic.message}};
+  JsonObject object;
+  object.put("file", file);
+  placed ? object.put("line", diagnostic.line) : object.put_null("line");
+  placed ? object.put("column", diagnostic.column) : object.put_null("column");
+  object.put("pointer", diagnostic.pointer).put("message", diagnostic.message);
+  return object;
 }
 
-namespace {
-/// In ASCII: what cannot be seen, or turns a terminal's text round, stands as an escape.
-std::string dump(const nlohmann::ordered_json& document) {
-  return document.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + '\n';
-}
-}  // namespace
-
-void print_json(const nlohmann::ordered_json& document) { print(dump(document)); }
+void print_json(const JsonObject& document) { print(document.text()); }
 
 std::string errors_json(const std::string& file, const std::vector<Diagnostic>& errors) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<JsonObject> list;
   for (const Diagnostic& error : errors) list.push_back(diagnostic_json(file, error));
-  return dump({{"errors", std::move(list)}});
+  return JsonObject().put("errors", list).text();
 }
 
 std::string errors_text(const std::string& file, const std::vector<Diagnostic>& errors) {

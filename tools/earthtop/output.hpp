@@ -2,17 +2,16 @@
 #pragma once
 
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "earthtop/error.hpp"
+#include "exit_status.hpp"
 
 namespace earthtop::tool {
 
-/// Exit statuses; 128 + signal where a signal stopped the work.
-enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4, kReaderGone = 141 };
+class JsonObject;
 
 /// The name of standard output in a WriteError.
 inline constexpr const char* kStandardOutput = "<standard output>";
@@ -45,10 +44,10 @@ bool wants_color();
 void report_warnings(const std::string& file, const std::vector<Diagnostic>& warnings);
 
 /// {file, line, column, pointer, message}; line and column are null where there are none.
-nlohmann::ordered_json diagnostic_json(const std::string& file, const Diagnostic& diagnostic);
+JsonObject diagnostic_json(const std::string& file, const Diagnostic& diagnostic);
 
 /// One JSON document on standard output. @throws WriteError
-void print_json(const nlohmann::ordered_json& document);
+void print_json(const JsonObject& document);
 
 /// Errors as a line each, and as {"errors": [...]}, with a final newline.
 std::string errors_text(const std::string& file, const std::vector<Diagnostic>& errors);

@@ -1,15 +1,18 @@
 #include "progress_line.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstdlib>
+#include <mutex>
 #include <string_view>
+#include <thread>
 
-#include "study_text.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -47,6 +50,15 @@ void ProgressLine::clear() {
 
 bool is_line_shown() noexcept { return line_shown; }
 
+std::string duration_text(double seconds) {
+  if (seconds < 0.1) return "less than 0.1 s";
+  if (seconds < 0.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
+
 std::string progress_text(double share, std::string_view phase, double seconds) {
   // Before a hundredth is done, what is left is a guess.
   const std::string left =
@@ -54,29 +66,58 @@ std::string progress_text(double share, std::string_view phase, double seconds) 
   return fmt::format("{:3.0f}%  {}{}{}", std::floor(100 * share), phase, !phase.empty() && !left.empty() ? ", " : "", left);
 }
 
-ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
-  if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
-}
-
-ProgressDisplay::~ProgressDisplay() {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    is_done_ = true;
+class ProgressDisplay::Teller {
+ public:
+  Teller(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
+    if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
   }
-  done_.notify_one();
-  thread_.join();
-}
+  ~Teller() {
+    if (!thread_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      is_done_ = true;
+    }
+    done_.notify_one();
+    thread_.join();
+  }
+  Teller(const Teller&) = delete;
+  Teller& operator=(const Teller&) = delete;
 
-void ProgressDisplay::show() {
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  if (seconds >= 1) line_.show(progress_text(progress_.share(), progress_.phase(), seconds));
-}
+  bool is_shown() const { return line_.is_shown(); }
 
-void ProgressDisplay::tell() {
-  std::unique_lock lock(mutex_);
-  while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return is_done_; })) show();
-  show();
-}
+  void aside(const std::function<void()>& say) {
+    const std::lock_guard lock(mutex_);
+    line_.clear();
+    say();
+  }
+
+ private:
+  void show() {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (seconds >= 1) line_.show(progress_text(progress_.share(), progress_.phase(), seconds));
+  }
+
+  void tell() {
+    std::unique_lock lock(mutex_);
+    while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return is_done_; })) show();
+    show();
+  }
+
+  ProgressLine line_;
+  const Progress& progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable done_;
+  bool is_done_ = false;
+  std::thread thread_;
+};
+
+ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress) : teller_(std::make_unique<Teller>(wanted, progress)) {}
+
+ProgressDisplay::~ProgressDisplay() = default;
+
+bool ProgressDisplay::is_shown() const { return teller_->is_shown(); }
+
+void ProgressDisplay::aside(const std::function<void()>& say) { teller_->aside(say); }
 
 }  // namespace earthtop::tool

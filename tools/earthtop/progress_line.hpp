@@ -1,14 +1,14 @@
 /// Progress on a terminal: a line that is written over itself.
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 
-#include "earthtop/watch.hpp"
+namespace earthtop {
+class Progress;
+}
 
 namespace earthtop::tool {
 
@@ -34,6 +34,9 @@ class ProgressLine {
 /// Whether a line stands on the terminal. Safe in a signal handler.
 bool is_line_shown() noexcept;
 
+/// "3.2 s", "12 min", "4.5 h", "2.1 days".
+std::string duration_text(double seconds);
+
 /// "42%  error bound, 12 s left". @param seconds  since the work began
 std::string progress_text(double share, std::string_view phase, double seconds);
 
@@ -48,25 +51,13 @@ class ProgressDisplay {
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
   /// Whether there is anybody to show it to.
-  bool is_shown() const { return line_.is_shown(); }
+  bool is_shown() const;
   /// Says something else, for which the line makes way.
-  template <class Say>
-  void aside(Say&& say) {
-    const std::lock_guard lock(mutex_);
-    line_.clear();
-    say();
-  }
+  void aside(const std::function<void()>& say);
 
  private:
-  void show();
-  void tell();
-  ProgressLine line_;
-  const Progress& progress_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_;
-  std::condition_variable done_;
-  bool is_done_ = false;
-  std::thread thread_;
+  class Teller;  // with a thread of its own
+  std::unique_ptr<Teller> teller_;
 };
 
 }  // namespace earthtop::tool

@@ -1,12 +1,14 @@
 #include "earthtop/report/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -35,7 +37,7 @@ int report_verb(const ReportArguments& arguments) {
       written.push_back(file.string());
     }
   if (arguments.json)
-    print_json({{"written", written}});
+    print_json(JsonObject().put("written", written));
   else if (!arguments.quiet)
     for (const std::string& file : written) print(printable(file) + "\n");
   return kDone;
@@ -43,19 +45,19 @@ int report_verb(const ReportArguments& arguments) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Action& action) {
+Verb describe_report() {
   auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* report = app.add_subcommand("report", "one self-contained HTML page of a run, a study, a comparison or a bench");
-  report->add_option("WHAT", arguments->what, "results of run, a study, or a document of compare --json or bench --json")
-      ->required();
-  report
-      ->add_option("--out", arguments->out,
-                   "the page; default: report.html in the directory, or the document's name with .html")
-      ->type_name("FILE");
-  report->add_flag("--svg", arguments->svg, "write its pictures as SVG files beside it, too");
-  report->add_flag("--json", arguments->json, "print what was written as one JSON document, errors too");
-  report->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
-  report->callback([&action, arguments] { action = [arguments] { return report_verb(*arguments); }; });
+  Verb report("report", "one self-contained HTML page of a run, a study, a comparison or a bench",
+              [arguments] { return report_verb(*arguments); });
+  report.add("WHAT", &arguments->what, "results of run, a study, or a document of compare --json or bench --json").required();
+  report.add("--out", &arguments->out, "the page; default: report.html in the directory, or the document's name with .html")
+      .called("FILE");
+  report.add("--svg", &arguments->svg, "write its pictures as SVG files beside it, too");
+  report.add("--json", &arguments->json, "print what was written as one JSON document, errors too");
+  report.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
+  report.describe("Writes a page that needs no other file and no network: pictures, tables and where the numbers come from.");
+  report.example("earthtop report out/toy-top", "writes out/toy-top/report.html");
+  return report;
 }
 
 }  // namespace earthtop::tool

@@ -1,6 +1,6 @@
 #include "earthtop/run.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/results/results.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
@@ -163,20 +164,31 @@ int run_verb(const RunArguments& arguments) try {
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& action) {
+Verb describe_run() {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* run = app.add_subcommand("run", "predict a top's motion with and without the Earth's rotation, and its drift");
-  run->add_option("SCENARIO", arguments->scenario, "scenario file (JSON); - is standard input")->required();
-  run->add_option("--out", arguments->out, "directory of the results; default: out/<name>")->type_name("DIR");
-  run->add_flag("--force", arguments->force, "overwrite the results of another scenario");
-  run->add_flag("--partial", arguments->partial,
-                "if interrupted when only error bounds and verdict are missing, write the rows without them");
-  run->add_flag("--json", arguments->json, "print the summary as one JSON document, errors too");
-  run->add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
-  run->add_flag("--no-step-limit", arguments->no_step_limit,
-                "go on where the run takes more than ten times the steps estimated; without it, it stops there");
-  add_set_option(*run, arguments->sets);
-  run->callback([&action, arguments] { action = [arguments] { return run_verb(*arguments); }; });
+  Verb run("run", "predict a top's motion with and without the Earth's rotation, and its drift",
+           [arguments] { return run_verb(*arguments); });
+  run.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
+  run.add("--out", &arguments->out, "directory of the results; default: out/<name>").called("DIR");
+  run.add("--force", &arguments->force, "overwrite the results of another scenario");
+  run.add("--partial", &arguments->partial,
+          "if interrupted when only error bounds and verdict are missing, write the rows without them");
+  run.add("--json", &arguments->json, "print the summary as one JSON document, errors too");
+  run.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
+  run.add("--no-step-limit", &arguments->no_step_limit,
+          "go on where the run takes more than ten times the steps estimated; without it, it stops there");
+  add_set_option(run, arguments->sets);
+  run.describe(
+      "Integrates the top's motion in the laboratory that turns with the Earth, and beside it the motion that "
+      "is predicted without the Earth's rotation. The difference is the drift; its error bound and a verdict on "
+      "what it is worth come with it. Into the directory go trajectory.csv, summary.json, timing.json and "
+      "drift.svg, and torques.csv where the scenario asks for a ledger. They change together or not at all. The "
+      "results of another scenario are overwritten with --force only. The summary on standard output is for "
+      "people, or with --json the content of summary.json.");
+  run.example("earthtop run toy-top.json", "predicts the motion and writes it to out/toy-top");
+  run.example("earthtop run toy-top.json --set /site/latitude_deg=60 --out north", "the same at another latitude");
+  run.example("earthtop example foucault-pendulum | earthtop run -", "takes the scenario from standard input");
+  return run;
 }
 
 }  // namespace earthtop::tool

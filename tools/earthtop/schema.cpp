@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
@@ -24,25 +25,34 @@ constexpr std::array<DescribedFile, 4> kDescribedFiles = {{
     {"--tolerances", "of a tolerance file instead, which compare takes", tolerances_schema, tolerances_reference_markdown},
 }};
 
+struct SchemaArguments {
+  bool markdown = false;
+  std::array<bool, kDescribedFiles.size()> chosen{};
+};
+
+int schema_verb(const SchemaArguments& arguments) {
+  const auto& chosen = arguments.chosen;
+  const auto given = static_cast<std::size_t>(std::find(chosen.begin(), chosen.end(), true) - chosen.begin());
+  const DescribedFile& file = kDescribedFiles[given < chosen.size() ? given : 0];
+  print(arguments.markdown ? file.markdown() : file.schema());
+  return kDone;
+}
+
 }  // namespace
 
-void add_schema(CLI::App& app, Action& action) {
-  auto markdown = std::make_shared<bool>(false);
-  auto chosen = std::make_shared<std::array<bool, kDescribedFiles.size()>>();
-  CLI::App* schema = app.add_subcommand("schema", "what a scenario may say: a JSON Schema (draft 7) for editors");
-  schema->add_flag("--markdown", *markdown, "the same for people: a table of all keys");
-  CLI::Option_group* kinds = schema->add_option_group("file");
-  kinds->require_option(0, 1);
+Verb describe_schema() {
+  auto arguments = std::make_shared<SchemaArguments>();
+  Verb schema("schema", "what a scenario may say: a JSON Schema (draft 7) for editors",
+              [arguments] { return schema_verb(*arguments); });
+  schema.add("--markdown", &arguments->markdown, "the same for people: a table of all keys");
   for (std::size_t i = 1; i < kDescribedFiles.size(); ++i)
-    kinds->add_flag(kDescribedFiles[i].flag, (*chosen)[i], kDescribedFiles[i].what);
-  schema->callback([&action, markdown, chosen] {
-    action = [markdown, chosen] {
-      const auto given = static_cast<std::size_t>(std::find(chosen->begin(), chosen->end(), true) - chosen->begin());
-      const DescribedFile& file = kDescribedFiles[given < chosen->size() ? given : 0];
-      print(*markdown ? file.markdown() : file.schema());
-      return static_cast<int>(kDone);
-    };
-  });
+    schema.add(kDescribedFiles[i].flag, &arguments->chosen[i], kDescribedFiles[i].what).in_group("file");
+  schema.describe(
+      "An editor that is given the schema completes keys, shows what they mean and marks what is wrong while a "
+      "file is written. The schema is made from the table that files are read by.");
+  schema.example("earthtop schema > scenario.schema.json", "keeps the schema for an editor");
+  schema.example("earthtop schema --study --markdown", "prints what a study file may say, for people");
+  return schema;
 }
 
 }  // namespace earthtop::tool

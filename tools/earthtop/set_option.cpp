@@ -1,14 +1,14 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "command_line.hpp"
 #include "earthtop/error.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
 
-void add_set_option(CLI::App& verb, std::vector<std::string>& sets) {
-  verb.add_option("--set", sets, "change one value of the scenario, e.g. /site/latitude_deg=60; may be repeated")
-      ->type_name("/POINTER=VALUE")
-      ->allow_extra_args(false);
+void add_set_option(Verb& verb, std::vector<std::string>& sets) {
+  verb.add("--set", &sets, "change one value of the scenario, e.g. /site/latitude_deg=60; may be repeated")
+      .called("/POINTER=VALUE");
 }
 
 std::vector<std::pair<std::string, std::string>> split_sets(const std::vector<std::string>& sets) {

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <filesystem>
@@ -7,11 +7,14 @@
 #include <memory>
 #include <optional>
 
+#include "command_line.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "study_progress.hpp"
 #include "study_text.hpp"
 #include "verbs.hpp"
 
@@ -19,7 +22,6 @@ namespace earthtop::tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct StudyArguments {
   std::string study;  // a file, or "-"
@@ -28,7 +30,8 @@ struct StudyArguments {
   std::string shard;
   bool force = false, keep_going = false, retry_failed = false, dry_run = false;
   bool json = false, quiet = false;
-  std::vector<std::string> stores;  // of merge, show, export
+  std::vector<std::string> stores;  // of merge
+  std::string store;                // of show, export
 };
 
 StudyShard parse_shard(const std::string& text) {
@@ -56,13 +59,14 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   const StudySample sample = sample_points(study);
   if (sample.common && !arguments.keep_going) throw *sample.common;
   if (arguments.json)
-    print_json({{"name", study.name},
-                {"points", expected.points},
-                {"core_seconds", expected.core_seconds},
-                {"disk_bytes", expected.disk_bytes},
-                {"points_looked_at", sample.looked_at},
-                {"points_refused", sample.refused},
-                {"study_sha256", study_sha256(study)}});
+    print_json(JsonObject()
+                   .put("name", study.name)
+                   .put("points", expected.points)
+                   .put("core_seconds", expected.core_seconds)
+                   .put("disk_bytes", expected.disk_bytes)
+                   .put("points_looked_at", sample.looked_at)
+                   .put("points_refused", sample.refused)
+                   .put("study_sha256", study_sha256(study)));
   else
     print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
                       about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
@@ -75,10 +79,11 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
 /// What there is to tell after a shard, whose points are no study yet.
 void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments) {
   if (arguments.json)
-    print_json({{"store", report.store.string()},
-                {"points_wanted", report.progress.wanted},
-                {"points_computed", report.progress.before + report.progress.done},
-                {"points_failed", report.failed}});
+    print_json(JsonObject()
+                   .put("store", report.store.string())
+                   .put("points_wanted", report.progress.wanted)
+                   .put("points_computed", report.progress.before + report.progress.done)
+                   .put("points_failed", report.failed));
   else if (!arguments.quiet)
     print(fmt::format("{}: {} of {} points of this shard, {} failed; earthtop study merge puts the shards together\n",
                       printable(report.store.string()), report.progress.before + report.progress.done, report.progress.wanted,
@@ -97,7 +102,7 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
   if (json)
     print(text);
   else
-    print(study_text(Json::parse(text)) +
+    print(study_text(text) +
           fmt::format("\nResults in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes\n",
                       printable(store.parent_path().string())));
 }
@@ -163,70 +168,71 @@ int merge_verb(const StudyArguments& arguments) {
   merge_study_stores(stores, dir, arguments.force);
   const fs::path merged = study_store(dir);
   write_study_results(merged);
-  const Json document = Json::parse(written_document(merged));
+  const auto [planned, computed, failed] = study_counts(written_document(merged));
   tell_results(merged, arguments.json, arguments.quiet);
-  const auto computed = document.at("points_computed").get<std::uint64_t>(),
-             planned = document.at("points_planned").get<std::uint64_t>();
   if (computed < planned)
     message(fmt::format("earthtop: {} of {} points are missing; earthtop study STUDY.json --out {} computes them",
                         planned - computed, planned, printable(dir.string())));
-  return computed < planned || document.at("points_failed").get<std::uint64_t>() > 0 ? kNegative : kDone;
+  return computed < planned || failed > 0 ? kNegative : kDone;
 }
 
 int show_verb(const StudyArguments& arguments) {
-  const std::string text = study_json(store_of(arguments.stores.front()));
-  print(arguments.json ? text : study_text(Json::parse(text)));
+  const std::string text = study_json(store_of(arguments.store));
+  print(arguments.json ? text : study_text(text));
   return kDone;
 }
 
 int export_verb(const StudyArguments& arguments) {
-  const fs::path store = store_of(arguments.stores.front());
+  const fs::path store = store_of(arguments.store);
   study_csv(store, [](std::string_view piece) { print(piece); });
   return kDone;
 }
 
 }  // namespace
 
-void add_study(CLI::App& app, Action& action) {
+Verb describe_study() {
   auto arguments = std::make_shared<StudyArguments>();
-  const auto add_output_flags = [&](CLI::App& verb) {
-    verb.add_flag("--json", arguments->json, "print the results as one JSON document, errors too");
-    verb.add_flag("--quiet", arguments->quiet, "print nothing but errors (and what --json asks for)");
+  StudyArguments& a = *arguments;
+  const auto add_output_flags = [&](Verb& verb) {
+    verb.add("--json", &a.json, "print the results as one JSON document, errors too");
+    verb.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   };
-  CLI::App* study = app.add_subcommand("study", "a parameter study: many runs, resumable; merge, show and export its results");
-  study->add_option("STUDY", arguments->study, "study file (JSON); - is standard input");
-  study->add_option("--out", arguments->out, "directory of store and results; default: out/studies/<name>")->type_name("DIR");
-  study->add_option("--jobs", arguments->jobs, "threads; default: one a core")->type_name("N")->check(CLI::Range(1, 4096));
-  study->add_option("--shard", arguments->shard, "compute every N-th point only, from the K-th on")->type_name("K/N");
-  study->add_flag("--force", arguments->force, "throw away a store of another study");
-  study->add_flag("--keep-going", arguments->keep_going,
-                  "compute it even if all points looked at beforehand are refused alike");
-  study->add_flag("--retry-failed", arguments->retry_failed, "compute failed points again");
-  study->add_flag("--dry-run", arguments->dry_run, "count the points and estimate time and disk, compute nothing");
-  add_output_flags(*study);
-  study->require_subcommand(0, 1);
+  Verb study("study", "a parameter study: many runs, resumable; merge, show and export its results",
+             [arguments] { return study_verb(*arguments); });
+  study.add("STUDY", &a.study, "study file (JSON); - is standard input").json_file();
+  study.add("--out", &a.out, "directory of store and results; default: out/studies/<name>").called("DIR");
+  study.add("--jobs", &a.jobs, "threads; default: one a core").called("N").within(1, 4096);
+  study.add("--shard", &a.shard, "compute every N-th point only, from the K-th on").called("K/N");
+  study.add("--force", &a.force, "throw away a store of another study");
+  study.add("--keep-going", &a.keep_going, "compute it even if all points looked at beforehand are refused alike");
+  study.add("--retry-failed", &a.retry_failed, "compute failed points again");
+  study.add("--dry-run", &a.dry_run, "count the points and estimate time and disk, compute nothing");
+  add_output_flags(study);
 
-  CLI::App* merge = study->add_subcommand("merge", "put the stores of shards together");
-  merge->add_option("STORE", arguments->stores, "stores, or directories that hold one")->required();
-  merge->add_option("--out", arguments->out, "directory of the merged store and its results")->type_name("DIR")->required();
-  merge->add_flag("--force", arguments->force, "throw away a store of another study there");
-  add_output_flags(*merge);
+  Verb merge("merge", "put the stores of shards together", [arguments] { return merge_verb(*arguments); });
+  merge.add("STORE", &a.stores, "stores, or directories that hold one").required();
+  merge.add("--out", &a.out, "directory of the merged store and its results").called("DIR").required();
+  merge.add("--force", &a.force, "throw away a store of another study there");
+  add_output_flags(merge);
 
-  CLI::App* show = study->add_subcommand("show", "what a store holds: statistics, fits, indices");
-  show->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
-  show->add_flag("--json", arguments->json, "as one JSON document");
+  Verb show("show", "what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });
+  show.add("STORE", &a.store, "a store, or the directory that holds it").required();
+  show.add("--json", &a.json, "as one JSON document");
 
-  CLI::App* table = study->add_subcommand("export", "the points as CSV on standard output");
-  table->add_option("STORE", arguments->stores, "a store, or the directory that holds it")->required()->expected(1);
+  Verb table("export", "the points as CSV on standard output", [arguments] { return export_verb(*arguments); });
+  table.add("STORE", &a.store, "a store, or the directory that holds it").required();
 
-  study->callback([&action, arguments, merge, show, table] {
-    action = [arguments, merging = merge->parsed(), showing = show->parsed(), exporting = table->parsed()] {
-      if (merging) return merge_verb(*arguments);
-      if (showing) return show_verb(*arguments);
-      if (exporting) return export_verb(*arguments);
-      return study_verb(*arguments);
-    };
-  });
+  study.describe(
+      "Runs a scenario at many points, of a grid or a sample, and keeps every point in a store as soon "
+      "as it is computed. Interrupted, it goes on from there when the same command is given again. At the end "
+      "it prints statistics, fits and indices and writes study.csv, study.json, study.sqlite and, of one or two "
+      "axes, study.svg beside the store. With --shard several machines share the points; merge puts their "
+      "stores together.");
+  study.example("earthtop study latitudes.json --dry-run", "counts the points and estimates time and disk");
+  study.example("earthtop study latitudes.json --shard 1/4 --out part1", "computes a quarter of the points");
+  study.example("earthtop study merge part*/shard-*.sqlite --out all", "puts the shards together");
+  study.verbs = {merge, show, table};
+  return study;
 }
 
 }  // namespace earthtop::tool

@@ -1,9 +1,10 @@
 #include "study_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
 
@@ -170,7 +171,8 @@ std::string failures_text(const Json& document) {
 
 }  // namespace
 
-std::string study_text(const Json& document) {
+std::string study_text(std::string_view json) {
+  const Json document = Json::parse(json);
   const std::string title = printable(document.at("title").get<std::string>());
   std::string text = fmt::format("{}\n", title.empty() ? document.at("name").get<std::string>() : title);
   if (const std::string finding = printable(document.at("finding").get<std::string>()); !finding.empty())
@@ -182,24 +184,10 @@ std::string study_text(const Json& document) {
          indices_text(document) + figures_text(document) + failures_text(document);
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 0.1) return "less than 0.1 s";
-  if (seconds < 0.95) return fmt::format("{:.1f} s", seconds);
-  if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
-  return fmt::format("{:.1f} days", seconds / 86400);
-}
-
-std::string progress_text(const StudyProgress& progress) {
-  const std::uint64_t there = progress.before + progress.done;
-  const double rate = progress.seconds > 0 ? static_cast<double>(progress.done) / progress.seconds : 0;
-  std::string text = fmt::format("{:3.0f}%  {} of {} points", std::floor(100 * progress.share), there, progress.wanted);
-  if (rate > 0) text += fmt::format(", {:.3g} a second", rate);
-  if (const double since = progress.share - progress.share_before; since > 0)
-    text += fmt::format(", {} left", duration_text(progress.seconds * (1 - progress.share) / since));
-  if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
-  return text;
+StudyCounts study_counts(std::string_view json) {
+  const Json document = Json::parse(json);
+  const auto count = [&](const char* name) { return document.at(name).get<std::uint64_t>(); };
+  return {count("points_planned"), count("points_computed"), count("points_failed")};
 }
 
 }  // namespace earthtop::tool

@@ -1,20 +1,19 @@
-/// A study for people: its results as text, its progress as a line.
+/// The results of a study for people.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstdint>
 #include <string>
-
-#include "earthtop/study/run_study.hpp"
+#include <string_view>
 
 namespace earthtop::tool {
 
 /// Of the document that `study_json` makes: points, statistics, means along the axes, fits, indices, figures.
-std::string study_text(const nlohmann::ordered_json& document);
+std::string study_text(std::string_view document);
 
-/// "12% 1200 of 10000 points, 35.2 a second, 4 min left": for a terminal, no line end.
-std::string progress_text(const StudyProgress& progress);
-
-/// "3.2 s", "12 min", "4.5 h", "2.1 days".
-std::string duration_text(double seconds);
+/// How many points of a study there are to be and there are, as the same document says.
+struct StudyCounts {
+  std::uint64_t planned, computed, failed;
+};
+StudyCounts study_counts(std::string_view document);
 
 }  // namespace earthtop::tool

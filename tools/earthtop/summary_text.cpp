@@ -1,10 +1,9 @@
 #include "summary_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -67,8 +66,7 @@ class Page {
   void entry(std::string_view label, std::string_view text) { line("{:<12}{}", label, text); }
   template <class... Values>
   void line(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
-    text_ += '\n';
+    text_ += fmt::format(format, std::forward<Values>(values)...) + '\n';
   }
   std::string strong(std::string_view text) const { return dressed("1", text); }
   std::string warning(std::string_view text) const { return dressed("33", text); }

@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "earthtop/run.hpp"
+namespace earthtop {
+struct RunResult;
+}
 
 namespace earthtop::tool {
 

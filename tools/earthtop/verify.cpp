@@ -1,6 +1,6 @@
 #include "earthtop/verify/verify.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,17 +8,17 @@
 #include <memory>
 #include <numeric>
 
+#include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "examples.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct VerifyArguments {
   std::vector<std::string> files;  // files and directories; the hard cases inside the program if there are none
@@ -89,16 +89,16 @@ std::string head() {
   return fmt::format("{}  {:>8}  {:>7}  {:>6}\n", left_part("case", "criterion"), "error", "bound", "cpu s");
 }
 
-Json json_of(const VerificationRow& row) {
+JsonObject json_of(const VerificationRow& row) {
   const bool judged = row.outcome != VerificationOutcome::skipped;
-  return {{"case", row.name},
-          {"criterion", row.criterion},
-          {"why", row.why},
-          {"outcome", word(row.outcome) == "FAIL" ? "fail" : word(row.outcome)},
-          {"error", judged && std::isfinite(row.error) ? Json(row.error) : Json(nullptr)},
-          {"bound", row.bound},
-          {"cpu_s", judged ? Json(row.seconds) : Json(nullptr)},
-          {"remark", row.remark}};
+  JsonObject object;
+  object.put("case", row.name).put("criterion", row.criterion).put("why", row.why);
+  object.put("outcome", word(row.outcome) == "FAIL" ? "fail" : word(row.outcome));
+  judged ? object.put("error", row.error) : object.put_null("error");
+  object.put("bound", row.bound);
+  judged ? object.put("cpu_s", row.seconds) : object.put_null("cpu_s");
+  object.put("remark", row.remark);
+  return object;
 }
 
 struct Counts {
@@ -141,7 +141,7 @@ int verify_verb(const VerifyArguments& arguments) {
     });
   Parts parts(watch, std::accumulate(work.begin(), work.end(), 0.0));
   Counts counts;
-  Json rows = Json::array();
+  std::vector<JsonObject> rows;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     verify(sources[i], {arguments.slow, parts.next(work[i])}, [&](const VerificationRow& row) {
       counts.include(row);
@@ -156,7 +156,11 @@ int verify_verb(const VerifyArguments& arguments) {
   }
   progress.reach(1);
   if (arguments.json)
-    print_json({{"passed", counts.passed}, {"failed", counts.failed}, {"skipped", counts.skipped}, {"rows", std::move(rows)}});
+    print_json(JsonObject()
+                   .put("passed", counts.passed)
+                   .put("failed", counts.failed)
+                   .put("skipped", counts.skipped)
+                   .put("rows", rows));
   else
     display.aside([&] { print(sum_of(counts)); });
   return counts.failed == 0 ? kDone : kNegative;
@@ -164,14 +168,23 @@ int verify_verb(const VerifyArguments& arguments) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Action& action) {
+Verb describe_verify() {
   auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* verify = app.add_subcommand("verify", "run scenarios and judge them by their criteria; the hard cases by default");
-  verify->add_option("SCENARIO", arguments->files, "scenario files (JSON) with criteria, or directories of them");
-  verify->add_flag("--json", arguments->json, "print the table as one JSON document, errors too");
-  verify->add_flag("--slow", arguments->slow, "judge criteria, too, that take over a minute");
-  verify->add_flag("--list", arguments->list, "print the criteria; run nothing");
-  verify->callback([&action, arguments] { action = [arguments] { return verify_verb(*arguments); }; });
+  Verb verify("verify", "run scenarios and judge them by their criteria; the hard cases by default",
+              [arguments] { return verify_verb(*arguments); });
+  verify.add("SCENARIO", &arguments->files, "scenario files (JSON) with criteria, or directories of them").json_file();
+  verify.add("--json", &arguments->json, "print the table as one JSON document, errors too");
+  verify.add("--slow", &arguments->slow, "judge criteria, too, that take over a minute");
+  verify.add("--list", &arguments->list, "print the criteria; run nothing");
+  verify.describe(
+      "A criterion owes nothing to the run that it judges: it is an invariant, a closed form, a published "
+      "value, an equivalence, an exact zero, an order of convergence, a verdict or a refusal. Without an "
+      "operand the hard cases are judged, which are inside the program. The exit status is 1 where a criterion "
+      "is not met.");
+  verify.example("earthtop verify", "judges the hard cases");
+  verify.example("earthtop verify --list", "prints what would be judged");
+  verify.example("earthtop verify my.json scenarios/hard", "judges a file and a directory");
+  return verify;
 }
 
 }  // namespace earthtop::tool

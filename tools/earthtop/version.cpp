@@ -1,11 +1,12 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "command_line.hpp"
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/processes.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -14,12 +15,13 @@ namespace earthtop::tool {
 int version_verb(bool json) {
   const BuildInfo& build = build_info();
   if (json) {
-    nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
-    for (const auto& [name, version] : build.libraries) libraries[name] = version;
-    const nlohmann::ordered_json document = {
-        {"program", "earthtop"}, {"version", build.version}, {"commit", build.commit},       {"compiler", build.compiler},
-        {"flags", build.flags},  {"libraries", libraries},   {"peers", peers_description()}, {"mpi", has_mpi()}};
-    print(document.dump(2) + '\n');
+    JsonObject libraries;
+    for (const auto& [name, version] : build.libraries) libraries.put(name, version);
+    JsonObject document;
+    document.put("program", "earthtop").put("version", build.version).put("commit", build.commit);
+    document.put("compiler", build.compiler).put("flags", build.flags).put("libraries", libraries);
+    document.put("peers", peers_description()).put("mpi", has_mpi());
+    print_json(document);
     return kDone;
   }
   std::string libraries;
@@ -31,11 +33,15 @@ int version_verb(bool json) {
   return kDone;
 }
 
-void add_version(CLI::App& app, Action& action) {
+Verb describe_version() {
   auto json = std::make_shared<bool>(false);
-  CLI::App* version = app.add_subcommand("version", "what was built, from what and how");
-  version->add_flag("--json", *json, "as one JSON document");
-  version->callback([&action, json] { action = [json] { return version_verb(*json); }; });
+  Verb version("version", "what was built, from what and how", [json] { return version_verb(*json); });
+  version.add("--json", json.get(), "as one JSON document");
+  version.describe(
+      "Prints version, commit, compiler and its flags, the versions of libraries, and which of the optional "
+      "parts were compiled in.");
+  version.example("earthtop version --json", "the same for programs");
+  return version;
 }
 
 }  // namespace earthtop::tool

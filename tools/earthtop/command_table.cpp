@@ -1,0 +1,67 @@
+#include "command_line.hpp"
+
+namespace earthtop::tool {
+
+Option& Option::called(std::string_view text) {
+  value = text;
+  return *this;
+}
+
+Option& Option::required() {
+  is_required = true;
+  return *this;
+}
+
+Option& Option::with_commas() {
+  has_commas = true;
+  return *this;
+}
+
+Option& Option::json_file() {
+  is_json_file = true;
+  return *this;
+}
+
+Option& Option::within(double low, double high) {
+  range = Range{low, high};
+  return *this;
+}
+
+Option& Option::completed_to(std::vector<std::string> list) {
+  words = std::move(list);
+  return *this;
+}
+
+Option& Option::one_of(std::vector<std::string> list) {
+  has_other_words = false;
+  return completed_to(std::move(list));
+}
+
+Option& Option::in_group(std::string_view title) {
+  group = title;
+  return *this;
+}
+
+Option& Option::without(std::string_view other) {
+  conflicts.emplace_back(other);
+  return *this;
+}
+
+Verb::Verb(std::string_view its_name, std::string_view one_line, Action what_it_does)
+    : name(its_name), help(one_line), action(std::move(what_it_does)) {}
+
+Option& Verb::add(std::string_view option, Target target, std::string_view option_help) {
+  Option added;
+  added.name = option;
+  added.target = target;
+  added.help = option_help;
+  return options.emplace_back(std::move(added));
+}
+
+void Verb::describe(std::string_view sentences) { description = sentences; }
+
+void Verb::example(std::string_view command, std::string_view purpose) {
+  examples.push_back({std::string(command), std::string(purpose)});
+}
+
+}  // namespace earthtop::tool

@@ -1,0 +1,29 @@
+/// What the program's exit status says.
+#pragma once
+
+namespace earthtop::tool {
+
+/// 128 + signal where a signal stopped the work.
+enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4, kReaderGone = 141 };
+
+struct StatusMeaning {
+  int status;
+  const char* meaning;
+};
+
+/// All of them, for the manual.
+inline constexpr StatusMeaning kExitStatuses[] = {
+    {kDone, "done"},
+    {kNegative,
+     "done, and the answer is no: check found errors, verify a criterion that is not met, compare a difference, or points of a "
+     "study failed or are missing"},
+    {kRefused, "the input or the command line was refused; nothing was written"},
+    {kNumericalFailure, "a numerical failure, which is named, the rows before it being kept; or out of memory"},
+    {kWriteFailed, "writing failed, or reading an input broke off; if only standard output failed, the results are whole"},
+    {129, "interrupted by SIGHUP"},
+    {130, "interrupted by SIGINT"},
+    {kReaderGone, "standard output was closed when there was more to print"},
+    {143, "interrupted by SIGTERM"},
+};
+
+}  // namespace earthtop::tool
