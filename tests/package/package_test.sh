@@ -105,6 +105,11 @@ cmake/consumer "$scenario"
 # shellcheck disable=SC2046  # flags are words
 g++ -std=gnu++20 "$source_dir/tests/consumer/consumer.cpp" -o consumer $(pkg-config --cflags --libs --static earthtop)
 ./consumer "$scenario"
+for file in "$(pkg-config --variable=libdir earthtop)"/pkgconfig/earthtop*.pc; do # of a library without a consumer: what it names is there
+  name=$(basename "$file" .pc)
+  # shellcheck disable=SC2046
+  g++ -x c++ <(echo 'int main() {}') -x none -o nothing $(pkg-config --cflags --libs --static "$name")
+done
 
 step "Remove"
 apt_get purge "${packages[@]}" >apt.log 2>&1 || { cat apt.log && fail "apt does not remove them"; }

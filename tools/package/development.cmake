@@ -7,8 +7,10 @@ if(TARGET earthtop-workbench)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/earthtop)
-install(TARGETS ${libraries} EXPORT earthtop-targets ARCHIVE COMPONENT development)
-install(EXPORT earthtop-targets NAMESPACE earthtop:: DESTINATION ${package_dir} COMPONENT development)
+foreach(library IN LISTS libraries) # a file each, so that a component is found without what the other needs
+  install(TARGETS ${library} EXPORT ${library}-targets ARCHIVE COMPONENT development)
+  install(EXPORT ${library}-targets NAMESPACE earthtop:: DESTINATION ${package_dir} COMPONENT development)
+endforeach()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/src/earthtop-config.cmake.in ${PROJECT_BINARY_DIR}/earthtop-config.cmake
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/earthtop-config-version.cmake COMPATIBILITY SameMinorVersion)
