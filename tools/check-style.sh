@@ -9,4 +9,4 @@ if [[ ${1:-} == --fix ]]; then
 else
   clang-format --dry-run -Werror "${sources[@]}"
 fi
-for script in tools/*.sh .ci/run; do bash -n "$script"; done
+for script in tools/*.sh tools/*/*.sh tests/*/*.sh .ci/run; do bash -n "$script"; done

@@ -2,8 +2,8 @@
 ///
 /// The C library's choose their code by the processor, and so their last digit. These are SLEEF's bit-reproducible ones, but
 /// for the fifth root, each within 1 unit in the last place (erfc: 1.5; atan2: 2 where the result is subnormal). Everything
-/// that reaches a result calls them, or the square root, fma, fmod, remainder and roundings of <cmath>, which are exact. Angles
-/// in rad.
+/// that reaches a result calls them, or the square root, fma, fmod, remainder and roundings of the C library, which are exact.
+/// Angles in rad.
 #pragma once
 
 namespace earthtop {

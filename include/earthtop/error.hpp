@@ -57,7 +57,7 @@ class WriteError : public FileError {
 };
 
 /// A text as a terminal may safely show it: valid UTF-8 in which controls, line ends and marks of writing direction, and
-/// bytes that are no UTF-8, stand as \xNN or \uNNNN.
+/// bytes that are no UTF-8, stand as `\xNN` or `\uNNNN`.
 std::string printable(std::string_view text);
 
 /// `file:line:col: error: /json/pointer: what`, one line, printable. @param severity  "error" or "warning"

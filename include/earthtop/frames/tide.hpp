@@ -51,7 +51,7 @@ class TideSeries {
     series.pieces_ = std::make_shared<const ChebyshevPieces>(tidal_pieces(site, utc, duration_s, options));
     return series;
   }
-  /// amplitude_L sin(2 pi frequency t + phase).   @param amplitude_L (m/s^2)   @param frequency_Hz   @param phase_rad
+  /// amplitude_L sin(2 pi frequency t + phase).   @param amplitude_L  m/s^2, laboratory axes
   static TideSeries harmonic(const Vec3<T>& amplitude_L, T frequency_Hz, T phase_rad) {
     TideSeries series;
     series.amplitude_L_ = amplitude_L;

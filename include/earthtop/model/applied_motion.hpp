@@ -6,8 +6,8 @@
 namespace earthtop {
 
 /// Torque on one motion, in body axes. Compiled once and called: a scene without applied torques pays a branch for it.
-/// @param w_LB_B  rate relative to the laboratory   @param earth  whether the laboratory turns   @param t, rates, result
-/// natural units
+/// Time, rate and torque are in natural units.
+/// @param w_LB_B  rate relative to the laboratory   @param earth  whether the laboratory turns
 template <class T>
 Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B, bool earth);
 extern template Vec3<double> applied_torque_B(const Model<double>&, double, const Quaternion<double>&, const Vec3<double>&,

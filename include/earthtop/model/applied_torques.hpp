@@ -2,13 +2,12 @@
 /// off unless a scene asks for it. Every formula is a template on its scalar: with T it is the torque on one motion, with
 /// Paired<T> those on both predictions and their difference without cancellation. All in body axes B, about the pivot (N m).
 ///
-/// | torque            | formula                                                        | source | | gravity gradient  |
-/// integral r x (Gamma r) dm = sum k_i u_i x (Theta u_i)           | Gamma = sum k_i u_i u_i^T + const 1      | | viscous | -k
-/// w_PB                                                        | Stokes friction, isotropic              | | quadratic | -c
-/// |w_PB| w_PB                                                 | drag, isotropic                         | | disc in air | -c
-/// sqrt|w3| w3 laminar, -c |w3|^(4/5) w3 turbulent, along axis 3 | von Karman 1921                         | | Coulomb pivot |
-/// -T w_PB / |w_PB|                                               | dry friction, isotropic                 | | gimbal | lambda
-/// z x n, so that the axis n stays across z (Up of P)      | d'Alembert; lambda from the constraint  |
+/// - gravity gradient: integral r x (Gamma r) dm = sum k_i u_i x (Theta u_i), where Gamma = sum k_i u_i u_i^T + const 1
+/// - viscous: -k w_PB, Stokes friction, isotropic
+/// - quadratic: -c |w_PB| w_PB, drag, isotropic
+/// - disc in air: -c sqrt|w3| w3 laminar, -c |w3|^(4/5) w3 turbulent, along axis 3 [von Karman 1921]
+/// - Coulomb pivot: -T w_PB / |w_PB|, dry friction, isotropic
+/// - gimbal: lambda z x n, so that the axis n stays across z (Up of P); d'Alembert, lambda from the constraint
 ///
 /// w_PB is the body's rate relative to the platform, or to the laboratory where there is none.
 #pragma once

@@ -1,0 +1,44 @@
+# The component `development`: static libraries, headers, and what CMake and pkg-config find them by.
+include(CMakePackageConfigHelpers)
+
+set(libraries earthtop)
+if(TARGET earthtop-workbench)
+  list(APPEND libraries earthtop-workbench)
+endif()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/earthtop)
+foreach(library IN LISTS libraries) # a file each, so that a component is found without what the other needs
+  install(TARGETS ${library} EXPORT ${library}-targets ARCHIVE COMPONENT development)
+  install(EXPORT ${library}-targets NAMESPACE earthtop:: DESTINATION ${package_dir} COMPONENT development)
+endforeach()
+configure_package_config_file(${PROJECT_SOURCE_DIR}/src/earthtop-config.cmake.in ${PROJECT_BINARY_DIR}/earthtop-config.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/earthtop-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/earthtop-config.cmake ${PROJECT_BINARY_DIR}/earthtop-config-version.cmake
+        DESTINATION ${package_dir} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/earthtop DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+        FILES_MATCHING PATTERN "*.hpp")
+
+# One file for pkg-config a library, with what the library's target demands of those who use it.
+file(RELATIVE_PATH up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" up "${up}")
+foreach(library IN LISTS libraries)
+  linked_libraries(${library})
+  get_target_property(compile_options ${library} INTERFACE_COMPILE_OPTIONS)
+  get_target_property(definitions ${library} INTERFACE_COMPILE_DEFINITIONS)
+  set(options "")
+  if(compile_options)
+    list(APPEND options ${compile_options})
+  endif()
+  if(definitions)
+    list(TRANSFORM definitions PREPEND -D)
+    list(APPEND options ${definitions})
+  endif()
+  string(JOIN " " options ${options})
+  string(JOIN " " flags ${${library}_flags})
+  string(JOIN ", " public_modules ${${library}_public_modules})
+  list(REMOVE_ITEM ${library}_modules ${${library}_public_modules})
+  string(JOIN ", " modules ${${library}_modules})
+  configure_file(library.pc.in ${PROJECT_BINARY_DIR}/${library}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${library}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endforeach()
