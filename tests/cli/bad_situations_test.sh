@@ -97,12 +97,12 @@ fi
 cp top.json locked.json
 chmod 0 locked.json
 if [ -r locked.json ]; then skip "an unreadable file: root reads everything"; else refused locked.json 'cannot be opened (Permission'; fi
-timeout 20 "$tool" run - --out results >out.txt 2>err.txt <&-
+timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt <&-
 [ $? -eq 2 ] || fault "closed standard input: not exit status 2"
 on_stderr '<stdin>: error: is closed; '
-timeout 20 "$tool" run - --out results >out.txt 2>err.txt <folder
+timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt <folder
 [ $? -eq 2 ] || fault "a directory as standard input: not exit status 2"
-head -c 2000 /dev/zero | timeout 20 "$tool" run - --out results >out.txt 2>err.txt
+head -c 2000 /dev/zero | timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt
 [ $? -eq 2 ] || fault "NUL bytes: not exit status 2"
 on_stderr '<stdin>:1:1: error: a NUL byte; '
 
@@ -112,14 +112,14 @@ keep old
 nothing_left old
 (
   ulimit -f 4 # KiB or half of one: too little for the trajectory
-  timeout 20 "$tool" run top.json --out old --quiet
+  timeout "$patience" "$tool" run top.json --out old --quiet
 ) >out.txt 2>err.txt
 [ $? -eq 4 ] || fault "file size limit: not exit status 4"
 on_stderr 'old/trajectory.csv: error: '
 intact old "file size limit"
 (
   ulimit -f 4
-  timeout 20 "$tool" run top.json --out new/deep --quiet
+  timeout "$patience" "$tool" run top.json --out new/deep --quiet
 ) >out.txt 2>err.txt
 [ ! -e new ] || fault "file size limit: a directory was left"
 mkdir small
@@ -185,18 +185,18 @@ on_stderr 'holds the results of another scenario; '
 intact old "another scenario"
 
 # -- streams
-timeout 20 "$tool" run missing.json >out.txt 2>&- </dev/null
+timeout "$patience" "$tool" run missing.json >out.txt 2>&- </dev/null
 [ $? -eq 2 ] || fault "closed standard error: not exit status 2"
-timeout 20 "$tool" run top.json --out streams >&- 2>&- <&-
+timeout "$patience" "$tool" run top.json --out streams >&- 2>&- <&-
 [ $? -eq 4 ] || fault "closed streams: not exit status 4"
 [ "$(find streams -type f | wc -l)" -eq 4 ] || fault "closed streams: not the four result files"
-timeout 20 "$tool" run top.json --out streams 2>err.txt | true
-timeout 20 "$tool" run top.json --out streams >/dev/full 2>err.txt
+timeout "$patience" "$tool" run top.json --out streams 2>err.txt | true
+timeout "$patience" "$tool" run top.json --out streams >/dev/full 2>err.txt
 [ $? -eq 4 ] || fault "full standard output: not exit status 4"
-timeout 20 "$tool" run missing.json >/dev/null 2>/dev/full
+timeout "$patience" "$tool" run missing.json >/dev/null 2>/dev/full
 [ $? -eq 2 ] || fault "full standard error: not exit status 2"
 if command -v script >/dev/null; then # a terminal as standard input: the text comes from it, to the end-of-file character
-  (cat top.json && printf '\004') | timeout 20 script -qec "'$tool' run - --out typed --quiet" /dev/null >out.txt 2>err.txt
+  (cat top.json && printf '\004') | timeout "$patience" script -qec "'$tool' run - --out typed --quiet" /dev/null >out.txt 2>err.txt
   [ -s typed/summary.json ] || fault "a scenario typed at a terminal"
 else
   skip "a terminal as standard input: no script(1)"
@@ -210,7 +210,7 @@ stopped() {
   signal=$2
   delay=$3
   shift 3
-  timeout --preserve-status -k 3 -s "$signal" "$delay" "$tool" "$@" >out.txt 2>err.txt </dev/null
+  timeout --preserve-status -k "$patience" -s "$signal" "$delay" "$tool" "$@" >out.txt 2>err.txt </dev/null
   status=$?
   [ "$status" -eq "$wanted" ] || fault "SIG$signal after $delay s: exit status $status, not $wanted"
 }
@@ -225,7 +225,7 @@ rm -rf old
 expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 keep old
 for delay in 0.15 0.25 0.35 0.45; do
-  timeout --preserve-status -k 3 -s TERM "$delay" "$tool" run top.json --out old --quiet --force \
+  timeout --preserve-status -k "$patience" -s TERM "$delay" "$tool" run top.json --out old --quiet --force \
     --set /motion/output_step_s=1e-5 >out.txt 2>err.txt </dev/null
   case $? in
     143) intact old "SIGTERM after $delay s" ;;

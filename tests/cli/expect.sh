@@ -12,11 +12,18 @@ fault() {
   head -n 5 err.txt | sed 's/^/  stderr: /' >&2
   faults=$((faults + 1))
 }
+# A guard against what never ends. It is no limit: on a machine with other work everything takes longer.
+patience=600
+# used_s: whole seconds of the processor that the commands so far have used. (A pipe would ask another shell for its own.)
+take_processor_time() {
+  times >times.txt
+  used_s=$(awk 'NR == 2 { split($1, u, "[ms]"); split($2, s, "[ms]"); print int(60 * (u[1] + s[1]) + u[2] + s[2]) }' times.txt)
+}
 # expect STATUS ARGUMENTS...: runs the program, keeps its streams in out.txt and err.txt.
 expect() {
   wanted=$1
   shift
-  timeout 60 "$tool" "$@" >out.txt 2>err.txt </dev/null
+  timeout "$patience" "$tool" "$@" >out.txt 2>err.txt </dev/null
   status=$?
   [ "$status" -eq "$wanted" ] || fault "earthtop $*: exit status $status, not $wanted"
 }

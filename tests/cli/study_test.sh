@@ -95,7 +95,7 @@ for file in study.csv study.json; do cmp -s whole/$file merged/$file || fault "m
 if "$tool" version --json | grep -q '"mpi": true' && command -v mpirun >/dev/null; then
   # What the launcher's library itself leaves behind at its end is not counted as a leak.
   ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
-    timeout 100 mpirun -n 3 "$tool" study many.json --quiet --out processes >out.txt 2>err.txt </dev/null ||
+    timeout "$patience" mpirun -n 3 "$tool" study many.json --quiet --out processes >out.txt 2>err.txt </dev/null ||
     fault "mpirun failed"
   for file in study.csv study.json; do cmp -s whole/$file processes/$file || fault "processes differ in $file"; done
 fi
@@ -128,6 +128,7 @@ sed 's/"points": 800/"points": 40000/' many.json >long.json
 holder=$!
 while [ ! -s held/study.sqlite.lock ]; do sleep 0.01; done
 expect 2 study long.json --out held
+while [ "$(cut -d' ' -f14 "/proc/$holder/stat")" -lt 30 ]; do sleep 0.01; done # hundredths of a second of the processor
 on_stderr "in use by process $holder on .*, since "
 kill -TERM $holder
 wait $holder

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <fstream>
 #include <map>
 
@@ -138,16 +137,21 @@ TEST_F(FileSetTest, DiscardedTemporariesAreGone) {
 TEST_F(FileSetTest, AnotherWriterIsWaitedFor) {
   const int other = ::open(dir_.c_str(), O_RDONLY | O_DIRECTORY);
   ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  int from_child[2];
+  ASSERT_EQ(::pipe2(from_child, O_NONBLOCK), 0);
   const pid_t child = ::fork();
-  if (child == 0) {  // holds the lock, too, until it ends
+  if (child == 0) {  // holds the lock, too, until it ends, and says so before it does
     ::usleep(100'000);
-    ::_exit(0);
+    const ssize_t told = ::write(from_child[1], "x", 1);
+    ::_exit(told == 1 ? 0 : 1);
   }
   ::close(other);
-  const auto start = std::chrono::steady_clock::now();
   { FileSet set(dir_, kNames); }
+  char byte = 0;
+  EXPECT_EQ(::read(from_child[0], &byte, 1), 1) << "the set was made while the other one held the lock";
   ::waitpid(child, nullptr, 0);
-  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(80));
+  ::close(from_child[0]);
+  ::close(from_child[1]);
 }
 
 }  // namespace

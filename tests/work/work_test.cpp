@@ -9,54 +9,15 @@
 #include "run/assemble.hpp"
 #include "scenario/pace.hpp"
 #include "scenario/problem.hpp"
-#include "work/work_scenes.hpp"
+#include "work/promises.hpp"
 
 namespace earthtop {
 namespace {
 
+using testing::ratio;
 using testing::toy_top;
 
-/// Used over promised, of all that was integrated.
-double ratio(const testing::WorkDone& done) {
-  double promised = 0, used = 0;
-  for (std::size_t i = 0; i < 3; ++i) promised += done.promised[i].evaluations, used += done.used[i].evaluations;
-  // Less than a tenth of a second, of which nothing more is promised.
-  constexpr double kFew = 1e5;
-  return (used + kFew) / (promised + kFew);
-}
-
-/// Scenes from gentle to stiff, of every effect, method and precision: work is no more than ten times what was promised of it,
-/// where a run would be stopped, and within a factor of three for four in five.
-void expect_promises_kept(int scenes_a_kind) {
-  std::vector<double> ratios;
-  for (const testing::WorkKind& kind : testing::work_kinds())
-    for (int i = 0; i < scenes_a_kind; ++i) {
-      const Scenario scenario = testing::work_scene(kind, static_cast<std::uint64_t>(i));
-      if (method_refusal(scenario.numerics.method, scenario)) continue;
-      const testing::WorkDone done = testing::work_done(scenario);
-      if (done.status[0] != RunStatus::completed && done.status[0] != RunStatus::step_limit) continue;  // failed before its end
-      ratios.push_back(ratio(done));
-      EXPECT_LT(ratios.back(), 10) << kind.name << ' ' << i;
-      EXPECT_GT(ratios.back(), 0.02) << kind.name << ' ' << i;
-      EXPECT_NE(done.status[0], RunStatus::step_limit) << kind.name << ' ' << i;
-      EXPECT_NE(done.status[1], RunStatus::step_limit) << kind.name << ' ' << i;
-    }
-  std::sort(ratios.begin(), ratios.end());
-  const auto at = [&](double share) {
-    return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
-  };
-  const auto near = std::count_if(ratios.begin(), ratios.end(), [](double r) { return r > 1.0 / 3 && r < 3; });
-  EXPECT_GT(static_cast<double>(near), 0.8 * static_cast<double>(ratios.size()));
-  ::testing::Test::RecordProperty("least_median_largest",
-                                  std::to_string(at(0)) + " " + std::to_string(at(0.5)) + " " + std::to_string(at(1)));
-}
-
-#ifdef EARTHTOP_MANY_SCENES
-constexpr int kScenesAKind = 40;
-#else
-constexpr int kScenesAKind = 2;
-#endif
-TEST(WorkEstimate, HoldsForRandomScenes) { expect_promises_kept(kScenesAKind); }
+TEST(WorkEstimate, HoldsForRandomScenes) { testing::expect_promises_kept(2); }
 
 // Scenes that run: a pendulum that dry friction does not hold, a wheel at a pole, whose drift is rounding alone, and a disc
 // whose drag stops the spin at once.
