@@ -48,7 +48,7 @@ std::string synopsis(const Verb& verb, const std::string& path) {
   return text;
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string words_text(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
@@ -70,9 +70,9 @@ std::vector<std::string> conflicts_of(const Option& option, const Verb& verb) {
 /// What an option does, and what limits it.
 std::string meaning(const Option& option, const Verb& verb) {
   std::string text = option.help;
-  if (!option.words.empty() && !option.has_other_words) text += "; one of " + listed(option.words);
+  if (!option.words.empty() && !option.has_other_words) text += "; one of " + words_text(option.words);
   if (option.range) text += fmt::format("; from {:g} to {:g}", option.range->low, option.range->high);
-  if (const auto conflicts = conflicts_of(option, verb); !conflicts.empty()) text += "; not with " + listed(conflicts);
+  if (const auto conflicts = conflicts_of(option, verb); !conflicts.empty()) text += "; not with " + words_text(conflicts);
   return roff_text(text);
 }
 
