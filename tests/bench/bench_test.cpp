@@ -1,10 +1,10 @@
 #include "earthtop/bench/bench.hpp"
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "earthtop/bench/comparison.hpp"
+#include "support/json.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 
@@ -319,7 +319,7 @@ TEST(Bench, WhatIsComparedIsWhatTheSceneHas) {
 
 TEST(Bench, TheDocumentsSayTheSame) {
   const BenchReport report = made_up({{1, 1e-3}, {2, 1e-6}, {3, 1e-5}, {0.5, -1}});
-  const auto json = nlohmann::json::parse(bench_json(std::vector{report}));
+  const auto json = testing::parse_json(bench_json(std::vector{report}));
   const auto& entries = json.at("scenarios").at(0).at("entries");
   ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(json.at("processor"), processor_description());

@@ -37,13 +37,13 @@ double error_in_eps(T x, const Wide& reference) {
 }
 
 template <class T>
-class Elliptic : public testing::Test {
+class Elliptic : public ::testing::Test {
  protected:
   T log_uniform(double low, double high) { return static_cast<T>(std::pow(10.0, uniform(low, high))); }
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   std::mt19937_64 engine_{7};
 };
-using Scalars = testing::Types<double, long double, float128>;
+using Scalars = ::testing::Types<double, long double, float128>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int) {

@@ -18,7 +18,7 @@ using Wide = float128;
 Vec3<Wide> wide_vector(double x, double y, double z) { return {Wide(x), Wide(y), Wide(z)}; }
 const Quaternion<Wide> kStart{Wide(0.5), {Wide(0.1), Wide(-0.7), Wide(0.3)}};
 
-double difference(const Vec3<Wide>& a, const Vec3<Wide>& b) { return static_cast<double>(norm<Wide>(a - b)); }
+double apart(const Vec3<Wide>& a, const Vec3<Wide>& b) { return static_cast<double>(norm<Wide>(a - b)); }
 
 class FreeBodyRegimes : public ::testing::TestWithParam<FreeBodyGenerator> {};
 
@@ -49,7 +49,7 @@ TEST_P(FreeBodyRegimes, LongDoubleKeepsItsStatement) {
     const auto state = free_body<long double>(c).at(c.t_s);
     const auto exact = free_body<Wide>(c).at(c.t_s);
     ASSERT_LE(angle_between(wide(state.q_NB), exact.q_NB), state.attitude_error) << to_string(c);
-    ASSERT_LE(difference(wide(state.w_NB_B), exact.w_NB_B), state.rate_error) << to_string(c);
+    ASSERT_LE(apart(wide(state.w_NB_B), exact.w_NB_B), state.rate_error) << to_string(c);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(FreeBody, IsWhatIntegrationGives) {
     const int steps = static_cast<int>(4 * std::abs(scene.t_s) * static_cast<double>(norm(w))) + 1;
     const auto truth = testing::integrated_free_body<Wide>(I, kStart, w, Wide(scene.t_s), steps);
     EXPECT_LT(angle_between(exact.q_NB, truth.q_NB), 1e-25);
-    EXPECT_LT(difference(exact.w_NB_B, truth.w_NB_B), 1e-25);
+    EXPECT_LT(apart(exact.w_NB_B, truth.w_NB_B), 1e-25);
   }
 }
 
@@ -213,7 +213,7 @@ TEST(FreeBody, SeparatrixInElementaryFunctions) {
     const auto elliptic = FreeBody<Wide>(I, at_0.q_NB, at_0.w_NB_B).at(Wide(t));
     const double growth = std::exp(1.25 * std::sqrt(0.25) * std::abs(t));
     EXPECT_LT(angle_between(elementary.q_NB, elliptic.q_NB), 1e-33 * (30 + growth)) << t;
-    EXPECT_LT(difference(elementary.w_NB_B, elliptic.w_NB_B), 1e-33 * (30 + growth)) << t;
+    EXPECT_LT(apart(elementary.w_NB_B, elliptic.w_NB_B), 1e-33 * (30 + growth)) << t;
   }
 }
 
@@ -229,7 +229,7 @@ TEST(FreeBody, TensorInAnyAxes) {
     const FreeBody<Wide> turned(tensor, kStart * q_BP.conjugate(), Vec3<Wide>(R_BP * w));
     const auto straight = FreeBody<Wide>(I, kStart, w).at(Wide(5)), other = turned.at(Wide(5));
     ASSERT_LT(angle_between(other.q_NB * q_BP, straight.q_NB), 1e-28);
-    ASSERT_LT(difference(other.w_NB_B, R_BP * straight.w_NB_B), 1e-28);
+    ASSERT_LT(apart(other.w_NB_B, R_BP * straight.w_NB_B), 1e-28);
   }
   const Mat3<double> diagonal = Vec3<double>(1, 2, 3).asDiagonal();
   const auto given = FreeBody<double>(Vec3<double>(1, 2, 3), Quaternion<double>{}, Vec3<double>(1, 2, -1)).at(4);

@@ -29,14 +29,14 @@ TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
   }
 }
 
-class LagrangeRegimes : public testing::TestWithParam<LagrangeGenerator> {};
-std::string regime_name(const testing::TestParamInfo<LagrangeGenerator>& info) {
+class LagrangeRegimes : public ::testing::TestWithParam<LagrangeGenerator> {};
+std::string regime_name(const ::testing::TestParamInfo<LagrangeGenerator>& info) {
   std::string name = info.param.name;
   for (char& letter : name)
     if (letter == ' ') letter = '_';
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(All, LagrangeRegimes, testing::ValuesIn(lagrange_generators()), regime_name);
+INSTANTIATE_TEST_SUITE_P(All, LagrangeRegimes, ::testing::ValuesIn(lagrange_generators()), regime_name);
 
 TEST_P(LagrangeRegimes, ErrorInDoubleIsWithinThePromiseAndTheStatement) {
   std::mt19937_64 engine(20260101);

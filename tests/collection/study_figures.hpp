@@ -5,22 +5,33 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "earthtop/study/run_study.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop::testing {
 
-/// The names of the shipped studies, all in all: those that take less than five seconds, and those that take longer.
-inline std::vector<std::string> shipped_studies(bool longer) {
+/// What a study takes of one processor. One that is not listed here takes less than two seconds.
+enum class StudyLength { moments, seconds, minutes };
+
+inline StudyLength length_of(const std::string& study) {
+  for (const char* name : {"gyrocompass", "gyrocompass-settles"})
+    if (study == name) return StudyLength::minutes;
+  for (const char* name :
+       {"bob-spin", "lecture-gyro-sensitivity", "matching-rule", "platform-resonance", "precession-axis", "torques-apart"})
+    if (study == name) return StudyLength::seconds;
+  return StudyLength::moments;
+}
+
+/// The names of the shipped studies of this length; every study is of one.
+inline std::vector<std::string> shipped_studies(StudyLength length) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(EARTHTOP_SCENARIOS "/studies")) {
     const std::string name = entry.path().stem().string();
-    const bool takes_longer = name == "gyrocompass" || name == "gyrocompass-settles";
-    if (entry.path().extension() == ".json" && takes_longer == longer) names.push_back(name);
+    if (entry.path().extension() == ".json" && length_of(name) == length) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -42,8 +53,8 @@ inline void expect_figures_met(const std::string& name) {
   const StudyRunReport report = run_study(study, options);
   EXPECT_TRUE(report.complete());
   EXPECT_EQ(report.failed, 0U);
-  const nlohmann::json document = nlohmann::json::parse(study_json(report.store));
-  for (const nlohmann::json& figure : document.at("figures")) EXPECT_TRUE(figure.at("met").get<bool>()) << figure.dump(1);
+  const nlohmann::json document = parse_json(study_json(report.store));
+  for (const nlohmann::json& figure : document.at("figures")) EXPECT_TRUE(figure.at("met").get<bool>()) << text_of(figure);
 }
 
 }  // namespace earthtop::testing

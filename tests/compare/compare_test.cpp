@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "compare/results_copy.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -159,11 +158,11 @@ TEST(Compare, AReferenceIsUpdatedWithAReasonOnly) {
     update_reference(reference, moved.path(), "the drift is another one");
     EXPECT_TRUE(compare_results(reference, moved.path(), {}).passed());
     EXPECT_FALSE(compare_results(reference, ShortRun::get().path(), {}).passed());
-    const auto kept = nlohmann::json::parse(read_text(reference == compact ? compact : directory / "reference.json"));
+    const auto kept = testing::parse_json(read_text(reference == compact ? compact : directory / "reference.json"));
     ASSERT_EQ(kept.at("history").size(), 2u);
     EXPECT_EQ(kept.at("history")[1].at("reason"), "the drift is another one");
   }
-  const auto kept = nlohmann::json::parse(read_text(compact));
+  const auto kept = testing::parse_json(read_text(compact));
   EXPECT_EQ(kept.at("rows").size(), 11u);
   EXPECT_EQ(kept.at("rows")[10][0], 6.0);
   EXPECT_EQ(kept.at("precision"), "double");
@@ -171,7 +170,7 @@ TEST(Compare, AReferenceIsUpdatedWithAReasonOnly) {
 
   const ChangedCopy broken([](Csv& csv) { csv.rows[kSome][3] = "nan"; });
   EXPECT_THROW(update_reference(compact, broken.path(), "no"), ScenarioError);
-  EXPECT_EQ(nlohmann::json::parse(read_text(compact)), kept);
+  EXPECT_EQ(testing::parse_json(read_text(compact)), kept);
 }
 
 TEST(Compare, DocumentsHoldEveryVerdictAndHostileNames) {
@@ -181,7 +180,7 @@ TEST(Compare, DocumentsHoldEveryVerdictAndHostileNames) {
   CompareOptions options;
   options.with_curves = true;
   const CompareReport report = compare_results(ShortRun::get().path(), hostile, options);
-  const auto json = nlohmann::json::parse(comparison_json(report));
+  const auto json = testing::parse_json(comparison_json(report));
   EXPECT_EQ(json.at("verdict"), "same");
   EXPECT_EQ(json.at("pairs")[0].at("quantities").size(), report.pairs[0].quantities.size());
   const std::string junit = comparison_junit(report);

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 
 #include "compare/estimated_inputs.hpp"
 #include "earthtop/frames/earth.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop {
@@ -392,7 +392,7 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
     EXPECT_TRUE(report.correlation.empty());
     for (const ParameterEstimate& estimate : report.estimates) EXPECT_FALSE(estimate.estimate || estimate.standard_error);
     EXPECT_EQ(report.residuals.size(), 11u);
-    EXPECT_TRUE(nlohmann::json::parse(measurement_json(report)).at("estimates").at(0).at("estimate").is_null());
+    EXPECT_TRUE(testing::parse_json(measurement_json(report)).at("estimates").at(0).at("estimate").is_null());
   };
   outcome({"/release/spin_angle_deg"}, "do not determine /release/spin_angle_deg");
   outcome({"rotation_rate_rad_s", "/body/mass_kg"}, "do not determine /body/mass_kg");
@@ -458,7 +458,7 @@ TEST_F(MeasurementTest, AVerticalAxisHasNoAzimuth) {
   ASSERT_EQ(report.residuals.size(), 2u);
   EXPECT_NEAR(report.residuals[0].residual_rad, 1e-5, kComputed);  // towards East its tilt grows
   EXPECT_NEAR(report.residuals[1].residual_rad, 0, kComputed);
-  EXPECT_TRUE(nlohmann::json::parse(measurement_json(report)).at("residuals").at(1).at("predicted_rad").is_null());
+  EXPECT_TRUE(testing::parse_json(measurement_json(report)).at("residuals").at(1).at("predicted_rad").is_null());
 }
 
 TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
@@ -578,7 +578,7 @@ TEST_F(MeasurementTest, TheDocumentHasEverything) {
   for (int i = 1; i <= 4; ++i)
     csv += fmt::format("{},{},1e-6\n", 15 * i, azimuth(free_axis(kEast, kNorthward45, kVertical45, 15 * i)) + (i % 2) * 1e-6);
   const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"rotation_rate_rad_s"});
-  const auto document = nlohmann::json::parse(measurement_json(report));
+  const auto document = testing::parse_json(measurement_json(report));
   EXPECT_EQ(document.at("$schema"), "earthtop-measurement-1.json");
   EXPECT_EQ(document.at("scenario").at("name"), "free-gyro");
   EXPECT_EQ(document.at("scenario").at("sha256").get<std::string>().size(), 64u);

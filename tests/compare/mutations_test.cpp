@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "compare/results_copy.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -157,10 +157,10 @@ TEST(Mutation, ANinthDigitOfTheDriftIsFound) {
 
 TEST(Mutation, ANinthDigitOfTheSummaryIsFound) {
   const ChangedCopy copy;
-  auto summary = nlohmann::ordered_json::parse(read_text(copy.path() / "summary.json"));
+  auto summary = testing::parse_ordered_json(read_text(copy.path() / "summary.json"));
   double& final_rad = summary["/drift/axis_final_rad"_json_pointer].get_ref<double&>();
   final_rad *= 1 + 1e-9;
-  write_text(copy.path() / "summary.json", summary.dump());
+  write_text(copy.path() / "summary.json", testing::text_of(summary));
   const PairReport pair = compared(copy.path());
   EXPECT_FALSE(pair.passed());
   EXPECT_FALSE(quantity(pair, "drift.axis_final_rad").passed);
@@ -276,9 +276,9 @@ TEST(Mutation, RowsOutOfOrderAreRefused) {
 using SummaryChange = std::function<void(nlohmann::ordered_json&)>;
 
 void change_summary(const ChangedCopy& copy, const SummaryChange& change) {
-  auto summary = nlohmann::ordered_json::parse(read_text(copy.path() / "summary.json"));
+  auto summary = testing::parse_ordered_json(read_text(copy.path() / "summary.json"));
   change(summary);
-  write_text(copy.path() / "summary.json", summary.dump());
+  write_text(copy.path() / "summary.json", testing::text_of(summary));
 }
 
 // What a summary says of itself must not decide how much of it is compared, in either role.
@@ -370,7 +370,7 @@ TEST(Mutation, ACompactReferenceWithPartsRemovedIsRefused) {
   const TemporaryDirectory dir;
   const fs::path file = dir.path() / "toy.json";
   update_reference(file, ShortRun::get().path(), "for a test");
-  const auto whole = nlohmann::ordered_json::parse(read_text(file));
+  const auto whole = testing::parse_ordered_json(read_text(file));
   const SummaryChange changes[] = {
       [](auto& r) { r["summary"] = nullptr; },
       [](auto& r) { r["summary"].erase("drift"); },
@@ -386,7 +386,7 @@ TEST(Mutation, ACompactReferenceWithPartsRemovedIsRefused) {
   for (const SummaryChange& change : changes) {
     auto changed = whole;
     change(changed);
-    write_text(file, changed.dump());
+    write_text(file, testing::text_of(changed));
     EXPECT_THROW(compare_results(file, ShortRun::get().path(), {}), ScenarioError);
   }
 }

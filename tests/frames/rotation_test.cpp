@@ -8,11 +8,11 @@ using test::identical;
 using test::Random;
 
 template <class T>
-class RotationLaws : public testing::Test {
+class RotationLaws : public ::testing::Test {
  protected:
   static T eps() { return real::epsilon<T>(); }
 };
-using Scalars = testing::Types<double, long double, float128>;
+using Scalars = ::testing::Types<double, long double, float128>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int) {

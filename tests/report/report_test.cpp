@@ -6,13 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
 #include "report/bars.hpp"
 #include "report/thinning.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop {
@@ -38,7 +38,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 }
 
 nlohmann::json data_of(const std::string& html) {
-  return nlohmann::json::parse(between(html, "<script type=\"application/json\" id=\"earthtop-data\">", "</script>"));
+  return testing::parse_json(between(html, "<script type=\"application/json\" id=\"earthtop-data\">", "</script>"));
 }
 
 TEST(Report, TheHeadlineIsTheSummarysNumberToItsLastBit) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
 #include "results/made_up_run.hpp"
+#include "support/json.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -153,8 +153,8 @@ TEST(Printable, WhatCannotBeSeenStandsAsAnEscape) {
       EXPECT_EQ(shown.substr(0, 2), "a\\") << static_cast<unsigned>(code);
       EXPECT_TRUE(std::all_of(shown.begin(), shown.end(), [](char c) { return c >= 0x20 && c < 0x7F; }));
     }
-    const std::string document = json_with_escapes(nlohmann::json(text).dump());
-    EXPECT_EQ(nlohmann::json::parse(document).get<std::string>(), text);
+    const std::string document = json_with_escapes(testing::text_of(nlohmann::json(text)));
+    EXPECT_EQ(testing::parse_json(document).get<std::string>(), text);
   }
   for (const char* seen : {"°Ω—😀", "a b", "é", "漢字", "\xC2\xA0"}) EXPECT_EQ(printable(seen), seen);
 }

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
 #include "results/columns.hpp"
 #include "results/made_up_run.hpp"
 #include "scenario/fields.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -24,7 +24,7 @@ RunResult run_with(HeadlineSpec headline) {
   return result;
 }
 
-json headline_of(const RunResult& result) { return json::parse(summary_json(result)).at("headline"); }
+json headline_of(const RunResult& result) { return testing::parse_json(summary_json(result)).at("headline"); }
 
 TEST(Headline, NoneWithoutOne) {
   EXPECT_FALSE(check_headline(test::made_up_run()));
@@ -108,7 +108,8 @@ TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
     if (!is_path) continue;
     std::string pointer = fmt::format("/{}", word);
     std::replace(pointer.begin(), pointer.end(), '.', '/');
-    EXPECT_EQ(json::parse(summary_json(result)).at(json::json_pointer(pointer)).get<double>(), *check->computed) << word;
+    EXPECT_EQ(testing::parse_json(summary_json(result)).at(json::json_pointer(pointer)).get<double>(), *check->computed)
+        << word;
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "results/made_up_run.hpp"
+#include "support/json.hpp"
 #include "text/sha256.hpp"
 
 namespace earthtop {
@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using test::made_up_run;
 
-json summary_of(const RunResult& result) { return json::parse(summary_json(result)); }
+json summary_of(const RunResult& result) { return testing::parse_json(summary_json(result)); }
 
 TEST(Sha256, KnownVectors) {  // FIPS 180-4 examples
   EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -134,7 +134,7 @@ TEST(Summary, LedgerOnlyWhereThereIsOne) {
 TEST(Summary, ScenarioIsTheCanonicalOneAndItsHash) {
   const RunResult result = made_up_run();
   const json summary = summary_of(result);
-  EXPECT_EQ(summary.at("scenario"), json::parse(canonical_json(result.scenario)));
+  EXPECT_EQ(summary.at("scenario"), testing::parse_json(canonical_json(result.scenario)));
   EXPECT_EQ(summary.at("/provenance/scenario_sha256"_json_pointer), sha256_hex(canonical_json(result.scenario)));
 }
 
@@ -173,7 +173,7 @@ TEST(Summary, AnotherResultOtherBytes) {
 }
 
 TEST(Timing, HoldsWhatTheSummaryMustNot) {
-  const json timing = json::parse(timing_json(made_up_run()));
+  const json timing = testing::parse_json(timing_json(made_up_run()));
   EXPECT_EQ(timing.at("solution_s"), 0.125);
   EXPECT_EQ(timing.at("certificate_s"), 0.125);
   EXPECT_EQ(timing.at("written_utc").get<std::string>().size(), 20U);

@@ -13,7 +13,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kPi = real::pi<double>();
+using testing::kPi;
 
 /// The rotor of an instrument; its period is 2 pi sqrt(I1 / (I3 w Omega cos(latitude))).
 Scenario compass(double latitude_deg, double azimuth_deg, double spin_rad_s, double damping_N_m_s) {

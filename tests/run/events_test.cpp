@@ -15,7 +15,7 @@
 namespace earthtop {
 namespace {
 
-const double kPi = real::pi<double>();
+using testing::kPi;
 constexpr Method kMethods[] = {Method::dopri5,    Method::rkf78,        Method::bulirsch_stoer, Method::extrapolation,
                                Method::abm8,      Method::taylor,       Method::dop853,         Method::gauss,
                                Method::splitting, Method::long_horizon, Method::closed_form};

@@ -25,7 +25,7 @@ std::vector<Scenario> scenes() {
 }
 
 /// Each bound covers its own run's distance from the truth, so their sum the distance between the runs.
-void expect_agreement(const RunResult& a, const RunResult& b) {
+void expect_within_bounds(const RunResult& a, const RunResult& b) {
   ASSERT_EQ(a.status, RunStatus::completed);
   ASSERT_EQ(a.rows.size(), b.rows.size());
   for (std::size_t i = 0; i < a.rows.size(); ++i) {
@@ -49,7 +49,7 @@ TEST(Methods, AgreeWithinTheirBounds) {
         SCOPED_TRACE(equations);
         s.numerics.relative_tolerance = 1e-13;
         const RunResult r = run(s);
-        expect_agreement(r, expected);
+        expect_within_bounds(r, expected);
         EXPECT_LT(r.drift.axis_bound_rad, 1e-8 * std::max(1e-4, r.drift.axis_max_rad));
         EXPECT_NEAR(r.drift.spin_final_rad, expected.drift.spin_final_rad, 1e-9);
       }
@@ -80,7 +80,7 @@ TEST(Methods, AgreeOnEveryShippedScenario) {
       if (kAll[m] == Method::abm8) s.numerics.step_s = 0.01 / fastest_rate_rad_s(s);
       SCOPED_TRACE(to_string(kAll[m]));
       const RunResult r = run(s);
-      expect_agreement(r, expected);
+      expect_within_bounds(r, expected);
       // A wide bound would agree with anything; the two unstable scenes' are wide.
       if (expected.drift.axis_bound_rad < 1e-10) {
         EXPECT_LT(r.drift.axis_bound_rad, 1e-8 * std::max(1e-3, r.drift.axis_max_rad));

@@ -13,7 +13,7 @@ namespace {
 
 using testing::gyrocompass, testing::spinning_top, testing::stopping_top;
 
-constexpr double kPi = 3.14159265358979323846;
+using testing::kPi;
 
 struct NorthAngle {
   double t_s, angle;
@@ -92,18 +92,18 @@ void expect_spin(const Scenario& s, const std::function<double(double)>& spin) {
   }
 }
 
-constexpr double kI3 = 4e-5;  // of the toy top
+constexpr double kI3OfTheToyTop = 4e-5;
 
 TEST(SpinDown, Viscous) {
   Scenario s = spinning_top();
   s.effects.applied.viscous_N_m_s = 1e-5;
-  expect_spin(s, [](double t) { return 100 * std::exp(-1e-5 / kI3 * t); });
+  expect_spin(s, [](double t) { return 100 * std::exp(-1e-5 / kI3OfTheToyTop * t); });
 }
 
 TEST(SpinDown, Quadratic) {
   Scenario s = spinning_top();
   s.effects.applied.quadratic_N_m_s2 = 1e-7;
-  expect_spin(s, [](double t) { return 100 / (1 + 1e-7 * 100 * t / kI3); });
+  expect_spin(s, [](double t) { return 100 / (1 + 1e-7 * 100 * t / kI3OfTheToyTop); });
 }
 
 TEST(SpinDown, DiscInAir) {
@@ -113,10 +113,10 @@ TEST(SpinDown, DiscInAir) {
   const double R = air.disc_radius_m, rho = air.density_kg_m3, nu = air.kinematic_viscosity_m2_s;
   air.flow = DiscFlow::laminar;
   const double laminar = 3.87 / 2 * rho * std::pow(R, 4) * std::sqrt(nu);
-  expect_spin(s, [&](double t) { return std::pow(1 / std::sqrt(100.0) + laminar * t / (2 * kI3), -2); });
+  expect_spin(s, [&](double t) { return std::pow(1 / std::sqrt(100.0) + laminar * t / (2 * kI3OfTheToyTop), -2); });
   air.flow = DiscFlow::turbulent;
   const double turbulent = 0.146 / 2 * rho * std::pow(R, 4.6) * std::pow(nu, 0.2);
-  expect_spin(s, [&](double t) { return std::pow(std::pow(100, -0.8) + 4 * turbulent * t / (5 * kI3), -1.25); });
+  expect_spin(s, [&](double t) { return std::pow(std::pow(100, -0.8) + 4 * turbulent * t / (5 * kI3OfTheToyTop), -1.25); });
 }
 
 void expect_stops(const RunResult& result, double at_s) {
@@ -133,13 +133,13 @@ void expect_stops(const RunResult& result, double at_s) {
 TEST(SpinDown, DryFrictionStopsTheTop) {
   Scenario s = spinning_top();
   s.effects.applied.coulomb_N_m = 2e-3;
-  const double stop_s = kI3 * 100 / 2e-3;
-  expect_spin(s, [&](double t) { return t < stop_s ? 100 - 2e-3 / kI3 * t : 0; });
+  const double stop_s = kI3OfTheToyTop * 100 / 2e-3;
+  expect_spin(s, [&](double t) { return t < stop_s ? 100 - 2e-3 / kI3OfTheToyTop * t : 0; });
   expect_stops(run(s), stop_s);
   s.effects.applied.viscous_N_m_s = 1e-5;
   constexpr double kLimit = 2e-3 / 1e-5;
-  const double sooner_s = kI3 / 1e-5 * std::log(1 + 100 / kLimit);
-  expect_spin(s, [&](double t) { return t < sooner_s ? (100 + kLimit) * std::exp(-1e-5 / kI3 * t) - kLimit : 0; });
+  const double sooner_s = kI3OfTheToyTop / 1e-5 * std::log(1 + 100 / kLimit);
+  expect_spin(s, [&](double t) { return t < sooner_s ? (100 + kLimit) * std::exp(-1e-5 / kI3OfTheToyTop * t) - kLimit : 0; });
   expect_stops(run(s), sooner_s);
 }
 
@@ -148,7 +148,7 @@ TEST(DryFriction, RowsBetweenTheTwoStopsAreNotReliable) {
   const RunResult result = run(stopping_top(90, 0, 1));
   ASSERT_EQ(result.status, RunStatus::completed);
   ASSERT_EQ(result.stops.size(), 2U);
-  const double first_s = kI3 * 99 / 2e-3, last_s = kI3 * 100 / 2e-3;
+  const double first_s = kI3OfTheToyTop * 99 / 2e-3, last_s = kI3OfTheToyTop * 100 / 2e-3;
   EXPECT_EQ(result.stops[0].prediction, Prediction::rotating);
   EXPECT_EQ(result.stops[1].prediction, Prediction::reference);
   EXPECT_NEAR(result.stops[0].t_s, first_s, result.stops[0].bound_s.value());
@@ -156,8 +156,8 @@ TEST(DryFriction, RowsBetweenTheTwoStopsAreNotReliable) {
   int between = 0;
   for (const DriftRow& row : result.rows) {
     const double t = row.t_s;
-    EXPECT_NEAR(row.w_LB_B[2], t < first_s ? 99 - 2e-3 / kI3 * t : 0, 1e-8) << t;
-    EXPECT_NEAR(row.ref_w_LB_B[2], t < last_s ? 100 - 2e-3 / kI3 * t : 0, 1e-8) << t;
+    EXPECT_NEAR(row.w_LB_B[2], t < first_s ? 99 - 2e-3 / kI3OfTheToyTop * t : 0, 1e-8) << t;
+    EXPECT_NEAR(row.ref_w_LB_B[2], t < last_s ? 100 - 2e-3 / kI3OfTheToyTop * t : 0, 1e-8) << t;
     if (std::abs(t - first_s) < *result.stops[0].bound_s) continue;  // at the stop itself
     if (t < first_s) {
       EXPECT_TRUE(row.drift_reliable) << t;
@@ -180,7 +180,7 @@ TEST(DryFriction, BothPredictionsStopAndTheBoundHolds) {
     ASSERT_EQ(result.status, RunStatus::completed);
     ASSERT_EQ(result.stops.size(), 2U);
     // The spins differ by no more than the Earth's rate.
-    for (const StopEvent& stop : result.stops) EXPECT_NEAR(stop.t_s, 2, kI3 / 2e-3 * std::abs(rate) + 4e-8);
+    for (const StopEvent& stop : result.stops) EXPECT_NEAR(stop.t_s, 2, kI3OfTheToyTop / 2e-3 * std::abs(rate) + 4e-8);
     IntegrationOptions options;
     options.observer = Observer::body, options.method = Method::extrapolation, options.relative_tolerance = 1e-13;
     const auto finer = integrate_drift(make_problem<double>(s), options);

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <thread>
 
@@ -14,6 +13,7 @@
 #include "earthtop/report/report.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -123,7 +123,7 @@ TEST(Partial, HasTheRowsOfTheWholeRunWithoutBoundsAndVerdict) {
         else
           EXPECT_EQ(found[row][column], expected[row][column]) << name;
       }
-    const auto summary = nlohmann::json::parse(summary_json(*result));
+    const auto summary = testing::parse_json(summary_json(*result));
     EXPECT_EQ(summary.at("outcome").at("status"), "interrupted");
     EXPECT_EQ(summary.at("outcome").at("reached_s"), 60);
     EXPECT_EQ(summary.at("drift").at("verdict"), "unassessed");

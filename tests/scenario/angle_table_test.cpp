@@ -5,10 +5,10 @@
 
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/model/platform.hpp"
 #include "support.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 #include "text/sha256.hpp"
 
@@ -140,7 +140,7 @@ TEST_F(TableFile, BelongsToTheMotionTable) {
 TEST_F(TableFile, IsPartOfTheRunsIdentity) {
   const Scenario scenario = *examine("turn.csv").scenario;
   const std::string canonical = canonical_json(scenario);
-  const auto platform = nlohmann::json::parse(canonical).at("platform");
+  const auto platform = testing::parse_json(canonical).at("platform");
   EXPECT_EQ(platform.at("motion"), "table");
   EXPECT_EQ(platform.at("file"), "turn.csv");
   EXPECT_EQ(platform.at("file_sha256"), sha256_hex(kRows));

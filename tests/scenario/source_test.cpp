@@ -5,9 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "support.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop::scenario_test {
@@ -144,7 +144,7 @@ TEST(OutputTimes, AreProductsAndEndAtTheDuration) {
 TEST(CanonicalScenario, FormattingCommentsAndSpelledOutDefaultsDoNotMatter) {
   const std::string canonical = canonical_json(parse(kMinimal));
   EXPECT_EQ(canonical.find('\n'), std::string::npos);
-  const std::string compact = nlohmann::json::parse(kMinimal).dump();
+  const std::string compact = testing::text_of(testing::parse_json(kMinimal));
   EXPECT_EQ(canonical_json(parse(compact)), canonical);
   const Overrides spelled_out = {
       {"/$schema", "earthtop-scenario-1.json"},

@@ -1,6 +1,5 @@
 // The table of fields: unknown keys, types, ranges, words, and what is not available.
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "scenario/fields.hpp"
 #include "scenario/reader.hpp"

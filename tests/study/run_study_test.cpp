@@ -7,13 +7,13 @@
 
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "earthtop/run.hpp"
 #include "study/message.hpp"
 #include "study/sqlite.hpp"
 #include "study/store_lock.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop {
@@ -78,7 +78,7 @@ TEST(RunStudy, ThreadsShardsAndResumptionGiveTheSameBytes) {
 TEST(RunStudy, APointIsWhatRunGives) {
   const TemporaryDirectory dir;
   const auto report = run_in(dir.path(), small_study());
-  const Json document = Json::parse(study_json(report.store));
+  const Json document = testing::parse_json(study_json(report.store));
   const auto scenario = parse_scenario(
       read_scenario_source(kBase), {{"/motion/duration_s", "0.5"}, {"/site/latitude_deg", "30"}, {"/release/tilt_deg", "20"}});
   const RunResult result = run(scenario);
@@ -97,7 +97,7 @@ TEST(RunStudy, AllRowsAreComputedWhereAQuantityNeedsThem) {
   int count = 0;
   const auto step_s = [&](const std::string& more) {
     const auto report = run_in(dir.path() / std::to_string(count++), small_study(more));
-    return Json::parse(study_json(report.store)).at("points").at(0).at("scenario.motion.output_step_s").get<double>();
+    return testing::parse_json(study_json(report.store)).at("points").at(0).at("scenario.motion.output_step_s").get<double>();
   };
   EXPECT_EQ(step_s(R"(, "collect": ["scenario.motion.output_step_s", "drift.axis_final_rad"])"), 0.5);  // release and end
   EXPECT_LT(step_s(R"(, "collect": ["scenario.motion.output_step_s", "drift.axis_max_rad"])"), 0.5);
@@ -109,7 +109,7 @@ TEST(RunStudy, AQuantityThatSomeRunsLackIsEmptyThereAndNoFailure) {
   const auto report = run_in(dir.path(), small_study(R"(, "collect": ["drift.digits.axis_final_rad", "drift.threshold_time_s",
       "stops.0.t_s", "theory.7.computed", "drift.axis_final_rad"])"));
   EXPECT_EQ(report.failed, 7U);  // a tilt of 200 degrees
-  const Json document = Json::parse(study_json(report.store));
+  const Json document = testing::parse_json(study_json(report.store));
   const Json& point = document.at("points").at(0);
   for (const char* empty : {"drift.digits.axis_final_rad", "drift.threshold_time_s", "stops.0.t_s", "theory.7.computed"})
     EXPECT_TRUE(point.at(empty).is_null()) << empty;
@@ -220,7 +220,7 @@ TEST(RunStudy, AnAccuracyThatIsNotReachedIsAFailureThatKeepsItsNumbers) {
     "axes": [{"pointer": "/accuracy/drift_rad", "values": [1e-6, 1e-30]}]})"});
   const auto asked = run_in(dir.path() / "asking", asking);
   EXPECT_EQ(asked.failed, 1U);
-  const Json document = Json::parse(study_json(asked.store));
+  const Json document = testing::parse_json(study_json(asked.store));
   EXPECT_EQ(document.at("points").at(1).at("status"), "accuracy_not_reached");
   EXPECT_GT(document.at("points").at(1).at("drift.axis_final_rad").get<double>(), 0);
 }
@@ -243,7 +243,7 @@ TEST(RunStudy, TitleFitsAndFiguresAreThoseOfTheFileGivenLast) {
   const auto again = run_in(dir.path(), small_study(R"(, "title": "Later", "fits": [
       {"kind": "logarithmic", "axis": "tilt_deg", "quantity": "drift.axis_final_rad"}])"));
   EXPECT_EQ(again.progress.done, 0U);
-  const Json document = Json::parse(study_json(again.store));
+  const Json document = testing::parse_json(study_json(again.store));
   EXPECT_EQ(document.at("title"), "Later");
   const Json &fit = document.at("fits").at(0), &points = document.at("points");
   // Two tilts at each of seven latitudes: the line goes through the means at ln 10 and ln 20.
@@ -344,7 +344,7 @@ TEST(Figures, AreHeldAgainstTheResults) {
       {"figure": "/points_failed", "value": 7, "tolerance": 0.5, "origin": "counting"},
       {"figure": "/points_failed", "value": 8, "tolerance": 0.5, "origin": "miscounting"},
       {"figure": "/nowhere", "value": 8, "tolerance": 0.5, "origin": ""}])"));
-  const Json figures = Json::parse(study_json(report.store)).at("figures");
+  const Json figures = testing::parse_json(study_json(report.store)).at("figures");
   EXPECT_TRUE(figures.at(0).at("met").get<bool>());
   EXPECT_FALSE(figures.at(1).at("met").get<bool>());
   EXPECT_FALSE(figures.at(2).at("met").get<bool>());

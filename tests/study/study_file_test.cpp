@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/study/study.hpp"
 #include "results/summary_section.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -203,7 +203,7 @@ TEST(SummaryPaths, EveryMemberOfAnySummaryIsAccepted) {
     Sets all = sets;
     all.emplace_back("/motion/duration_s", "0.5");
     const auto scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS "/") + name + ".json"), all);
-    const auto summary = nlohmann::json::parse(summary_json(run(scenario)));
+    const auto summary = testing::parse_json(summary_json(run(scenario)));
     int paths = 0;
     for_each_path(summary, "", [&, scene = name](const std::string& path) {
       if (path.find("libraries") != std::string::npos) return;  // one of them may have a dot in its name

@@ -5,6 +5,8 @@
 
 namespace earthtop::testing {
 
+inline constexpr double kPi = 3.14159265358979323846;
+
 /// A flat disc at 6000 rpm, its axis held level, released at rest `amplitude_deg` from North.
 inline Scenario gyrocompass(double latitude_deg, double amplitude_deg, double damping_N_m_s) {
   Scenario s = toy_top();

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "support/json.hpp"
 
 namespace earthtop::testing {
 
@@ -26,10 +26,7 @@ struct GeneratedValues {
 };
 
 inline const nlohmann::json& generated_document() {
-  static const nlohmann::json document = [] {
-    std::ifstream file(std::string(EARTHTOP_TESTS) + "/data/headlines.json");
-    return nlohmann::json::parse(file);
-  }();
+  static const nlohmann::json document = parse_json(read_file(EARTHTOP_TESTS "/data/headlines.json"));
   return document;
 }
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "verify/formulas.hpp"
 
 namespace earthtop {
@@ -15,15 +15,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json hard_case(const std::string& name) {
-  std::ifstream file(std::string(EARTHTOP_SCENARIOS) + "/hard/" + name + ".json");
-  return Json::parse(file);
+  return testing::parse_ordered_json(testing::read_file(EARTHTOP_SCENARIOS "/hard/" + name + ".json"));
 }
 
 /// The rows of a hard case with these criteria in the place of its own.
 std::vector<VerificationRow> rows_of(Json scene, const Json& criteria, const VerificationOptions& options = {}) {
   scene["criteria"] = criteria;
   std::vector<VerificationRow> rows;
-  verify({"test.json", scene.dump()}, options, [&](const VerificationRow& row) { rows.push_back(row); });
+  verify({"test.json", testing::text_of(scene)}, options, [&](const VerificationRow& row) { rows.push_back(row); });
   return rows;
 }
 VerificationRow judged(const Json& scene, Json criterion) {
@@ -201,7 +200,7 @@ TEST(Criteria, AnUnsoundSceneIsRefusedBeforeAnythingRuns) {
   Json scene = hard_case("h24-poles");
   scene["criteria"] = criteria;
   try {
-    verify({"test.json", scene.dump()}, {}, [&](const VerificationRow&) { ++rows; });
+    verify({"test.json", testing::text_of(scene)}, {}, [&](const VerificationRow&) { ++rows; });
     FAIL() << "not refused";
   } catch (const ScenarioError& error) {
     EXPECT_EQ(error.diagnostics().at(0).pointer, "/criteria/1/set");
@@ -219,7 +218,7 @@ FormulaRun run_for(const std::string& name, const std::string& formula) {
   const Json scene = hard_case(name);
   for (const Json& criterion : scene.at("criteria")) {
     if (criterion.value("quantity", "") != formula) continue;
-    verify_detail::Runs runs({name + ".json", scene.dump()});
+    verify_detail::Runs runs({name + ".json", testing::text_of(scene)});
     return {criterion.at("tolerance"), runs.run(criterion.value("set", std::vector<std::string>{}))};
   }
   throw std::runtime_error(name + " has no " + formula);

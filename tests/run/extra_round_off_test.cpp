@@ -1,0 +1,15 @@
+// Over a million steps round-off walks at random and goes nowhere, with three different moments of inertia, too.
+#include <gtest/gtest.h>
+
+#include "support/random_walk.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop {
+namespace {
+
+TEST(TaylorRoundOff, JacobiIntegralOfTheAsymmetricTopWalksAtRandom) {
+  testing::expect_random_walk(testing::asymmetric_top(), 12000, 9e5);
+}
+
+}  // namespace
+}  // namespace earthtop
