@@ -244,7 +244,7 @@ std::string ledger_section(const Run& run, Page& page) {
 
 std::string invariants_section(const Run& run) {
   std::vector<std::vector<std::string>> rows;
-  for (const Json& invariant : run.results.summary.value("invariants", Json::array())) {
+  for (const Json& invariant : run.results.summary->value("invariants", Json::array())) {
     const double change = invariant.value("largest_change", kNoNumber), scale = invariant.value("scale", kNoNumber);
     rows.push_back({escaped(invariant.value("name", "")),
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
@@ -274,7 +274,7 @@ std::string provenance_section(const Run& run) {
   Facts facts;
   for (const char* key : {"program", "version", "commit", "compiler", "flags", "scenario_sha256"})
     facts.emplace_back(key, escaped(run.word(std::string("/provenance/") + key)));
-  for (const Json& constant : run.results.summary.value(Json::json_pointer("/provenance/constants"), Json::array()))
+  for (const Json& constant : run.results.summary->value(Json::json_pointer("/provenance/constants"), Json::array()))
     facts.emplace_back(constant.value("name", ""),
                        number_html(constant.value("value", kNoNumber), constant.value("unit", ""), 12) + ", " +
                            escaped(constant.value("source", "")));
@@ -296,7 +296,7 @@ constexpr const char* kAnimation =
 
 Run read_run(const std::filesystem::path& directory) {
   Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, {"s", 1}};
-  const ScenarioReport report = examine_scenario({"", run.results.summary.value("scenario", Json()).dump(), false});
+  const ScenarioReport report = examine_scenario({"", run.results.summary->value("scenario", Json()).dump(), false});
   run.scenario = report.scenario;
   const auto rows = run.results.open_rows();
   for (const char* needed : {"axis_L_x", "ref_axis_L_x", "drift_axis_rad", "q_LB_w", "w_LB_B_x_rad_s"})
@@ -330,7 +330,7 @@ Report run_page(const std::filesystem::path& directory) {
   page.section("torques", "Torques", ledger_section(run, page));
   page.section("invariants", "Conserved quantities", invariants_section(run));
   page.section("numerics", "Steps", numerics_section(run));
-  const Json scenario = run.results.summary.value("scenario", Json());
+  const Json scenario = run.results.summary->value("scenario", Json());
   page.section("scenario", "Scenario",
                "<p>With every default filled in.</p>\n<pre class=\"scroll\" tabindex=\"0\">" +
                    escaped(scenario.dump(2, ' ', false, Json::error_handler_t::replace)) + "</pre>\n");
