@@ -131,8 +131,7 @@ else
         name="$compiler -O$level${native:+ $native}"
         build=build/determinism/${name// /}
         cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" -DEARTHTOP_BUILD_TESTS=OFF \
-          "-DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG -O$level $native" -DEARTHTOP_PRECOMPILE_HEADERS=ON \
-          -DEARTHTOP_UNITY=ON >/dev/null
+          "-DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG -O$level $native" -DEARTHTOP_UNITY=ON >/dev/null
         cmake --build "$build" --parallel "$(nproc)" --target earthtop-tool >/dev/null
         names+=("$name")
         programs[$name]=$build/tools/earthtop/earthtop

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 tools/install-dependencies.sh python3 python3-jsonschema
 jobs=$(nproc)
-cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON -DEARTHTOP_UNITY=ON -DEARTHTOP_SLOW_TESTS=OFF \
+cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON -DEARTHTOP_SLOW_TESTS=OFF \
   -DEARTHTOP_PRECOMPILE_HEADERS=ON
 cmake --build --preset release --parallel "$jobs"
 exec ctest --test-dir build/release --label-exclude '^(slow|extra)$' --no-tests=error --output-on-failure --parallel "$jobs" "$@"
