@@ -6,6 +6,12 @@
 
 #include "earthtop/real.hpp"
 
+// The library is compiled with it. A linker keeps one copy of Eigen's functions for all objects: without it that copy might be
+// the consumer's, whose packets form sums in another order, and the last digits of results would hang on the order of linking.
+#ifndef EIGEN_DONT_VECTORIZE
+#error "earthtop's headers need EIGEN_DONT_VECTORIZE; its CMake targets and pkg-config files define it"
+#endif
+
 namespace earthtop {
 
 template <class T>

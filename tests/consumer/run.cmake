@@ -14,3 +14,10 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${work}/build -G ${GENERATOR} -DCMAKE_C
     -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_PREFIX_PATH=${work}/prefix -DCMAKE_CXX_EXTENSIONS=OFF)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/consumer ${work}/prefix/share/earthtop/scenarios/toy-top.json)
+run(${work}/build/workbench_consumer ${work}/prefix/share/earthtop/scenarios/toy-top.json ${work}/study)
+
+# Who needs the core alone carries nothing of the workbench.
+execute_process(COMMAND ldd ${work}/build/consumer OUTPUT_VARIABLE shared COMMAND_ERROR_IS_FATAL ANY)
+if(shared MATCHES "sqlite|crypto|mpi|sundials")
+  message(FATAL_ERROR "a consumer of the core needs more than the core:\n${shared}")
+endif()

@@ -101,15 +101,14 @@ cmake -S "$source_dir/tests/consumer" -B cmake -G Ninja -DCMAKE_BUILD_TYPE=Relea
   { cat cmake.log && fail "CMake does not find the package"; }
 cmake --build cmake >cmake.log 2>&1 || { cat cmake.log && fail "the consumer does not build"; }
 cmake/consumer "$scenario"
+cmake/workbench_consumer "$scenario" study
 [[ $(pkg-config --modversion earthtop) == "$version" ]] || fail "earthtop.pc is not of version $version"
 # shellcheck disable=SC2046  # flags are words
 g++ -std=gnu++20 "$source_dir/tests/consumer/consumer.cpp" -o consumer $(pkg-config --cflags --libs --static earthtop)
 ./consumer "$scenario"
-for file in "$(pkg-config --variable=libdir earthtop)"/pkgconfig/earthtop*.pc; do # of a library without a consumer: what it names is there
-  name=$(basename "$file" .pc)
-  # shellcheck disable=SC2046
-  g++ -x c++ <(echo 'int main() {}') -x none -o nothing $(pkg-config --cflags --libs --static "$name")
-done
+# shellcheck disable=SC2046
+g++ -std=gnu++20 "$source_dir/tests/consumer/workbench_consumer.cpp" -o workbench $(pkg-config --cflags --libs --static earthtop-workbench)
+./workbench "$scenario" other-study
 
 step "Remove"
 apt_get purge "${packages[@]}" >apt.log 2>&1 || { cat apt.log && fail "apt does not remove them"; }
