@@ -29,14 +29,14 @@ bool is_compact_reference(const fs::path& file) {
 bool may_be_member(const fs::directory_entry& entry) {
   std::error_code error;
   if (!entry.is_directory(error)) return entry.is_regular_file(error) && is_compact_reference(entry.path());
-  return is_there(entry.path() / "summary->json") || is_there(study_store(entry.path())) ||
+  return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path())) ||
          is_there(entry.path() / "trajectory.csv");
 }
 
 Comparand open_results(const fs::path& directory) {
   Comparand results;
   results.path = directory;
-  const fs::path file = directory / "summary->json";
+  const fs::path file = directory / "summary.json";
   results.summary = read_json_file(file, "summary");
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
@@ -70,12 +70,12 @@ ComparandKind kind_of(const fs::path& path) {
     if (path.extension() == ".sqlite") return ComparandKind::store;
     return path.extension() == ".json" ? ComparandKind::reference : ComparandKind::csv;
   }
-  if (is_there(path / "summary->json")) return ComparandKind::results;
+  if (is_there(path / "summary.json")) return ComparandKind::results;
   if (is_there(study_store(path))) return ComparandKind::store;
   if (is_there(path / "trajectory.csv"))
-    refuse_path(path, "has a trajectory.csv without its summary->json: its writing was broken off; run the scenario again");
+    refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
   if (members(path).empty())
-    refuse_path(path, "holds no results: no summary->json, no study.sqlite, no directories with one, no compact references");
+    refuse_path(path, "holds no results: no summary.json, no study.sqlite, no directories with one, no compact references");
   return ComparandKind::collection;
 }
 
