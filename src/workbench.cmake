@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The workbench above the core: studies, comparison, measurement, benchmarks, verification and report pages. SQLite, and MPI and
 # SUNDIALS where they are installed, are needed here only.
 add_library(earthtop-workbench

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tells CTest of every test of a GoogleTest program, each with the label of the source file in which it is written.
 
 list_tests.py list PROGRAM FOLDER OUTPUT SOURCE[=LABEL]...  writes OUTPUT, which CTest reads; the tests run in FOLDER

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Includes point one way only, and elementary functions come from one place. A line below may include the lines above it, and its own; of two names in one line only one
 # may include the other.
 #   tools/check-layers.sh

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Formatting of every C++ file, and the syntax of every script. `tools/check-style.sh --fix` formats the files instead.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Formatting of every C++ file, the syntax of every script, and the licence in all of them.
+#   tools/check-style.sh [--fix]     --fix formats the files instead of judging their formatting
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,3 +12,11 @@ else
   clang-format --dry-run -Werror "${sources[@]}"
 fi
 for script in tools/*.sh tools/*/*.sh tests/*/*.sh .ci/run; do bash -n "$script"; done
+
+unlicensed=$(find CMakeLists.txt .ci include src tests tools -type f \( -name '*.[hic]pp' -o -name '*.js' -o -name '*.css' -o -name '*.sh' \
+  -o -name '*.py' -o -name '*.cmake' -o -name '*.hpp.in' -o -name '*.cmake.in' -o -name '*.pc.in' -o -name CMakeLists.txt -o -path .ci/run \) -print0 |
+  xargs -0 grep -L 'SPDX-License-Identifier: GPL-3.0-or-later' || true)
+if [[ -n $unlicensed ]]; then
+  printf 'no licence, SPDX-License-Identifier: GPL-3.0-or-later, in its first lines:\n%s\n' "$unlicensed" >&2
+  exit 1
+fi

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One hash of the numbers, whatever compiler, optimisation, instruction set and processor: of trajectory.csv, torques.csv and
 # summary.json (but for what built it) of every shipped scenario, every effect, platform, gimbal, observer, method and precision.
 #   tools/determinism.sh [--short] PROGRAM...  of these builds of earthtop; and of the first with a C library that takes the

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Throws made-up texts at the scenario decoder (tests/fuzz/decoder_fuzz.cpp), beginning with the shipped scenarios and a
 # dictionary of the keys and words they may hold. What is found stands in build/fuzz/found, and can be given to decoder_fuzz.
 #   tools/fuzz.sh [SECONDS]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what earthtop is built with, on Debian 12 or a relative of it; only what is missing, so a second call costs nothing.
 #   tools/install-dependencies.sh [--program] [MORE_PACKAGES...]     --program: without what only tests and benchmarks need
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Plants one fault at a time and asks whether the named test notices. A fault that no test notices is a hole in the suite.
 #   tools/mutants.sh [NAME...]      NAME: a file of tests/mutants, without .mutant; default: all
 #

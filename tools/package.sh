@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages of the program and of the library, in build/packages: earthtop and libearthtop-dev.
 #   tools/package.sh [BUILD]
 # BUILD: a release build of this checkout, whose objects are taken, and with them its choice of MPI and SUNDIALS. Without it one is

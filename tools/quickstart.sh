@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # From a fresh checkout to a first result: installs what is missing, builds the program alone, runs scenarios/toy-top.json, and says
 # where the picture of its drift is. A second call builds nothing.
 set -euo pipefail

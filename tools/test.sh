@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The release suite: installs what is missing, builds with warnings as errors, runs every test that is labelled
 # neither `slow` nor `extra` (one more of what the others see, which .ci/run runs after it).
 # Its status and its last lines are CTest's. Arguments go to CTest:  tools/test.sh -R Torques

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What every digit rests on: IEEE 754 arithmetic as the standard has it, in the machine's present state and in the compiled
 /// code.
 #pragma once

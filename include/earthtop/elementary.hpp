@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Elementary functions of double with the same digits on every machine.
 ///
 /// The C library's choose their code by the processor, and so their last digit. These are SLEEF's bit-reproducible ones, but

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What can go wrong, as types: refused input is thrown with everything that is wrong with it; numerical trouble is a
 /// returned outcome with a name.
 #pragma once

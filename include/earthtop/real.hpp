@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The scalars that every formula of earthtop is a template on: double, long double and float128 (113-bit).
 ///
 /// `__float128` is the compiler's own type. Its functions are declared here, not taken from quadmath.h, which clang does not

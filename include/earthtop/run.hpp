@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The main job: both predictions of a scenario, their drift, and the bound on its error.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Who watches some work: they may ask it to stop, and may want to know how far it has come.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Who runs: the standard contenders of a scenario.
 #include <algorithm>
 

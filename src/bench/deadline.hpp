@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A flag that is set when the calling thread has used so much processor time.
 #pragma once
 

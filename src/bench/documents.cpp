@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A bench report as CSV and as JSON.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/exact_motion.hpp"
 
 #include "earthtop/closed_form/exact_motion.hpp"

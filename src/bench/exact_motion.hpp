@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The closed form of a scenario's motion, where it has one.
 #pragma once
 

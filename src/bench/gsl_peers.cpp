@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // GSL's odeiv2 as a peer.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a peer integrates: q_LB (4) and w_IB in body axes (3), in natural units.
 #pragma once
 

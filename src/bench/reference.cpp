@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The certified reference: 113 or 64 bits, from two unrelated sources.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // SUNDIALS' CVODE (Adams) and ARKODE (explicit Runge-Kutta) as peers; compiled where SUNDIALS was found.
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>

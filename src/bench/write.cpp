@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a bench.
 #include <fmt/core.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The effects that a budget sizes, each as an input of the variational equations.
 #pragma once
 

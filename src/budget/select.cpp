@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "auto": what a scene needs at the accuracy asked for.
 #include <algorithm>
 #include <chrono>

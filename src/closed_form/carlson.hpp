@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Carlson's symmetric elliptic integrals by duplication, and Legendre's complete ones from them: relative errors of a few eps
 /// in every scalar.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The little complex arithmetic that the closed forms need, in every scalar and without the special cases of std::complex.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Jacobi's elliptic functions in every scalar (DLMF 22.2), by theta series; with it Carlson's integrals and the lattice.
 ///
 /// A lattice is made from the parameter m = k^2 *and* its complement m1 = 1 - m, both accurate in the relative sense: then

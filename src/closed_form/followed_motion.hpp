@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// An exact motion followed in time, so that its quaternion is continuous. A closed form gives the attitude at any time, but
 /// not how often it went round before: where rows are rare, that is seen in between.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/closed_form/free_body.hpp"
 
 #include "closed_form/elliptic.hpp"

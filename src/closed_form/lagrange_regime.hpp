@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The name of a symmetric top's motion, from the roots of its cubic.
 #pragma once
 

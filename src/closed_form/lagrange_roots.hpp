@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The nutation of the heavy symmetric top: the cubic of u = cos(tilt), its roots, and every difference that the closed form
 /// needs of them, none formed by subtracting nearly equal numbers.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The path of the rate of a free body in its principal axes, numbered and turned for one formula to hold: see `FreeBody`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The theta function whose argument is the periodic part of a free body's turn about its angular momentum.
 #pragma once
 

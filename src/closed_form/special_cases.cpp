@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/closed_form/special_cases.hpp"
 
 #include "closed_form/wider.hpp"

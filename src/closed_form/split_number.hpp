@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Phases over many turns: the product of a rate, kept as an unevaluated sum of two numbers, and a time, reduced to one period.
 #pragma once
 

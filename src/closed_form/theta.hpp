@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Theta series of nome q <= exp(-pi) (DLMF 20.2).
 ///
 /// For m <= 1/2 the series run on a circle, sin((2n + 1) v) and cos(2 n v) with v = pi x / (2 K). For m > 1/2 Jacobi's

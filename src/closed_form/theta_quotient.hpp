@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Quotients theta(v - i eta)/theta_4(v) of the closed form of the top: where the zero lies, what it does to the phase, and the
 /// coefficients of the numerator's series. `low` quotients vanish below or at v = 0 (theta_1), the others above or at the
 /// half-period (theta_2; theta_4 over the hyperbolic branch's theta_2).

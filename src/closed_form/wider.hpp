@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The scalar in which a closed form prepares its constants and counts its phases.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A reference small enough to be kept with the sources: a run's figures and eleven of its rows in one JSON file.
 #pragma once
 

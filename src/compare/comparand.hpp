@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One side of a comparison: what a path leads to.
 #pragma once
 

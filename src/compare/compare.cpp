@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paths to pairs, and pairs to verdicts.
 #include "earthtop/compare/compare.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Numbers of a CSV file, a line at a time: a gigabyte passes through a megabyte of memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The scenario's numbers that a measurement is to estimate, by name: what they are, and the scenario with them changed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The figures of two summaries, held against each other by their names.
 #pragma once
 

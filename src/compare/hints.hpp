@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a large difference looks like: conventions that are often mixed up.
 #pragma once
 

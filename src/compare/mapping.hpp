@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the columns of another program's CSV file mean.
 #pragma once
 

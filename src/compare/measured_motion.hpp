@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The motion that a scenario predicts at measured times, and what a measurement differs from it by.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A measured motion held against a scenario's.
 #include "earthtop/compare/measurement.hpp"
 

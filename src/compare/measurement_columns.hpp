@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which columns of a CSV file are a measurement's, by their names.
 #pragma once
 

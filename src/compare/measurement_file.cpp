@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A measured motion from a CSV file.
 #include <fmt/core.h>
 

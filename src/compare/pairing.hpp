@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Rows of two files that belong to one time.
 #pragma once
 

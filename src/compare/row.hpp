@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Rows of a result file, and the physical measures in which two of them are held against each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where rows come from: a result file of earthtop's, a foreign CSV through a mapping, or a compact reference.
 #pragma once
 

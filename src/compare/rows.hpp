@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Two tables of rows, held against each other row by row in bounded memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A fit's problem as its arithmetic wants it: every number near 1, and derivatives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Two study stores, held against each other point by point.
 #pragma once
 

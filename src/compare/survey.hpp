@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What must be known of a reference before a row of it can be judged.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How much each quantity may differ by, and why so much.
 #pragma once
 

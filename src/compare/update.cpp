@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // New references, each with the reason for it.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Weighted nonlinear least squares of a few parameters, with an answer for everything that data may fail to say.
 #pragma once
 

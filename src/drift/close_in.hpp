@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Closes in on the root of a function between two points where its signs differ.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Both motions and the drift between them by closed forms, for the scenes that have them (exact_motion.hpp).
 #pragma once
 

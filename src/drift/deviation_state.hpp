@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The deviation of any observer's form as the drift measures read it: the quaternion of R_ref^T R_rot.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The body of integrate_drift, instantiated for one scalar in each of drift_integration_*.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {

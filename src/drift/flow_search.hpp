@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Watches the axis drift of an integration for the first time it passes a threshold.
 ///
 /// Between two states of the integration the motion is integrated once more, from the first of them and to round-off, to each

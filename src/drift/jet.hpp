@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A number with its derivatives by N inputs: arithmetic carries them along by the chain rule, exactly but for rounding.
 ///
 /// Lives in `real` and has to be included before any header whose templates call the functions of that namespace.

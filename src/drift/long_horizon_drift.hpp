@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The drift by the long-horizon method: both motions by closed forms, and their deviation without cancellation.
 ///
 /// Where the drift is large, it is the quaternion of the two attitudes, the spin they share left out. Where it is small, a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The measures of a drift, for the scalars of measures.cpp and for jets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a small change of the rate at release makes of an exact motion, without cancellation however small the change.
 #pragma once
 

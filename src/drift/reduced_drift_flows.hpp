@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The two exact flows of a symmetric top's drift integration (reduced_drift_system.hpp, the same state), free of cancellation,
 /// in axes as those of reduced_motion_flows.hpp.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The right-hand side of a symmetric top's drift integration without its spin, on one state vector:
 ///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a, all of the non-rotating reference
 ///   [9] w   [10,13) y   [13,16) V

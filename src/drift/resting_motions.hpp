@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which of the two motions dry friction has brought to rest, and when.
 #pragma once
 

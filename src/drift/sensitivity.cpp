@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drift/jet.hpp"  // first: the formulas below are compiled for jets
 //
 #include <algorithm>

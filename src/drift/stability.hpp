@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What is known of a motion's stability without integrating anything: from closed forms and their limits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What watches a drift from step to step: the threshold, and angles that go round.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Finds when the axis drift first passes a threshold, from looks at it that lie some part of a turn apart, and from further
 /// ones between them wherever the drift might have passed unseen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Counts how often an angle, given as its sine and cosine times a positive number, goes round.
 #pragma once
 

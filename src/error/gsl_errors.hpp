@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// GSL calls `abort` where something is wrong, unless told otherwise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/frames/earth_orientation.hpp"
 
 #include "frames/ephemeris.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where the Moon, the Sun and the Earth's axes are: what the tide and the precession are made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrate/closed_form_motion.hpp"
 
 #include "closed_form/followed_motion.hpp"

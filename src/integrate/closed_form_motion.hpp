@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One motion on the rotating Earth by its closed form.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Symmetric compositions of two exact flows A and B,
 ///
 ///   exp(a_1 h A) exp(b_1 h B) exp(a_2 h A) ... exp(b_s h B) exp(a_{s+1} h A) ,

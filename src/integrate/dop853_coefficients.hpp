@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Dormand and Prince's explicit Runge-Kutta method of order 8 with error estimates of orders 5 and 3 and an interpolant of
 /// order 7: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., sections II.5, II.6 and II.10. The
 /// authors give some 29 digits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Dormand and Prince's method of order 8(5,3) with dense output of order 7, on odeint's dense-output-stepper concept, with
 /// steps that may be rejected. The error is controlled by component groups (group_norms.hpp), the state summed with
 /// compensation.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the driver is told, how it keeps the time, and the form in which it takes a multistep method.
 #pragma once
 

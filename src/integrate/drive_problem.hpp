@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// From a problem and the options asked for to what the driver takes: natural units, first and fixed steps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// cos and sin(x)/x as functions of z = x^2, which are entire: a rotation by a vector v needs z = v.v, no square root and no
 /// division, and small angles keep their digits.
 #pragma once

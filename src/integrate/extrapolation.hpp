@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Extrapolation of Gragg's modified midpoint rule with adaptive order and step, for every scalar, on odeint's
 /// controlled-stepper concept (odeint's own bulirsch_stoer does not build for float128).
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Gauss collocation of order 12: implicit, symmetric, and symplectic for a canonical Hamiltonian system; on odeint's stepper
 /// concept, do_step(system, x, t, dt). It keeps what a motion conserves without a trend over millions of steps.
 ///

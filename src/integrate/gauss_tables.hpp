@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Gauss collocation: nodes, weights and coefficients, correctly rounded to double from 113-bit arithmetic.
 ///
 /// Hairer, Lubich and Wanner, Geometric Numerical Integration, 2nd ed., sections II.1.3 and VIII.6.

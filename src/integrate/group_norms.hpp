@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Error control by component groups, on odeint's error-checker and step-adjuster concepts.
 ///
 /// Each group of components (an attitude, an angular momentum, a deviation) is measured against its own largest size so

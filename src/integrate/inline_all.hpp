@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The right-hand sides are inlined whole, which makes them twice as fast; under a sanitizer that takes minutes to compile.
 #pragma once
 

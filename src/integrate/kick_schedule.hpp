@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// When and how hard the kicks of a step come, for a composition of exact flows A (the large one) and B (the kick).
 ///
 /// gauss(s): the s nodes and weights of Gauss and Legendre, ABA(2s, 2) in the language of near-integrable systems: a local

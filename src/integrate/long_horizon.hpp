@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The long-horizon method: a symmetric top on the rotating Earth by exact flows and kicks (tilted_top.hpp), in steps that
 /// resolve the precession where the nutation is fast, and the nutation where it is not. Neither the spin nor, in the first
 /// case, the nutation costs anything.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One motion by the long-horizon method (long_horizon.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The body of integrate_motion, instantiated for one scalar in each of motion_integration_*.cpp.
 #pragma once
 

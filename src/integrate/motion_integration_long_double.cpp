@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
 //
 #include "integrate/motion_integration.ipp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The right-hand sides of one motion on the rotating Earth: any body's seven variables, and the symmetric top's nine without
 /// its spin. Both tell attitude and rate in the laboratory.
 #pragma once

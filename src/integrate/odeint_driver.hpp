@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The one place that knows Boost.Odeint: its steppers behind an own loop that lands exactly on the output times, checks
 /// that every state is finite, keeps the time without rounding, counts in 64 bits and returns a named outcome.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The two exact flows into which the symmetric top's motion without its spin splits (splitting_stepper.hpp), in axes that are
 /// inertial for the length of a step and the laboratory's at its start:
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Composition of a system's two exact flows, on odeint's stepper concept: do_step(system, x, t, dt). Explicit, symmetric, and
 /// symplectic where the flows are.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Three components of a state, as a vector.
 #pragma once
 

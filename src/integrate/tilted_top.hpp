@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A symmetric top on the rotating Earth as a Lagrange top about a tilted vertical, and what is left over.
 ///
 /// With n the axis, L the inertial momentum about the pivot, kappa = L.n = I3 w3 (constant), W the Earth's rate, and any number

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The body of the applied torques on a motion, for the scalars of applied_motion.cpp and for jets.
 #pragma once
 

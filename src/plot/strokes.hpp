@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What every part of a picture is drawn with: the page's measures, strokes, markers, text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where an axis has its ticks, and how they are written.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, a C++ source that holds the page's style and script as literals.
 file(READ ${DIRECTORY}/page.css style)
 set(script "")

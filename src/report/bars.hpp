@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Sizes over many decades, side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A page's content security policy: what is in the page may run, and nothing else.
 #pragma once
 

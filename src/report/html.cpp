@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/html.hpp"
 
 #include <fmt/core.h>

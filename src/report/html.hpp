@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Pieces of a page. Whatever text comes in is escaped here, and nowhere else.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a measurement held against a scenario: what `compare SCENARIO MEASURED --json` writes.
 #include <fmt/core.h>
 

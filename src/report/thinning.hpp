@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Rows enough for a picture, its extremes among them.
 #pragma once
 

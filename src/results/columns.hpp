@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The columns of trajectory.csv: their names and where their numbers stand in a row. What writes them and what looks one up
 /// by its name share this table.
 #pragma once

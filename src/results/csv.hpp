@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Numbers of a CSV line: shortest ones that read back to the same bits; what is not finite is an empty field.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Numbers of extended precision as decimal digits, without a locale.
 #pragma once
 

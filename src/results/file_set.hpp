@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Files that change together: all of them are replaced, or none.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which members a summary.json can have: those of runs made up to have everything that a run can have, taken together. The
 // members are written by the code that writes every summary, so that there is no second list of them.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One member of summary.json, for those who want no more of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The unit in which a picture's time reads best.
 #pragma once
 

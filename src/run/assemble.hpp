@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What follows the two integrations of a run, however they were made: bounds, rows, verdict and all that is told beside them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a run says beside its drift: how well the conserved quantities were kept, and first-order theory beside the numbers.
 /// Invariants and ledger are computed from the rows in full: in float128 where the run is of extended precision. Who watches
 /// may end them early; then they are not whole.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The error bound of a drift: the distance to a second integration, in another observer's equations and at another
 /// tolerance, grown to be safe.
 #pragma once

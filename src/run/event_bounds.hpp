@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How far the times of a run's events can be off: of the threshold's passing, and of motions that come to rest. The error of
 /// the drift, or of a rate, divided by how fast it changes there; no less than 1e-12 of the time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies, moves and ends of a RunResult: much code, which sources that hold one would each compile for themselves.
 #include "earthtop/run.hpp"
 

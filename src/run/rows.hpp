@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// From a sample of an integration to a row of results, in the scalar of the run, and from one scalar to another.
 #pragma once
 

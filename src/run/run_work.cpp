@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_work.hpp"
 
 #include "run/sensitivities.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The phases of a run and what each costs, so that its progress is the share of the work that is done.
 #pragma once
 

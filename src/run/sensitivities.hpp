@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How the drift of a run changes with its inputs, and what their errors make of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the drift of a run is worth, and until when.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The structure of a scenario held against the table of fields: unknown keys, types, ranges, words.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the closed forms say of a scenario: whether it has one, and how finely its motion has to be looked at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How much work a scenario asks for, before any of it is done.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// From a checked tree to typed parts of a scenario: the rules that involve more than one key. One function a section; each
 /// adds what it finds and returns what it could read.
 #pragma once

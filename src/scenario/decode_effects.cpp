@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which torques act, and what they need of the rest of the scene.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The platform, and the table of angles that may move it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

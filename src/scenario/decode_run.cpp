@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motion and numerics: what happens after the release.
 #include <fmt/core.h>
 

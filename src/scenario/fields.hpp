@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The one table of fields: every key of a scenario with its kind, unit, range, words, default and meaning.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Files as text, whole: what is no regular file, or too large, is refused before it can hold anything up.
 #pragma once
 

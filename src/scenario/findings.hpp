@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Everything that is wrong with a scenario, collected before anything is thrown.
 #pragma once
 

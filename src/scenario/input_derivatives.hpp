@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the equations of a scene read of its inputs, differentiated.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which method fits which scene.
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/scenario.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A JSON text as a tree whose every node knows where it stands, so that a complaint can point at it.
 #pragma once
 

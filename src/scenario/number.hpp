@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON decimals to doubles, without silent infinities and zeros.
 #pragma once
 

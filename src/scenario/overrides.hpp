@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// `--set /json/pointer=VALUE`: values put into the tree before it is validated.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rates of a scene and how long they last: what turns, what drives it, and what brings it to rest.
 #include "scenario/pace.hpp"
 

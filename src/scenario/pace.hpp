@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What of a scenario decides how many steps its integrations take.
 #pragma once
 

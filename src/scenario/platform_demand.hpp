@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a platform asks of those who follow it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Values that are allowed, but look like a mistake of unit: what a colleague would ask about.
 #pragma once
 

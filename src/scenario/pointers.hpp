@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON pointers into a scenario: their steps, and which of them a scenario can have.
 #pragma once
 

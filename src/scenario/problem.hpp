@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// From a validated scenario to the problem an integration takes, in any precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The names of what a headline figure or a criterion may be about, separated by '|'.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON text to a tree of placed nodes.
 #pragma once
 

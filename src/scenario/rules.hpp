@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which keys go with a word: with a solid's shape, a platform's motion, a criterion's kind; and the methods and precisions
 /// there are. Decoder and schema read the same rows.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The integration that a run's bounds come from.
 #pragma once
 

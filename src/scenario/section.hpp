@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A typed view of one object of a checked tree, with the defaults of the table of fields.
 #pragma once
 

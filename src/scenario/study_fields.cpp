@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every key of a study file, in the same table form as a scenario's.
 #include "scenario/fields.hpp"
 

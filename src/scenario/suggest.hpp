@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// "Did you mean": the known word that a misspelled one was probably meant to be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the parts of a computation cost against each other, for those who show how far it is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A few points together: what a worker is given, and what it gives back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which points a design takes: from a point's number to where it lies along each axis.
 #pragma once
 

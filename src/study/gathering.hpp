@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One pass over a study's points: counts, moments, means along each axis, lines.
 #pragma once
 

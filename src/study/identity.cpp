@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a study will be, before any of it is computed: which one it is, how large, how long, and whether its points can be run.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A node of a study file as JSON text again: what `--set` would be given.
 #pragma once
 

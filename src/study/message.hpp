@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Points and results as bytes, between processes of one program on like machines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Processes that talk through MPI. The first one asks and answers; the others wait for work, compute it, and send it back.
 #include <mpi.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random numbers and permutations that are functions of a seed and a number: nothing is stored, and any of them can be had
 /// first.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The processes beside the first as a workforce.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a study's store holds, as one JSON document and as one table.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What there is of processes in a program built without MPI: this one.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// SQLite with owners: a connection, and statements that are stepped through.
 #pragma once
 

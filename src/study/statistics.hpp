@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a table of points says at a glance, gathered while they go by: moments, straight lines, Sobol indices.
 #pragma once
 

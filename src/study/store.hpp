@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where a study's points are kept: one SQLite file, one row a point, whole after a kill at any moment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A study file's text to a `Study`.
 #include <fmt/core.h>
 

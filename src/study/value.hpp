@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A cell of a study's table: nothing (absent, or not finite), a number, or a word.
 #pragma once
 

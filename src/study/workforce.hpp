@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Those who compute chunks: threads of this process, or processes elsewhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON documents read and written in one place: to compile a reader and a writer takes longer than most of who wants them.
 #pragma once
 

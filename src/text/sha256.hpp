@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The fingerprint by which texts and files are told apart.
 #pragma once
 

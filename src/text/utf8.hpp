@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What readers and messages need to know about UTF-8.
 #pragma once
 

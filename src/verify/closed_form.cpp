@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows against the closed forms of the whole motion in 113 bits, and the table of the others.
 #include <functional>
 #include <limits>

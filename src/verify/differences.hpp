@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How far rows are apart, as numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two runs, or the two motions of one, of which one follows from the other by a symmetry.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that must be 0 in all their bits.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The closed forms that a criterion may name: each gives the error of a run against its formula.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the exact motion conserves: the largest change over the rows, over the sum of the sizes of the quantity's terms.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One function for each kind of criterion: the error, in the unit of the criterion. @throws NotJudged, ScenarioError
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the error of a fixed-step method depends on its step.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The runs behind a scenario's criteria: one of each scene, however many criteria ask for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the closed forms take of a judged scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motions near the vertical: what the linear equations say of them, exactly.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motions that elementary functions give.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers known from elsewhere.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small samples of the coverage of the bounds; the whole tables are made by earthtop-bound-coverage.
 #include <gtest/gtest.h>
 

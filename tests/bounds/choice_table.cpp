@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// earthtop-effect-choice [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]: over COUNT random scenes in each stratum (16 by
 /// default) how far the drift with effects "auto" is from that with everything on, against the accuracy asked for, and at what
 /// cost; as a Markdown table by accuracy.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--by-hand] [--scenes] [random-STRATUM-INDEX]: over COUNT random
 /// scenes in each stratum (46 by default) how often the true error is below the stated bound, as a Markdown table by stratum;
 /// with --by-hand of scenes whose method, tolerance, observer and form are chosen by hand, as a table by method; with --scenes

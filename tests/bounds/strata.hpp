@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random scenes in strata: every regime of tops and free bodies, latitudes with poles and equator, both matching rules, Earth
 /// rates from tiny to as fast as a top precesses, spins from 1 to 1e5 rad/s.
 #pragma once

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The pages of `earthtop report` in a real browser: they load without a complaint, do what they offer, show foreign
 text as text, print, and can be used without a mouse. Status 77 if there is no Chromium (or name one in $CHROMIUM).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A headless Chromium driven through the Chrome DevTools Protocol, with Python's standard library only.
 
 Browser starts and always kills the process; Page is one tab. Every wait has an end: Failure is raised there.

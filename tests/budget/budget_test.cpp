@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The effect budget against runs with and without each effect, and what "auto" takes.
 #include "earthtop/budget/budget.hpp"
 

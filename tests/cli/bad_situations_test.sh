@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What can go wrong around a run: texts, files, places to write to, signals, surroundings. Always the stated exit status, a
 # message that names the place, the old results as they were, and no temporary file left.
 # usage: bad_situations_test.sh PATH_OF_EARTHTOP

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # `earthtop bench` as a shell sees it: exit statuses, tables, files.
 # usage: bench_test.sh PATH_OF_EARTHTOP
 set -u

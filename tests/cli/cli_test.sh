@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The program as a shell sees it: exit statuses, what goes to which stream, what is left on disk.
 # usage: cli_test.sh PATH_OF_EARTHTOP
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # earthtop compare as its users call it, and the project's own regression suite: every shipped scenario, as it is run by
 # default, against references of another method in extended precision.
 #   tests/cli/compare_test.sh PATH-TO-EARTHTOP

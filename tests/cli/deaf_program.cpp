@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Work that never looks whether anybody asks it to stop: it computes, or after the twentieth of a second it waits.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the shell tests share; sourced with the program's path as $1. Leaves the shell in a new, empty directory, $work.
 tool=$(realpath "$1") || exit 1
 [ -x "$tool" ] || exit 1

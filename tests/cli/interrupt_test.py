@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """SIGINT, SIGTERM and SIGHUP end every verb, wherever it is, within 0.2 s of processor time, with status 128 + signal, and leave
 no half-written file.
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The manual: a page for the program and for every verb, in each everything that --help knows, and roff that warns of nothing.
 # usage: man_test.sh PATH_OF_EARTHTOP
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a terminal is told of the progress of run, explain, study, compare and verify: a share that never falls and ends at 100 %;
 where half of the processor time is used up, it says between a quarter and three quarters. Pipes, --quiet, --json and NO_COLOR
 are told nothing.

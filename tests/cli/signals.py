@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A program that is sent a signal when it has used so much processor time, and what it used after it.
 
 Processor time is read from the kernel's clock of the process; a loaded machine makes a test slower, not stricter. Signals are

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Studies as a shell sees them: exit statuses, resumption after kills, shards, processes, who holds a store.
 # usage: study_test.sh PATH_OF_EARTHTOP
 set -u

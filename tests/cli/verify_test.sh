@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # earthtop verify as a shell sees it.
 # usage: verify_test.sh PATH_OF_EARTHTOP
 set -u

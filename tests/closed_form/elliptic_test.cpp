@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Elliptic integrals and functions against GSL and Boost (double), against 50-digit Boost, and against their identities
 /// in every scalar.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// earthtop-closed-form-errors [COUNT] [REGIME ...]: the errors of the closed forms in double over COUNT random motions per
 /// regime (1000 by default), against 113 bits, as a Markdown table. A regime is named by any part of its name.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Errors of a closed form in double over random motions, measured against the same closed form at 113 bits.
 #pragma once
 

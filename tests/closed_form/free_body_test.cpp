@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The free body's closed form: double against 113 bits in every regime, 113 bits against an independent integration, and
 /// against the closed forms of its special cases.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random motions of the heavy symmetric top, by regime.
 #pragma once
 

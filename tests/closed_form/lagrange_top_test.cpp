@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The heavy symmetric top in closed form: against 113 bits in every regime, against an independent integration, against
 /// closed forms of its own and published values.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Motions in elementary functions against the equations of motion, and the passage to the turning laboratory against the
 /// equations with the Earth's rate.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The heavy symmetric top's plain equations of motion in the attitude and the angular momentum, for integration at 113 bits.
 #pragma once
 

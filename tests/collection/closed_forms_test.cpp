@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The closed forms behind headline figures, evaluated from the scenarios themselves: what a file states is what its formula
 /// gives, to the last digit stated.
 

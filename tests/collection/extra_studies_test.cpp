@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The shipped studies that take seconds meet their figures.
 #include "collection/study_figures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Every shipped scenario meets its headline figure, and would not if the program were wrong about the Earth.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The shipped scenarios as files: complete, in step with the values of tests/headlines and with the README's table.
 
 #include <gtest/gtest.h>

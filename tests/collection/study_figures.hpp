@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Shipped studies and whether what they compute meets their figures: a study's finding is not an opinion.
 #pragma once
 

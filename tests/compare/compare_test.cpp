@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What decides a verdict beside the numbers: the scenario, the tolerances, the cost, what is compared with what.
 #include "earthtop/compare/compare.hpp"
 

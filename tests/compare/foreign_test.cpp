@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Other programs' files: conventions undone by a mapping, rows at other times, studies.
 #include <gtest/gtest.h>
 

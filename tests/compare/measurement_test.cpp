@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A measured motion held against a scenario. The motions "measured" here are closed forms written down in this file, or values
 // of extended precision: none is made by the functions that are fitted to it.
 #include "earthtop/compare/measurement.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Mutations of a result, each with the verdict it must get.
 #include <gtest/gtest.h>
 

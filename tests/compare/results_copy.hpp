@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Results of a short run, copies of them with something changed, and how they are compared.
 #pragma once
 

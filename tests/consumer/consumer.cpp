@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a scenario, runs it for a tenth of a second and prints the drift.
 #include <cstdio>
 #include <earthtop/run.hpp>

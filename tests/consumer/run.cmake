@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs earthtop, moves the installation (nothing in it may remember where it was), builds the consumer against it and
 # runs it on an installed scenario.
 #   cmake -DBUILD_DIR=... -DSOURCE_DIR=... -DGENERATOR=... -DCXX=... -DBUILD_TYPE=... -P run.cmake

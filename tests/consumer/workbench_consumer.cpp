@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Computes a study of four points about the scenario given, in the directory given.
 #include <cstdio>
 #include <earthtop/study/run_study.hpp>

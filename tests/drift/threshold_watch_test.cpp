@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The search for the first passing on drifts that are formulas: a trend with one or two oscillations on it, looked at as
 /// seldom as steps of long methods do.
 #include "drift/threshold_watch.hpp"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # No digit depends on the processor through the C library's elementary functions: the library's objects call none of them, and the
 # program brings its own for the shared libraries that do. Nor does a fused product come in by vectorizing.
 #   symbols.sh LIBRARY... PROGRAM

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/frames/angle_spline.hpp"
 
 #include "earthtop/frames/prescribed_motion.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/frames/frame_stack.hpp"
 
 #include "frames/random_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random cases that are the same on every platform, and comparisons that can print every scalar.
 #pragma once
 

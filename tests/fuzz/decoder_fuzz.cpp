@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes at all into the decoder: it accepts or refuses, in words that can be shown, and what it accepts is a scenario
 // with a canonical form that is its own. Bytes 0x01, which stand in no JSON text, part the text from --set pairs.
 #include <algorithm>

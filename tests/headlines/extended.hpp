@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// 113-bit numbers, vectors and quaternions of the reference program. Nothing here is earthtop's: what is to check it must
 /// not share its mistakes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Reference values for the scenarios' headline figures, in 113-bit arithmetic, by a program that shares nothing with
 /// earthtop: the top in inertial axes (dL/dt = torque), extrapolation, and the drift by subtracting the two motions.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The columns of trajectory.csv, from two motions by plain subtraction: in 113 bits there are digits to spare.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The top in inertial axes: attitude and angular momentum about the pivot, dL/dt = torque, nothing else.
 #pragma once
 

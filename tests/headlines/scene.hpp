@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A scenario file as the reference program understands it: its own reading of the same keys, in 113 bits.
 #pragma once
 

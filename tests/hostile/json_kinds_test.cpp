@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // JSONTestSuite's kinds of text through the decoder: what is no JSON is refused wherever it stands, with place and remedy;
 // what is JSON may be a comment.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The texts of JSONTestSuite's kinds, written anew: tests/hostile/refused.txt, accepted.txt and either.txt.
 #pragma once
 

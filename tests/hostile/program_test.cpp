@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program against hostile texts, measured from outside: exit status 2, place and remedy on standard error, nothing on
 // standard output or on disk, under 2 s of processor time and 256 MiB each.
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The order conditions of the compositions, and the orders they are seen to have.
 #include "integrate/compositions.hpp"
 

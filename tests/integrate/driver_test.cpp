@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The loop around odeint's steppers: order of convergence, landing on output times, named outcomes instead of NaN or an
 /// endless loop, exact time.
 

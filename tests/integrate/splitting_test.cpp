@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Splitting and collocation on tops: errors that fall smoothly with the step, no resonance of step and nutation, no trend in
 /// what is conserved.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Taylor series: products of series, adaptive order and step, dense output, round-off that does not build up.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A batch is its runs: side by side where they fit, one by one where they do not.
 
 #include <gtest/gtest.h>

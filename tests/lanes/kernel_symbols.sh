@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The sources compiled for wider vectors define nothing that another source may share: of functions that several objects define,
 # the linker takes any one, and a program could run into instructions that its processor has not.
 #   kernel_symbols.sh OBJECT...

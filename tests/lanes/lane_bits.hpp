@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Trajectories from lanes, as the bits they are.
 #pragma once
 

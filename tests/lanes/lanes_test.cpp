@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Points side by side: each is what the scalar series makes of it, and its bits are its own.
 
 #include <gtest/gtest.h>

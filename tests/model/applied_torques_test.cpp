@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every applied torque against a formula of its own: sums over particles, hand formulas, the boundary layer's wall stress, and
 // the dynamics that a constraint has to leave.
 #include "earthtop/model/applied_torques.hpp"

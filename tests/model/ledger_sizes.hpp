@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The sizes of the products that a ledger's torques are made of: its round-off is measured by them.
 #pragma once
 

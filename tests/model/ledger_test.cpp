@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The ledger of one state: its two sides against each other, against sums over particles, and against known torques.
 
 #include "earthtop/model/ledger.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The difference that paired numbers carry along, against a subtraction in 113 bits.
 #include "earthtop/model/paired.hpp"
 

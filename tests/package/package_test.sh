@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian packages as their users meet them: built, judged by lintian, installed, used from outside the source tree, removed.
 #   tests/package/package_test.sh [BUILD]     BUILD: a release build to package, see tools/package.sh
 # Installing takes root. Without it the packages are built and judged only.

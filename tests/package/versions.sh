@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The version is written once, in project() of the top CMakeLists.txt. All else that names one must agree with it: what a build has made
 # of it, and the two files that people write by hand, whose newest release and its date are these.
 #   tests/package/versions.sh BUILD VERSION PROGRAM

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// [F]'s theorem: the torques of a rotating observer, added to the physical ones, give the same motion as Euler's equation.
 
 #include "earthtop/frames/frame_stack.hpp"

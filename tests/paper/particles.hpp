@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random sets of point masses, with the sums that [F] = Fariborz, "Non-inertial torques and the Euler equation", starts
 /// from. Nothing here uses the tensor forms under test.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The torques of [F] in tensor form against sums over particles, equation by equation.
 
 #include "earthtop/model/torques.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Report pages without a browser: what is in them, and what must not be. (tests/browser opens them in one.)
 #include "earthtop/report/report.hpp"
 

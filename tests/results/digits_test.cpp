@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Numbers of extended precision in decimal, against values from exact rational arithmetic.
 #include "results/digits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that change together: whatever happens in between, the old ones or the new ones, and nothing beside them.
 #include "results/file_set.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/results/headline.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A run's result that no integration made: known numbers for what reads and writes results.
 #pragma once
 

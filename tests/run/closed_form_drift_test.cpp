@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// `closed_form` as a method of a run: against integrations in other equations, at every size of the Earth's rate, and against
 /// what can be said without either.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts where friction or a constraint has a say: neighbouring motions converge there, or a brake makes them part.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs with applied torques: three observers, more bits, an Earth that does not turn or hardly turns, the ledger.
 #include <gtest/gtest.h>
 

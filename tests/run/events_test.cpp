@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// When the drift first passes a threshold, and when dry friction stops a motion: against closed forms, and against
 /// integrations by another method in more digits, of which the times before and after are asked. Every time within its bound,
 /// and no bound larger than the error of the drift makes it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Over a million steps round-off walks at random and goes nowhere, with three different moments of inertia, too.
 #include <gtest/gtest.h>
 

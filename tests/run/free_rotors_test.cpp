@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Bodies without a torque, seen from the laboratory that turns under them: the tumbling brick of NASA/NESC (T9) and the
 /// rotors of Drake and of van Zon and Schofield (T10). Three derivations stand behind the rotors: the library's closed form,
 /// that by Euler's angles below, and the reference program of tests/headlines, which integrates the same scenes in 113 bits.

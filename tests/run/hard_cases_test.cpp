@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Hard cases in all four forms of the equations and at their edges; the rest of them are scenarios/hard, which `earthtop
 /// verify` judges.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The ledger of a run: at round-off in every shipped scene, and its dL'/dt against the integrated motion itself.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The long-horizon method against integrations that share nothing with it, published digits, and itself at other rates.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Every method tells the same drift: each run within its stated bound of a run by another method.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One motion integrated by itself is the rotating motion of a run.
 #include "earthtop/integrate/motion_integration.hpp"
 #include "scenario/problem.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The precision switch: digits that unrelated methods and observers agree on, bounds that hold from one precision to the next,
 /// residuals of the scalar's own size, exact zeros.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Published and extended-precision values in all four forms of the equations, at default settings: benchmarks T1 and T7, and
 /// the drift of a heavy top (T11). The rest of them are scenarios/hard, which `earthtop verify` judges. The numbers come from
 /// independent 113-bit Taylor integrations or closed forms; each is given to all printed digits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The symmetric top without its spin: where it is taken, and that it tells what the general model tells.
 #include "earthtop/model/reduced_top.hpp"
 

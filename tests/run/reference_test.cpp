@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The drift at default settings against 113-bit arithmetic in another observer's equations, and what its bound is worth.
 
 #include <gtest/gtest.h>

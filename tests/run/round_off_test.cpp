@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Over a million steps round-off walks at random and goes nowhere.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs with applied torques, against closed forms of their motions: a gyrocompass, and tops that run down.
 #include <gtest/gtest.h>
 

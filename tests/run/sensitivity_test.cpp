@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The drift's derivatives by the inputs, against differences of 113-bit runs whose input was moved.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Shipped scenarios from release to end against 113-bit arithmetic: minutes each.
 
 #include <gtest/gtest.h>

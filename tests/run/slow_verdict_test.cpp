@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts on gyrocompasses as they are, on the Earth as it is: twenty periods, minutes of computing each.
 #include <gtest/gtest.h>
 

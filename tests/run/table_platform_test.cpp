@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Runs on a platform that follows a table, against the same turns by formula and against 113-bit arithmetic.
 
 #include <gtest/gtest.h>

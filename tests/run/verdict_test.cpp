@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run says of its drift's worth, on motions of known stability.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Who watches some work sees a share that never falls, and may stop a run on its way: what is kept of it then.
 #include "earthtop/watch.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A platform's table of angles: the text, the file, and what is refused of both.
 #include "scenario/angle_table.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Effects that a scene cannot have, or not together: refused where they stand, with what to do.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Warnings: what looks like a mistake of unit is named, and nothing sensible is.
 #include <gtest/gtest.h>
 

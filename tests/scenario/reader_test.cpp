@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The text: syntax, encoding, numbers, duplicates, depth, and the processor time that hostile texts cost.
 #include "scenario/reader.hpp"
 

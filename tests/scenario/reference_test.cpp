@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is generated from the table of fields: annotated scenarios, the Markdown table, the pointers for --set.
 #include "earthtop/scenario/reference.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rules that involve more than one key, and the defaults.
 #include <random>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Schema and decoder give the same verdict: on the shipped scenarios, on others that between them use every key, and on
 hundreds of mutants of keys, types, words and ranges. What a schema cannot say is listed below; there only the decoder refuses.
 

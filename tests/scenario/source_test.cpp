@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading files, --set, output times and the canonical form.
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of fields: unknown keys, types, ranges, words, and what is not available.
 #include <cmath>
 

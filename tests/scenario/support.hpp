@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A valid scenario to spoil, and what is found in the spoiled one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Scenes with torques beside gravity and the Earth's.
 #pragma once
 

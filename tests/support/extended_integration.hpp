@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// An independent truth for closed forms: the plain equations of motion, integrated by extrapolation in any scalar.
 #pragma once
 

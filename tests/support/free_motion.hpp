@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The free body's plain equations of motion, integrated.
 #pragma once
 

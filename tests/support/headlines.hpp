@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the reference program of tests/headlines printed: the columns of trajectory.csv at one time of each scene.
 #pragma once
 

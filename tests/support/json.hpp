@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON in the tests. Reading, writing and printing it are compiled once, in json.cpp: every source that does it by itself
 /// takes two seconds more to compile.
 #pragma once

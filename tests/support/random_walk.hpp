@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Whether round-off walks at random: the Jacobi integral along a motion integrated by Taylor series in the general model.
 #pragma once
 

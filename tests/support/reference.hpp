@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The tests' reference: the same scene in 113-bit arithmetic, in an observer's equations of the caller's choice and by a
 /// method unrelated to that of the rows.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Scenes for the tests, made in code; random ones are stratified over bodies, latitudes, matching rules and Earth rates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a run's drift and bound must be worth, against 113-bit arithmetic in another observer's equations.
 #pragma once
 

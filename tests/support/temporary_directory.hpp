@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A new, empty directory that is gone with the object.
 #pragma once
 

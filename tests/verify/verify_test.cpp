@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Criteria judge: what is right passes, and for each kind what is wrong fails.
 #include "earthtop/verify/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Whether runs take the work that was promised of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What runs are promised to take, over many scenes of every kind.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Random scenes in which each effect, method and precision decides how much work a run is, from gentle to stiff.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run is promised to take, and where one stops that takes far more.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Time of one evaluation of a closed form, and of its construction with one evaluation.
 
 #include <benchmark/benchmark.h>

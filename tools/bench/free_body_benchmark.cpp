@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Time of one evaluation of the free body's closed form, and of its construction.
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Points a second on one core: a batch of toy tops in SIMD lanes against the scalar series and against odeint, taken in turns
 /// in one program, each with its largest error against long double. Markdown.
 ///

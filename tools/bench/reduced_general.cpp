@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The symmetric top without its spin against the general model, over the shipped scenarios that are symmetric tops, as
 /// Markdown: what each costs, and how far each is from the certified reference.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Error against step of the compositions, the step swept by 1 %: a resonance of step and nutation would stand out as a spike.
 /// An SVG on standard output, and the largest error over the power law around it on standard error.
 ///

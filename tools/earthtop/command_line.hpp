@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What can be said on the command line: verbs and their options, each described once. Reading a command line, --help, the
 /// completion of shells and the manual all take it from here.
 #pragma once

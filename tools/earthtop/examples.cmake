@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, a C++ source whose FUNCTION holds the scenario files of DIRECTORY as literals.
 file(GLOB files ${DIRECTORY}/*.json)
 list(SORT files)

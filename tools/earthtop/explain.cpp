@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // earthtop explain: the effect budget of a scenario.
 #include <fmt/core.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// JSON that the program puts together or looks into, without the library for it: that takes a second to compile.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The elementary functions under the C library's names, for the libraries that the program is linked with.
 ///
 /// ERFA (the Moon's, the Sun's and the pole's place), GeographicLib (gravity at the site), GSL and SUNDIALS call the C

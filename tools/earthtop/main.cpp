@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The earthtop program: reads the command line and hands over to a verb.
 #include <algorithm>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The manual's pages, in roff with the macros of man(7), from the same tables as --help.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What `earthtop compare` prints of a measurement.
 #pragma once
 

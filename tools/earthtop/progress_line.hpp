@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Progress on a terminal: a line that is written over itself.
 #pragma once
 

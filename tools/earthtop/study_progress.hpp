@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How far a study is, for a terminal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The verbs, one file each: a verb says what can be said of it on the command line, and what is done when it is given.
 #pragma once
 

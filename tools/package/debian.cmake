@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages, by CPack: `earthtop` of the component `program`, `libearthtop-dev` of `development`. tools/package.sh makes them.
 
 set(CPACK_GENERATOR DEB)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The component `development`: static libraries, headers, and what CMake and pkg-config find them by.
 include(CMakePackageConfigHelpers)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the installed static libraries hand on to whoever links them, under its names in pkg-config and in Debian.
 
 # A target or library as CMake links it | its module of pkg-config, or flags for the linker | the Debian package to develop with it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The component `program`: the program, what it prints about itself (man pages, completions, schemas), scenarios and studies.
 install(TARGETS earthtop-tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/earthtop COMPONENT program)

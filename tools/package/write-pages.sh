@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Writes what the program prints about itself to DIR: man/man1/*.1.gz, earthtop.bash, .zsh and .fish, schema/*.json.
 #   tools/package/write-pages.sh DIR PROGRAM...
 set -euo pipefail

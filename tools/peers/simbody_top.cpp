@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two of earthtop's scenarios by another multibody program, Simbody 3.7: a worked example of another simulator's output.
 // Ground does not rotate. A laboratory turns on it steadily about the Earth's axis through the pivot and carries the top on
 // a ball joint: what the Earth does to the top comes from Simbody's own kinematics; no non-inertial torque is written here.

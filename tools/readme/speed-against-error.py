@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes README's tables and pictures of speed against error by `earthtop bench`: of the drift, and of one motion.
 
     tools/readme/speed-against-error.py [EARTHTOP]      the program; default: build/bench/tools/earthtop/earthtop

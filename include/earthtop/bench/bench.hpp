@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Speed against error: methods, tolerances and precisions on one scenario, timed side by side, their errors taken against a
 /// certified reference.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a bench report says: the Pareto front, the cost at equal error, and the documents made of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Integrators of other libraries, as far as they are compiled in: what a motion costs without earthtop's own methods.
 ///
 /// Each integrates the seven variables of any body in its own axes (Euler's equation, the rotation of q / |q|), the same

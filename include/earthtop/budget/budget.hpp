@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The effect budget: what every effect does to a scene, to first order, whether the scene models it or not; and how well the
 /// inputs must be known for the Earth's effect to be seen.
 #pragma once

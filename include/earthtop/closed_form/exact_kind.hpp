@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which closed form the whole motion of a model has.
 #pragma once
 

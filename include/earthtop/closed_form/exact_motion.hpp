@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Which models have their whole motion in closed form, and that motion in inertial axes: the free body and the heavy
 /// symmetric top, one interface over both.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The free rigid body (Euler-Poinsot): a body without torque about its pivot, attitude included.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The heavy symmetric top about a fixed pivot without Earth rotation (Lagrange's case), in closed form.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Motions that elementary functions give: steady precession, the two separatrices, the exact passage to the laboratory that
 /// turns with the Earth, and what follows for gyroscopes, sleeping tops and pendulums.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a closed form gives at an instant, and the symmetric top it is given for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What moved between two results: physical measures of their difference, each held against a tolerance that says where it
 /// comes from.
 #pragma once

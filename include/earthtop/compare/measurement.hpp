@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A measured motion held against a scenario: residuals, chi-squared, and what the measurement says of the scenario's numbers.
 ///
 /// The prediction is one integration in double at the measured times, good to some 1e-11 rad; that error is small against any

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The deviation of the rotating motion from the non-rotating prediction, integrated itself (Encke's idea) beside the two
 /// motions: no two nearly equal trajectories are ever subtracted. One form for each observer, derived apart:
 ///

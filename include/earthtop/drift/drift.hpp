@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The drift: how far the motion on the rotating Earth departs from the non-rotating prediction, measured without
 /// cancellation, and its summary over a run.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Integrates the rotating motion, the non-rotating prediction and the deviation between them, side by side, in one
 /// observer's variables, each from release to end.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Many drifts side by side: Taylor series of symmetric tops without their spin, or of any body, a point in each lane of the
 /// processor's vectors.
 ///

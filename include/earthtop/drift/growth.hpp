@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How fast the smallest disturbance of a motion grows: its variational equations, integrated beside it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How the drift changes with the inputs: its derivatives, from the variational equations of the reference motion and of the
 /// deviation, both differentiated exactly (jets) and integrated beside them.
 #pragma once

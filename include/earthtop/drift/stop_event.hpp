@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// When dry friction brings a motion to rest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// When the axis drift first passes a threshold: what an integration finds out about it on its way.
 #pragma once
 

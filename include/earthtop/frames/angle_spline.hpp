@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A turn that a table gives: the not-a-knot cubic spline through angles at times.
 #pragma once
 

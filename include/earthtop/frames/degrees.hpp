@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Sine and cosine of an angle in degrees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Earth in laboratory axes: gravity, and the direction of its rotation axis.
 #pragma once
 

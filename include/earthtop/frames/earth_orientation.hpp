@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where the Earth's rotation axis lies in the laboratory when the pole is not at the z axis of the Earth-fixed frame and the
 /// plumb line is not the ellipsoid's normal; how its rate and its direction change.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The layered frame stack: an ordered list of frames, each moving relative to its parent, composed to attitudes, angular
 /// velocities and angular accelerations between any two of them, in the axes of any third.
 #pragma once

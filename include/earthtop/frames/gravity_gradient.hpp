@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How gravitation changes over the size of a body: the gradient tensor at the site.
 #pragma once
 

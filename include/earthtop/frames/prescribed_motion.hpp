@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A prescribed turn about a fixed axis: the motion of a platform, of the Earth, or of any layer of a frame stack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Rotations: quaternions for the states, `Rotation` for everything that composes frames.
 ///
 /// R_AB takes components in B to components in A: v_A = R_AB v_B, and R_AC = R_AB R_BC.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The laboratory's place on the Earth as a scenario gives it, and the Earth's constants with their sources.
 #pragma once
 

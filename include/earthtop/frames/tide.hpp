@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The attraction of the Moon and the Sun at the site, less that on the Earth as a whole.
 #pragma once
 

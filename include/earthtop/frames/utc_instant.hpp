@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// An instant of civil time, for what depends on where the Moon and the Sun stand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The vector instructions that points side by side may be integrated with. All give the same bits.
 #pragma once
 

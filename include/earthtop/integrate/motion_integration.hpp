@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Integrates one motion on the rotating Earth by itself, without a reference or a deviation: what a simulator does that
 /// knows of no drift. For comparisons of methods and of models.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Many motions of symmetric tops side by side: `integrate_motion`'s Taylor series of the reduced form, a point in each lane
 /// of the processor's vectors.
 ///

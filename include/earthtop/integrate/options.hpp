@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How to integrate: the observer, the method and its tolerances.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How much work an integration takes, before any of it is done: from how far the scene's motion turns, how fast friction
 /// damps it, and what a step of each method covers. Counted in steps and evaluations of the right-hand side, so that every
 /// machine finds the same.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The applied torques on a motion in the laboratory, and on both predictions at once.
 #pragma once
 

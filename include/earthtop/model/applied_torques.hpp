@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The torques beside gravity and the Earth's: gravity gradient, friction, air, and a gimbal that holds the axis level. Each is
 /// off unless a scene asks for it. Every formula is a template on its scalar: with T it is the torque on one motion, with
 /// Paired<T> those on both predictions and their difference without cancellation. All in body axes B, about the pivot (N m).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The torques beside gravity and the Earth's as a scenario gives them; their formulas are in applied_torques.hpp.
 #pragma once
 

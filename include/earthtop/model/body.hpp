@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The top as a rigid body on a fixed pivot: mass, centre of mass and inertia, given or built from solids, and the rules
 /// that make it physical.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The top as a scenario gives it: mass, centre of mass and inertia, or solids that they follow from.
 #pragma once
 

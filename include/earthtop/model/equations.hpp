@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The equations of motion in three observers' own variables. The non-rotating prediction is the same equations without
 /// the Earth's rate (`kEarth` false, or no non-inertial torque).
 ///

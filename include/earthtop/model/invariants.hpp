@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What the exact motion on a uniformly rotating Earth conserves. Energy is not among it.
 #pragma once
 

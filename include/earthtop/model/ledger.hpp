@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The torque ledger: every torque that an observer counts, beside the change of the angular momentum that it sees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The torque ledger as a result keeps it: whose torques, and one row an instant.
 #pragma once
 

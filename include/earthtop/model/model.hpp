@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The spinning top in its laboratory, as numbers the equations of motion read: nothing here is looked up or decided twice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A number in both predictions at once: its value in the non-rotating reference, its value in the rotating motion, and their
 /// difference over epsilon (see Model), which arithmetic carries along without ever subtracting the two. A formula written for
 /// any scalar gives, with this one, its own cancellation-free difference. With both values equal it is the formula's derivative

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A platform (turntable, ship, rate table) that carries the pivot round in the laboratory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The symmetric top without its spin: axis n and transverse rate u, the part across the axis of the inertial angular velocity,
 /// in axes A (laboratory or inertial), and a frame carried along n that has no inertial rate along it. With the rate
 /// b = I3 w3 / I1, at which a free top nutates and which is constant and exact, because the inertial spin w3 is:

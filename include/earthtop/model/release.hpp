@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// How the top is released: attitude and rates in the laboratory, turned into initial conditions.
 #pragma once
 

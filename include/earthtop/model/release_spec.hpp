@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A release as a scenario gives it: attitude and rates in the laboratory.
 #pragma once
 

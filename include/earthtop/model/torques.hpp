@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The non-inertial torques of [F] = Fariborz, "Non-inertial torques and the Euler equation", in his tensor form, for any
 /// observing frame A whose origin is the pivot, and the physical torque of a uniform field.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Line plots as SVG: panels under one another that share x. Self-contained (no scripts, fonts or links), and the same
 /// figure gives the same bytes.
 #pragma once

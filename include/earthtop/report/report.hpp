@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// One self-contained HTML page of a run, a study, a comparison or a bench: for eyes, offline, and for paper.
 #pragma once
 

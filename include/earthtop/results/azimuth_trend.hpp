@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where a trend of the azimuth drift means something.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A scenario's headline figure, known from elsewhere, held against the computed one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Where a result comes from: the program and its build, the libraries, the constants, the identity of the scenario.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The result files of a run: trajectory.csv, torques.csv where a ledger was asked for, drift.svg, timing.json, summary.json.
 #pragma once
 

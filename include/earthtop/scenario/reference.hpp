@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What a scenario may say, for editors, manuals and shells: generated from the table of fields that the decoder reads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A scenario: everything a run needs, typed, with every default resolved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A study on many machines: processes started together by mpirun, of which the first hands out the points.
 #pragma once
 

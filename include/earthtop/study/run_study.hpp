@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Computes a study: points to workers, results into the store, whatever interrupts it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A parameter study: a base scenario, axes along which its keys change, a design that chooses points, quantities to collect.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// A scenario's criteria, judged: each is knowledge that owes nothing to the run it is held against.
 #pragma once
 

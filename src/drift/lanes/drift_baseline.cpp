@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #define EARTHTOP_LANE_WIDTH 2
 #include "drift/lanes/drift_kernels.ipp"
 #include "drift/lanes/general_drift_kernels.ipp"

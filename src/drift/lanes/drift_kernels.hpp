@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The kernels of a symmetric top's reference and deviation without its spin, and what they read.
 #pragma once
 

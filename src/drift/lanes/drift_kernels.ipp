@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The series of a symmetric top's reference and deviation (reduced_drift_system.hpp), for points side by side, with as few
 /// products as the equations leave:
 ///

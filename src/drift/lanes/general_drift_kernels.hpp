@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The kernels of any body's reference and deviation in body axes, and what they read.
 #pragma once
 

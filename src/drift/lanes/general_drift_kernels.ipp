@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The series of any body's reference and deviation in body axes, for points side by side:
 ///
 ///   dq/dt = q w_ref / 2 ,  Theta dw_ref/dt = (Theta w_ref) x w_ref + m r x g_B

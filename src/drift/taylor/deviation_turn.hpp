@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The turn of a deviation quaternion e = (w, epsilon y) as a series: (R(e)^T - 1) / epsilon.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor series of any body's reference and deviation in body axes (drift_system.hpp), a plain scene.
 #pragma once
 

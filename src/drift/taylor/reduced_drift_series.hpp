@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor series of a symmetric top's reference and deviation without its spin (reduced_drift_system.hpp), in laboratory
 /// axes: all of it quadratic but for the turn of the deviation, whose coefficients are found first.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// What passes between the scheduler of a batch and the kernels that advance eight points side by side: plain numbers, and
 /// nothing that has code of its own. The kernels are compiled for several instruction sets; a function that such a source
 /// shared with others could end up in the program compiled for a processor that is not there.

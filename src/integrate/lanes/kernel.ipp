@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor stepper (taylor_stepper.hpp) for points side by side. Included by sources that are compiled for one instruction
 /// set each: all of it is local to the source, and nothing of the standard library or of Eigen is used.
 ///

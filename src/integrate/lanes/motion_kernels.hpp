@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The kernels of one symmetric top's motion without its spin, in laboratory axes, and what they read.
 #pragma once
 

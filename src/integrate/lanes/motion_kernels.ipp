@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The series of reduced_motion_series.hpp, for points side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Takes many points through a kernel, eight at a time: each lane has its own clock, step and rows, and takes the next point as
 /// soon as its own is done. What a lane does is what the driver's `run_dense` does with a stepper of its own; lanes share the
 /// order of the series and the tolerance, and nothing else.

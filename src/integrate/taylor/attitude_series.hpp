@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The products that an attitude takes part in: its own rate, and vectors of the laboratory seen from the body.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor series of any body's motion in body axes (equations.hpp), a plain scene.
 #pragma once
 

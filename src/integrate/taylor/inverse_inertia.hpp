@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Theta^-1 times a vector: by division where the body axes are principal axes. The rounding of an inverse, the same at every
 /// step, would add up to a phase.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrate/taylor/products.hpp"
 
 // One binary for every processor: the loop is compiled for the wider vectors too and chosen when the program starts. No

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Products of power series, many at a time: what a quadratic system costs to expand.
 ///
 /// The coefficient of order k of a product is sum_j left_j right_(k-j). Each product is a lane; lanes stand side by side, so

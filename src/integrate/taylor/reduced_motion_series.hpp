@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor series of a symmetric top's motion without its spin (reduced_top.hpp): two cross products an order.
 #pragma once
 

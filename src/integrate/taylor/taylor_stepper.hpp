@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /// Taylor series of adaptive order and step, on odeint's dense-output-stepper concept: the series of the step is its dense
 /// output, as accurate between the ends as at them.
 ///

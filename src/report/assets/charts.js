@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The values under the pointer on the static charts, and the explorer of a study.
 
 function startCharts(charts) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all parts share, and the start of every part that the page has. Functions are hoisted over the joined files, so
 // the others can use these.
 

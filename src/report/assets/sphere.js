@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors, the camera, tracks of the axis over time, the unit sphere. Laboratory axes throughout: East, North, Up.
 
 const kRadian = Math.PI / 180;

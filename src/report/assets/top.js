@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The animated top, the prediction's axis as its ghost, and the vectors that act. The unit of length is the stem.
 
 const kDisc = { height: 0.58, radius: 0.4, thickness: 0.09 };
