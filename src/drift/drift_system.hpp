@@ -44,6 +44,22 @@ void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
 
 }  // namespace drift_state
 
+/// The shape of a state: the reference's attitude and rate, the deviation, and where it is integrated the rotating motion.
+template <RotatingMotion R>
+struct DriftShape {
+  static constexpr std::size_t kSize = R == RotatingMotion::integrated ? 21 : 14;
+  /// Attitudes and rates against their own size. The deviation is one group: where one part of it vanishes (as the rates' does
+  /// at a pole) its round-off is that of the other part. It starts from zero, so its scale has a floor.
+  static constexpr auto groups() {
+    constexpr std::array<ComponentGroup, 6> all{
+        {{0, 4, 1.0}, {4, 3, 1e-3}, {7, 1, 1.0}, {8, 6, 1e-5}, {14, 4, 1.0}, {18, 3, 1e-3}}};
+    if constexpr (R == RotatingMotion::integrated)
+      return all;
+    else
+      return std::array<ComponentGroup, 4>{all[0], all[1], all[2], all[3]};
+  }
+};
+
 /// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
@@ -53,20 +69,10 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
   static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
   static constexpr bool kBoundOnly = !kIntegrated;  ///< made for the second integration of a run, and for the series
-  static constexpr std::size_t kSize = kIntegrated ? 21 : 14;
+  using Shape = DriftShape<R>;
+  static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
   explicit DriftSystem(const Model<T>& model) : model_(model) {}
-
-  /// Attitudes and rates against their own size. The deviation is one group: where one part of it vanishes (as the rates' does
-  /// at a pole) its round-off is that of the other part. It starts from zero, so its scale has a floor.
-  static constexpr auto groups() {
-    constexpr std::array<ComponentGroup, 6> all{
-        {{0, 4, 1.0}, {4, 3, 1e-3}, {7, 1, 1.0}, {8, 6, 1e-5}, {14, 4, 1.0}, {18, 3, 1e-3}}};
-    if constexpr (kIntegrated)
-      return all;
-    else
-      return std::array<ComponentGroup, 4>{all[0], all[1], all[2], all[3]};
-  }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     using namespace drift_state;

@@ -13,10 +13,11 @@
 
 #include "drift/threshold_watch.hpp"
 #include "integrate/extrapolation.hpp"
+#include "integrate/right_hand_side.hpp"
 
 namespace earthtop {
 
-/// @tparam System  x, dxdt, t -> void, with kSize, groups() and deviation_state(x, t)
+/// @tparam System  x, dxdt, t -> void, with the `Shape` of its states and deviation_state(x, t)
 template <class T, class System>
 class FlowSearch {
  public:
@@ -62,10 +63,11 @@ class FlowSearch {
   /// From `begin_` to t. Where the equations allow no step, which the integration's own has just shown to be unlikely, the
   /// search is told.
   void advance(T t) {
-    GroupScales<T, System> scales;
+    GroupScales<T, typename System::Shape> scales;
     scales.include(begin_), scales.include(x_);
-    Extrapolation<T, System> stepper(tolerance(), scales);
-    const auto equations = [this](const State& x, State& dxdt, T at) { (*equations_)(x, dxdt, at); };
+    Extrapolation<T, typename System::Shape> stepper(tolerance(), scales);
+    std::int64_t evaluations = 0;  // nobody counts these
+    const RightHandSide<T, System::kSize> equations(*equations_, evaluations);
     constexpr int kMostSteps = 1000;
     T left = t - begin_t_, proposed = left, gone = T(0);
     for (int i = 0; i < kMostSteps && left > T(0); ++i) {

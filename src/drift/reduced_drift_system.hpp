@@ -24,13 +24,22 @@
 
 namespace earthtop {
 
+/// The shape of a state: the reference's axis, transverse rate and frame vector, and the deviation.
+struct ReducedDriftShape {
+  static constexpr std::size_t kSize = 16;
+  static constexpr auto groups() {
+    return std::array<ComponentGroup, 5>{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}, {9, 1, 1.0}, {10, 6, 1e-5}}};
+  }
+};
+
 /// @tparam O  laboratory axes, or inertial ones, in which gravity turns
 template <class T, Observer O>
 class ReducedDriftSystem
     : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedDriftSeries<T>>, WithoutSeries> {
  public:
   static_assert(O != Observer::body);
-  static constexpr std::size_t kSize = 16;
+  using Shape = ReducedDriftShape;
+  static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
 
   ReducedDriftSystem(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
@@ -40,10 +49,6 @@ class ReducedDriftSystem
         release_(release),
         constants_(top_, w_XB_B_[top_.axis], initial_rate_deviation_B()[top_.axis], model.epsilon),
         frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
-
-  static constexpr auto groups() {
-    return std::array<ComponentGroup, 5>{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}, {9, 1, 1.0}, {10, 6, 1e-5}}};
-  }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     const AxisMotion<T> reference = load_reference(x);

@@ -18,13 +18,14 @@
 
 namespace earthtop {
 
-template <class System>
+/// @tparam Shape  of the state, see GroupScales
+template <class Shape>
 class Dop853Stepper {
  public:
-  static constexpr std::size_t N = System::kSize;
+  static constexpr std::size_t N = Shape::kSize;
   using State = std::array<double, N>;
 
-  Dop853Stepper(double relative_tolerance, const GroupScales<double, System>& scales)
+  Dop853Stepper(double relative_tolerance, const GroupScales<double, Shape>& scales)
       : tolerance_(relative_tolerance), scales_(&scales) {}
 
   void initialize(const State& x, double t, double dt) {
@@ -159,7 +160,7 @@ class Dop853Stepper {
   }
 
   double tolerance_;
-  const GroupScales<double, System>* scales_;
+  const GroupScales<double, Shape>* scales_;
   State x_, before_, carry_;
   double t_ = 0, t_before_ = 0, t_carry_ = 0;
   double dt_ = 0, taken_ = 0;

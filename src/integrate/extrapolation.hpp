@@ -16,14 +16,15 @@
 
 namespace earthtop {
 
-template <class T, class System>
+/// @tparam Shape  of the state, see GroupScales
+template <class T, class Shape>
 class Extrapolation {
  public:
-  static constexpr std::size_t N = System::kSize;
+  static constexpr std::size_t N = Shape::kSize;
   using State = std::array<T, N>;
   static constexpr int kColumns = 16;  ///< order 32 at most
 
-  Extrapolation(T relative_tolerance, const GroupScales<T, System>& scales)
+  Extrapolation(T relative_tolerance, const GroupScales<T, Shape>& scales)
       : tolerance_(relative_tolerance), scales_(&scales), limit_(least_column()) {
     // High columns take the result from differences of large terms: none whose round-off would pass for an error.
     const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
@@ -156,7 +157,7 @@ class Extrapolation {
   }
 
   T tolerance_;
-  const GroupScales<T, System>* scales_;
+  const GroupScales<T, Shape>* scales_;
   int limit_;
   int target_ = 0;
   Proposal proposed_;

@@ -14,13 +14,14 @@
 
 namespace earthtop {
 
-template <class System>
+/// @tparam Shape  of the state, see GroupScales
+template <class Shape>
 class GaussStepper {
  public:
-  static constexpr std::size_t N = System::kSize;
+  static constexpr std::size_t N = Shape::kSize;
   static constexpr std::size_t S = 6;
   using State = std::array<double, N>;
-  explicit GaussStepper(const GroupScales<double, System>& scales) : scales_(&scales) {}
+  explicit GaussStepper(const GroupScales<double, Shape>& scales) : scales_(&scales) {}
 
   /// @returns whether the iteration has come to rest; x is not changed if not
   template <class RightHandSide>
@@ -95,7 +96,7 @@ class GaussStepper {
   }
 
   const GaussTables<S>& tables_ = gauss_tables<S>();
-  const GroupScales<double, System>* scales_;
+  const GroupScales<double, Shape>* scales_;
   std::array<State, S> slope_;
   State carry_{};
   bool known_ = false;

@@ -35,12 +35,13 @@ bool all_finite(const std::array<T, N>& x) {
   return true;
 }
 
-/// The largest size each group has had, squared. The groups are the system's and known at compile time: no loop is left.
-template <class T, class System>
+/// The largest size each group has had, squared. The groups are known at compile time: no loop is left.
+/// @tparam Shape  of a state: `kSize` components, and their `groups()`
+template <class T, class Shape>
 class GroupScales {
  public:
-  using State = std::array<T, System::kSize>;
-  static constexpr auto kGroups = System::groups();
+  using State = std::array<T, Shape::kSize>;
+  static constexpr auto kGroups = Shape::groups();
 
   GroupScales() {
     for (std::size_t g = 0; g < kGroups.size(); ++g) squares_[g] = T(kGroups[g].least_scale) * T(kGroups[g].least_scale);
@@ -81,10 +82,10 @@ class GroupScales {
 };
 
 /// odeint ErrorChecker.
-template <class T, class System, class Algebra>
+template <class T, class Shape, class Algebra>
 class GroupErrorChecker {
  public:
-  GroupErrorChecker(T relative_tolerance, const GroupScales<T, System>& scales)
+  GroupErrorChecker(T relative_tolerance, const GroupScales<T, Shape>& scales)
       : tolerance_(relative_tolerance), scales_(&scales) {}
 
   template <class State, class Deriv, class Err, class Time>
@@ -94,7 +95,7 @@ class GroupErrorChecker {
 
  private:
   T tolerance_;
-  const GroupScales<T, System>* scales_;
+  const GroupScales<T, Shape>* scales_;
 };
 
 /// odeint StepAdjuster for every scalar: the factor is found in double.

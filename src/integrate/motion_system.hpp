@@ -33,16 +33,21 @@ struct WithSeries {
 };
 struct WithoutSeries {};
 
+/// The shape of a state: attitude and rate.
+struct GeneralMotionShape {
+  static constexpr std::size_t kSize = 7;
+  static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 4, 1.0}, {4, 3, 1e-3}}}; }
+};
+
 /// State: q (4), then the observer's rate variable (3).
 template <class T, Observer O, SceneKind K>
 class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain,
                                                       WithSeries<GeneralMotionSeries<T>>, WithoutSeries> {
  public:
-  static constexpr std::size_t kSize = 7;
+  using Shape = GeneralMotionShape;
+  static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
   explicit GeneralMotionSystem(const MotionProblem<T>& problem) : problem_(problem), model_(problem.model) {}
-
-  static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 4, 1.0}, {4, 3, 1e-3}}}; }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     const Motion<T> motion = load(x);
@@ -126,6 +131,19 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
   const Model<T>& model_;
 };
 
+/// The shape of a state: axis and transverse rate, and the frame vector where the attitude is sought.
+template <MotionSought S>
+struct ReducedMotionShape {
+  static constexpr std::size_t kSize = S == MotionSought::attitude ? 9 : 6;
+  static constexpr auto groups() {
+    constexpr std::array<ComponentGroup, 3> all{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}}};
+    if constexpr (S == MotionSought::attitude)
+      return all;
+    else
+      return std::array<ComponentGroup, 2>{all[0], all[1]};
+  }
+};
+
 /// State: axis n (3), transverse rate u (3), and where the attitude is sought the frame vector a (3); in laboratory axes,
 /// or in inertial ones.
 template <class T, Observer O, MotionSought S>
@@ -135,7 +153,8 @@ class ReducedMotionSystem
   static_assert(O != Observer::body);
   static constexpr bool kAttitude = S == MotionSought::attitude;
   static constexpr bool kWatched = kAttitude;
-  static constexpr std::size_t kSize = kAttitude ? 9 : 6;
+  using Shape = ReducedMotionShape<S>;
+  static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
   explicit ReducedMotionSystem(const MotionProblem<T>& problem)
       : model_(problem.model),
@@ -148,14 +167,6 @@ class ReducedMotionSystem
         gravity_L_(model_.apparent_gravity_L),
         b_(top_, w_XB_B_[top_.axis], W_B_[top_.axis]),
         frame_(top_.axis, problem.release.q_LB, w_XB_B_[top_.axis], W_B_[top_.axis]) {}
-
-  static constexpr auto groups() {
-    constexpr std::array<ComponentGroup, 3> all{{{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}}};
-    if constexpr (kAttitude)
-      return all;
-    else
-      return std::array<ComponentGroup, 2>{all[0], all[1]};
-  }
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     Vec3<T> W_A = W_L_, gravity_A = gravity_L_;

@@ -24,17 +24,19 @@
 #include "integrate/extrapolation.hpp"
 #include "integrate/gauss_stepper.hpp"
 #include "integrate/group_norms.hpp"
+#include "integrate/right_hand_side.hpp"
 #include "integrate/splitting_stepper.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
 
-/// @tparam System  x, dxdt, t -> void, with `kSize`, `groups()`   @param times  the first is where x stands
+/// @tparam System  x, dxdt, t -> void, with the `Shape` of its states   @param times  the first is where x stands
 /// @param on_step  called with (t, x) after every step   @param on_row  called with (row index, x) at every output time
 template <class T, class System, class OnStep, class OnRow>
 class Driver {
  public:
-  static constexpr std::size_t N = System::kSize;
+  using Shape = typename System::Shape;
+  static constexpr std::size_t N = Shape::kSize;
   using State = std::array<T, N>;
 
   Driver(System& system, const DriveOptions<T>& options, OnStep& on_step, OnRow& on_row)
@@ -55,7 +57,7 @@ class Driver {
     const Method method = options_.method;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
     if (method == Method::extrapolation) {
-      Extrapolation<T, System> stepper(options_.relative_tolerance, scales_);
+      Extrapolation<T, Shape> stepper(options_.relative_tolerance, scales_);
       return run_controlled(stepper, x, times);
     }
     if constexpr (requires { typename System::Series; }) {
@@ -79,7 +81,7 @@ class Driver {
       if (method == Method::splitting) return run_splitting(x, times);
       if (method == Method::gauss) return run_gauss(x, times);
       if (method == Method::dop853) {
-        Dop853Stepper<System> stepper(options_.relative_tolerance, scales_);
+        Dop853Stepper<Shape> stepper(options_.relative_tolerance, scales_);
         const auto system = counted_system();
         return run_dense(stepper, system, x, times);
       }
@@ -97,17 +99,12 @@ class Driver {
     if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
   }
 
-  auto counted_system() {
-    return [this](const State& x, State& dxdt, T t) {
-      ++counters_.evaluations;
-      system_(x, dxdt, t);
-    };
-  }
+  RightHandSide<T, N> counted_system() { return {system_, counters_.evaluations}; }
 
   template <class ErrorStepper>
   RunStatus run_embedded(State& x, std::span<const T> times) {
     using Algebra = typename ErrorStepper::algebra_type;
-    using Checker = GroupErrorChecker<T, System, Algebra>;
+    using Checker = GroupErrorChecker<T, Shape, Algebra>;
     boost::numeric::odeint::controlled_runge_kutta<ErrorStepper, Checker, StepAdjuster<T>> stepper(
         Checker(options_.relative_tolerance, scales_));
     return run_controlled(stepper, x, times);
@@ -240,7 +237,7 @@ class Driver {
 
   /// Collocation at Gauss' nodes, of the step asked for, or of one that meets the tolerance.
   RunStatus run_gauss(State& x, std::span<const T> times) {
-    GaussStepper<System> stepper(scales_);
+    GaussStepper<Shape> stepper(scales_);
     T rate = options_.rate;
     if constexpr (Splits<System>) rate = system_.flows().rate(x);  // without the spin
     const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, rate);
@@ -312,7 +309,7 @@ class Driver {
   T fixed_step_for(Stepper& stepper, const State& start, std::span<const T> times, T rate) {
     const auto system = counted_system();
     const T turn = std::min(times.back() - times.front(), T(2) * real::pi<T>() / rate);
-    GroupScales<T, System> scales = scales_;
+    GroupScales<T, Shape> scales = scales_;
     std::int64_t count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(turn * rate / kLongestFixedAngle)));
     for (int attempt = 0; attempt < 40; ++attempt) {
       const T h = turn / static_cast<T>(count);
@@ -357,7 +354,7 @@ class Driver {
   const DriveOptions<T>& options_;
   OnStep& on_step_;
   OnRow& on_row_;
-  GroupScales<T, System> scales_;
+  GroupScales<T, Shape> scales_;
   StepCounters counters_;
   std::optional<Stops<T>> stops_;  // none without joints
   std::size_t next_joint_ = 0;

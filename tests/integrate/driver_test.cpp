@@ -18,6 +18,7 @@ constexpr std::array kMethods{Method::dopri5, Method::rkf78,  Method::bulirsch_s
 
 /// x' = y, y' = -x, and z' = 1, which counts the time itself.
 struct Oscillator {
+  using Shape = Oscillator;
   static constexpr std::size_t kSize = 3;
   static constexpr std::array<ComponentGroup, 2> groups() { return {{{0, 2, 1.0}, {2, 1, 1.0}}}; }
   void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) const { dxdt = {x[1], -x[0], 1.0}; }
@@ -171,6 +172,7 @@ TEST(Driver, OutputTimesCutNoStepOfADenseMethod) {
 
 /// x = t^degree.
 struct Powers {
+  using Shape = Powers;
   static constexpr std::size_t kSize = 1;
   static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 1, 1.0}}}; }
   int degree;
@@ -259,6 +261,7 @@ TEST(Driver, ExtrapolationReachesEveryTolerance) {
 
 /// Turns into NaN past x = 1: t is the state itself.
 struct BreaksDown {
+  using Shape = BreaksDown;
   static constexpr std::size_t kSize = 1;
   static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 1, 1.0}}}; }
   void operator()(const std::array<double, 1>& x, std::array<double, 1>& dxdt, double) const {
@@ -283,6 +286,7 @@ TEST(Driver, NaNIsANamedOutcomeAndKeepsTheRowsBeforeIt) {
 
 /// x' = x^2 reaches infinity at t = 1.
 struct Explodes {
+  using Shape = Explodes;
   static constexpr std::size_t kSize = 1;
   static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 1, 1.0}}}; }
   void operator()(const std::array<double, 1>& x, std::array<double, 1>& dxdt, double) const { dxdt[0] = x[0] * x[0]; }
@@ -320,6 +324,7 @@ TEST(Driver, StepLimitAndInterruptEndARun) {
 
 /// A rate of 1e9 beside a duration of 1e3: a trillion steps.
 struct FarTooFast {
+  using Shape = FarTooFast;
   static constexpr std::size_t kSize = 2;
   static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 2, 1.0}}}; }
   void operator()(const std::array<double, 2>& x, std::array<double, 2>& dxdt, double) const {

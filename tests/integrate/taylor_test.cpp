@@ -49,6 +49,7 @@ TEST(TaylorProducts, AreConvolutionsInEveryLane) {
 
 /// x' = y, y' = -x: the series of sine and cosine.
 struct Circle {
+  using Shape = Circle;
   static constexpr std::size_t kSize = 2;
   using State = std::array<double, 2>;
   static constexpr std::array<ComponentGroup, 1> groups() { return {{{0, 2, 1.0}}}; }

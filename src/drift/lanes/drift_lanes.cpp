@@ -95,12 +95,13 @@ class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, R
 class InertialBodyDrift {
  public:
   using Outer = DriftSystem<double, Observer::inertial, SceneKind::plain, RotatingMotion::composed>;
+  using Shape = InertialBodyDrift;
   static constexpr std::size_t kSize = lanes::kInertialBodyDriftVariables;
   static constexpr int kVariables = lanes::kInertialBodyDriftVariables;
   using State = std::array<double, kSize>;
   using Flow = Outer;
   static constexpr auto groups() {
-    constexpr auto body = BodyDrift::groups();
+    constexpr auto body = BodyDrift::Shape::groups();
     return std::array<ComponentGroup, 7>{{body[0], body[1], body[2], body[3], {14, 3, 1e-3}, {17, 3, 1e-3}, {20, 3, 1e-3}}};
   }
 

@@ -35,7 +35,7 @@ inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
 
 /// One point in its lane.
 /// @tparam Point  with
-///   System                     a reduced system: kSize, groups(), typical_state()
+///   System                     a reduced system: the `Shape` of its states, typical_state()
 ///   kVariables                 of the kernel's state; those beyond the system's begin at 0
 ///   system(), times(), drive() the output times and the driver's options in natural units
 ///   constants(rows, lane)      puts what the equations read into the lane's place
@@ -57,7 +57,7 @@ class Lane {
   /// Puts the point at its release into the lane. @returns whether there is a step to take
   bool begin() {
     const State x = point_.system().initial_state();
-    GroupScales<double, System> scales;
+    GroupScales<double, typename System::Shape> scales;
     scales.include(x);
     if constexpr (requires { point_.system().typical_state(); }) scales.include(point_.system().typical_state());
     if (!all_finite(x)) return end(RunStatus::not_finite);
@@ -242,7 +242,7 @@ void run_in_lanes(const Plan& plan, std::size_t count, const Arguments& argument
 /// Whether a kernel's groups are those that the system is measured by.
 template <class System, std::size_t kMost>
 constexpr bool are_groups_of(const Group (&groups)[kMost]) {
-  constexpr auto expected = System::groups();
+  constexpr auto expected = System::Shape::groups();
   static_assert(expected.size() <= kMostGroups);
   bool same = kMost >= expected.size();
   for (std::size_t g = 0; same && g < expected.size(); ++g)

@@ -19,7 +19,7 @@
 
 namespace earthtop::taylor {
 
-/// @tparam System  with `kSize`, `groups()`, and `Series`, which finds the coefficients:
+/// @tparam System  with the `Shape` of its states, and `Series`, which finds the coefficients:
 ///   start(x)                    takes the state at the beginning of a step
 ///   extend(k, x_k, x_next)      from the coefficients of order k, after all lower ones, those of order k + 1
 template <class T, class System>
@@ -33,7 +33,7 @@ class TaylorStepper {
   using time_type = T;
   using stepper_category = boost::numeric::odeint::dense_output_stepper_tag;
 
-  TaylorStepper(T relative_tolerance, const GroupScales<T, System>& scales)
+  TaylorStepper(T relative_tolerance, const GroupScales<T, typename System::Shape>& scales)
       : log_tolerance_(real::log(kLastTerm * static_cast<double>(relative_tolerance))),
         scales_(&scales),
         order_(std::clamp(static_cast<int>(1 - 0.6 * log_tolerance_), kLeastOrder, kMostOrder<T>)) {}
@@ -138,7 +138,7 @@ class TaylorStepper {
 
   static constexpr double kUnlimited = 1e4;
   double log_tolerance_;
-  const GroupScales<T, System>* scales_;
+  const GroupScales<T, typename System::Shape>* scales_;
   int order_, degree_ = 0;
   T longest_ = T(0), time_ = T(0), step_ = T(0);
   State x_{}, rest_{}, rest_before_{};  ///< the state now, and what its sums left out: now, and at the beginning of the step
