@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/strokes.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "plot/svg_text.hpp"
 
