@@ -11,7 +11,6 @@ using test::close;
 using test::for_each_scalar;
 using test::identical;
 using test::Random;
-using Q = float128;
 
 /// An asymmetric body with products of inertia and its centre of mass off every axis.
 BodySpec asymmetric() {
@@ -28,15 +27,15 @@ Model<T> model_of(const BodySpec& spec, double latitude_deg, double earth_rate) 
 
 /// Fourth-order Runge-Kutta from t = 0 in n equal steps.
 template <class F>
-Motion<Q> integrated(const F& f, Motion<Q> x, Q duration, int n) {
-  const auto moved = [](const Motion<Q>& from, Q h, const Motion<Q>& by) {
-    return Motion<Q>{{from.q.w + h * by.q.w, from.q.v + h * by.q.v}, from.m + h * by.m};
+Motion<float128> integrated(const F& f, Motion<float128> x, float128 duration, int n) {
+  const auto moved = [](const Motion<float128>& from, float128 h, const Motion<float128>& by) {
+    return Motion<float128>{{from.q.w + h * by.q.w, from.q.v + h * by.q.v}, from.m + h * by.m};
   };
-  const Q h = duration / n;
+  const float128 h = duration / n;
   for (int k = 0; k < n; ++k) {
-    const Q t = k * h;
-    const Motion<Q> a = f(t, x), b = f(t + h / 2, moved(x, h / 2, a)), c = f(t + h / 2, moved(x, h / 2, b)),
-                    d = f(t + h, moved(x, h, c));
+    const float128 t = k * h;
+    const Motion<float128> a = f(t, x), b = f(t + h / 2, moved(x, h / 2, a)), c = f(t + h / 2, moved(x, h / 2, b)),
+                           d = f(t + h, moved(x, h, c));
     x = moved(moved(moved(moved(x, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
   }
   return x;
@@ -44,46 +43,52 @@ Motion<Q> integrated(const F& f, Motion<Q> x, Q duration, int n) {
 
 TEST(Equations, ObserversAgree) {
   // Omega = 1 rad/s at latitude 50 deg, for 0.5 s: three integrations of three different variables.
-  const Model<Q> model = model_of<Q>(asymmetric(), 50, 1);
+  const Model<float128> model = model_of<float128>(asymmetric(), 50, 1);
   Random random(501);
-  const Quaternion<Q> q = random.quaternion<Q>(1.5);
-  const Vec3<Q> w_LB_B = random.vector<Q>(3), W_B = rotation_matrix(q).transpose() * model.W_IL_L;
-  const Mat3<Q> R = rotation_matrix(q);
-  const Vec3<Q> g = model.apparent_gravity_L;
-  const Q duration = Q(0.5);
-  const auto in_laboratory = [&](Q, const Motion<Q>& x) {
-    return laboratory_equation<Q>(model, x, g, non_inertial_torque<SceneKind::plain>(model, x));
+  const Quaternion<float128> q = random.quaternion<float128>(1.5);
+  const Vec3<float128> w_LB_B = random.vector<float128>(3), W_B = rotation_matrix(q).transpose() * model.W_IL_L;
+  const Mat3<float128> R = rotation_matrix(q);
+  const Vec3<float128> g = model.apparent_gravity_L;
+  const float128 duration = float128(0.5);
+  const auto in_laboratory = [&](float128, const Motion<float128>& x) {
+    return laboratory_equation<float128>(model, x, g, non_inertial_torque<SceneKind::plain>(model, x));
   };
-  const auto in_body = [&](Q, const Motion<Q>& x) { return body_equation<true, SceneKind::plain, Q>(model, x, g); };
-  const auto in_space = [&](Q t, const Motion<Q>& x) {
-    return inertial_equation<true, SceneKind::plain, Q>(model, x, g,
-                                                        rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)));
+  const auto in_body = [&](float128, const Motion<float128>& x) {
+    return body_equation<true, SceneKind::plain, float128>(model, x, g);
   };
-  const Mat3<Q> R_NL = test::rodrigues<Q>(model.W_IL_L / norm(model.W_IL_L), duration * norm(model.W_IL_L));
-  Q C = 0;
+  const auto in_space = [&](float128 t, const Motion<float128>& x) {
+    return inertial_equation<true, SceneKind::plain, float128>(
+        model, x, g, rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)));
+  };
+  const Mat3<float128> R_NL = test::rodrigues<float128>(model.W_IL_L / norm(model.W_IL_L), duration * norm(model.W_IL_L));
+  float128 C = 0;
   for (int n = 32; n <= 256; n *= 2) {
-    const Motion<Q> laboratory = integrated(in_laboratory, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
-    const Motion<Q> body = integrated(in_body, {q, w_LB_B + W_B}, duration, n);
-    const Motion<Q> space = integrated(in_space, {q, R * (model.I_BP_B * (w_LB_B + W_B))}, duration, n);
-    const Mat3<Q> R_LB = rotation_matrix(laboratory.q), R_LB_body = rotation_matrix(body.q),
-                  R_LB_space = R_NL.transpose() * rotation_matrix(space.q);
+    const Motion<float128> laboratory = integrated(in_laboratory, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
+    const Motion<float128> body = integrated(in_body, {q, w_LB_B + W_B}, duration, n);
+    const Motion<float128> space = integrated(in_space, {q, R * (model.I_BP_B * (w_LB_B + W_B))}, duration, n);
+    const Mat3<float128> R_LB = rotation_matrix(laboratory.q), R_LB_body = rotation_matrix(body.q),
+                         R_LB_space = R_NL.transpose() * rotation_matrix(space.q);
     // Rates relative to the laboratory, in laboratory axes.
-    const Vec3<Q> w = rate_from_momentum<Q>(model, R_LB, laboratory.m), w_body = R_LB_body * body.m - model.W_IL_L,
-                  w_space = R_NL.transpose() * rate_from_momentum<Q>(model, rotation_matrix(space.q), space.m) - model.W_IL_L;
+    const Vec3<float128> w = rate_from_momentum<float128>(model, R_LB, laboratory.m),
+                         w_body = R_LB_body * body.m - model.W_IL_L,
+                         w_space = R_NL.transpose() * rate_from_momentum<float128>(model, rotation_matrix(space.q), space.m) -
+                                   model.W_IL_L;
     // Order 4: C from the first number of steps, and every halving divides the difference by 16, nearly.
-    const Q steps = Q(n) * n * n * n;
-    Q largest = 0;
-    for (const Mat3<Q>& difference : {Mat3<Q>(R_LB - R_LB_body), Mat3<Q>(R_LB - R_LB_space)})
+    const float128 steps = float128(n) * n * n * n;
+    float128 largest = 0;
+    for (const Mat3<float128>& difference : {Mat3<float128>(R_LB - R_LB_body), Mat3<float128>(R_LB - R_LB_space)})
       largest = std::max(largest, difference.cwiseAbs().maxCoeff());
-    for (const Vec3<Q>& difference : {Vec3<Q>(w - w_body), Vec3<Q>(w - w_space)})
+    for (const Vec3<float128>& difference : {Vec3<float128>(w - w_body), Vec3<float128>(w - w_space)})
       largest = std::max(largest, difference.cwiseAbs().maxCoeff());
     if (n == 32) C = largest * steps;
-    EXPECT_LE(static_cast<double>(largest), static_cast<double>(Q(1.25) * C / steps)) << n;
+    EXPECT_LE(static_cast<double>(largest), static_cast<double>(float128(1.25) * C / steps)) << n;
     if (n == 256) {
       EXPECT_LE(static_cast<double>(largest), 1e-6);
       // What the Earth's rate did to this motion is far larger.
-      const auto at_rest = [&](Q, const Motion<Q>& x) { return laboratory_equation<Q>(model, x, g, Vec3<Q>::Zero()); };
-      const Motion<Q> reference = integrated(at_rest, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
+      const auto at_rest = [&](float128, const Motion<float128>& x) {
+        return laboratory_equation<float128>(model, x, g, Vec3<float128>::Zero());
+      };
+      const Motion<float128> reference = integrated(at_rest, {q, R * (model.I_BP_B * w_LB_B)}, duration, n);
       EXPECT_GT(static_cast<double>((rotation_matrix(reference.q) - R_LB).cwiseAbs().maxCoeff()), 0.1);
     }
   }
@@ -108,18 +113,18 @@ TEST(Equations, AttitudeRatesAreHalfTheProduct) {
   // dR/dt = R [w_B]x, by differentiation along the flow.
   Random random(503);
   for (int k = 0; k < 10; ++k) {
-    const Quaternion<Q> q = random.quaternion<Q>(1.5);
-    const Vec3<Q> w_B = random.vector<Q>(3);
-    const Quaternion<Q> rate = attitude_rate_from_body(q, w_B);
-    const Q h = Q(1e-5), W = 6;
-    const Mat3<Q> Rdot = test::first_derivative(
-        [&](Q at) {
-          return rotation_matrix(Quaternion<Q>{q.w + at * rate.w, q.v + at * rate.v});
+    const Quaternion<float128> q = random.quaternion<float128>(1.5);
+    const Vec3<float128> w_B = random.vector<float128>(3);
+    const Quaternion<float128> rate = attitude_rate_from_body(q, w_B);
+    const float128 h = float128(1e-5), W = 6;
+    const Mat3<float128> Rdot = test::first_derivative(
+        [&](float128 at) {
+          return rotation_matrix(Quaternion<float128>{q.w + at * rate.w, q.v + at * rate.v});
         },
-        Q(0), h);
-    const Q Wh = W * h;
-    EXPECT_TRUE(close<Q>(Rdot, Mat3<Q>(rotation_matrix(q) * cross_matrix(w_B)),
-                         W * Wh * Wh * Wh * Wh * Wh * Wh + 256 * real::epsilon<Q>() / h));
+        float128(0), h);
+    const float128 Wh = W * h;
+    EXPECT_TRUE(close<float128>(Rdot, Mat3<float128>(rotation_matrix(q) * cross_matrix(w_B)),
+                                W * Wh * Wh * Wh * Wh * Wh * Wh + 256 * real::epsilon<float128>() / h));
   }
 }
 
@@ -156,10 +161,11 @@ TEST(Equations, EulersComponentsInPrincipalAxes) {
 
 TEST(Equations, LaboratoryTurnIsARotationByWt) {
   for (const double rate : {1.0, -3.0, 7.292115e-5}) {
-    const Model<Q> model = model_of<Q>(asymmetric(), -35, rate);
-    for (const Q t : {Q(0), Q(0.7), Q(1000)})
-      EXPECT_TRUE(close<Q>(rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)),
-                           Rotation<Q>::exp(t * model.W_IL_L).matrix(), 16 * real::epsilon<Q>() * (1 + std::abs(rate) * t)));
+    const Model<float128> model = model_of<float128>(asymmetric(), -35, rate);
+    for (const float128 t : {float128(0), float128(0.7), float128(1000)})
+      EXPECT_TRUE(close<float128>(rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)),
+                                  Rotation<float128>::exp(t * model.W_IL_L).matrix(),
+                                  16 * real::epsilon<float128>() * (1 + std::abs(rate) * t)));
   }
   // 1e-300 rad/s: half the angle over epsilon keeps its digits where the angle's square is no longer a number.
   const Model<double> slow = model_of<double>(asymmetric(), 45, 1e-300);
@@ -187,43 +193,46 @@ TEST(Equations, InertialSpinOfASymmetricTopDoesNotChange) {
 
 /// The derivative of f along the flow of the body equation, at t = 0.
 template <class F>
-Q along_the_flow(const Model<Q>& model, const Motion<Q>& x, Q h, const F& f) {
-  const Motion<Q> rate = body_equation<true, SceneKind::plain, Q>(model, x, model.apparent_gravity_L);
+float128 along_the_flow(const Model<float128>& model, const Motion<float128>& x, float128 h, const F& f) {
+  const Motion<float128> rate = body_equation<true, SceneKind::plain, float128>(model, x, model.apparent_gravity_L);
   return test::first_derivative(
-      [&](Q at) {
-        return f(Motion<Q>{{x.q.w + at * rate.q.w, x.q.v + at * rate.q.v}, x.m + at * rate.m});
+      [&](float128 at) {
+        return f(Motion<float128>{{x.q.w + at * rate.q.w, x.q.v + at * rate.q.v}, x.m + at * rate.m});
       },
-      Q(0), h);
+      float128(0), h);
 }
 
 TEST(Invariants, JacobiIntegralIsConservedAndEnergyIsNot) {
-  const Model<Q> model = model_of<Q>(asymmetric(), 50, 1);
+  const Model<float128> model = model_of<float128>(asymmetric(), 50, 1);
   Random random(506);
   int energies_that_change = 0;
   for (int k = 0; k < 20; ++k) {
-    const Motion<Q> x{random.quaternion<Q>(), random.vector<Q>(3)};
-    const auto integral = [&](const Motion<Q>& at) {
-      const Vec3<Q> w_LB_B = at.m - rotation_matrix(at.q).transpose() * model.W_IL_L;
-      return jacobi_integral<Q>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, model.W_IL_L, at.q, w_LB_B);
+    const Motion<float128> x{random.quaternion<float128>(), random.vector<float128>(3)};
+    const auto integral = [&](const Motion<float128>& at) {
+      const Vec3<float128> w_LB_B = at.m - rotation_matrix(at.q).transpose() * model.W_IL_L;
+      return jacobi_integral<float128>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, model.W_IL_L, at.q, w_LB_B);
     };
-    const auto energy = [&](const Motion<Q>& at) {  // T(w_IB) + V
-      return jacobi_integral<Q>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, Vec3<Q>::Zero(), at.q, at.m).value;
+    const auto energy = [&](const Motion<float128>& at) {  // T(w_IB) + V
+      return jacobi_integral<float128>(model.I_BP_B, model.mass_moment_B, model.apparent_gravity_L, Vec3<float128>::Zero(),
+                                       at.q, at.m)
+          .value;
     };
     // Rates and their derivatives over rates stay below W; the integral is of the size of its terms.
-    const Q h = Q(1e-5), W = 30, Wh = W * h, scale = integral(x).scale;
-    const Q bound = scale * (W * Wh * Wh * Wh * Wh * Wh * Wh + 512 * real::epsilon<Q>() / h);
+    const float128 h = float128(1e-5), W = 30, Wh = W * h, scale = integral(x).scale;
+    const float128 bound = scale * (W * Wh * Wh * Wh * Wh * Wh * Wh + 512 * real::epsilon<float128>() / h);
     ASSERT_LT(static_cast<double>(bound), 1e-12);
-    EXPECT_TRUE(close<Q>(along_the_flow(model, x, h, [&](const Motion<Q>& at) { return integral(at).value; }), Q(0), bound));
-    if (real::abs(along_the_flow(model, x, h, energy)) > Q(0.1)) ++energies_that_change;
+    EXPECT_TRUE(close<float128>(along_the_flow(model, x, h, [&](const Motion<float128>& at) { return integral(at).value; }),
+                                float128(0), bound));
+    if (real::abs(along_the_flow(model, x, h, energy)) > float128(0.1)) ++energies_that_change;
 
     // Its terms, written out.
-    const Mat3<Q> R_LB = rotation_matrix(x.q);
-    const Vec3<Q> L_L = R_LB * (model.I_BP_B * x.m);
-    const Q kinetic = x.m.dot(model.I_BP_B * x.m) / 2, potential = Q(9.75) * (R_LB * model.mass_moment_B)[2],
-            turning = L_L.dot(model.W_IL_L);
-    EXPECT_TRUE(close<Q>(integral(x).value, kinetic + potential - turning, 64 * real::epsilon<Q>() * scale));
-    EXPECT_TRUE(
-        close<Q>(scale, kinetic + Q(9.75) * norm(model.mass_moment_B) + real::abs(turning), 64 * real::epsilon<Q>() * scale));
+    const Mat3<float128> R_LB = rotation_matrix(x.q);
+    const Vec3<float128> L_L = R_LB * (model.I_BP_B * x.m);
+    const float128 kinetic = x.m.dot(model.I_BP_B * x.m) / 2, potential = float128(9.75) * (R_LB * model.mass_moment_B)[2],
+                   turning = L_L.dot(model.W_IL_L);
+    EXPECT_TRUE(close<float128>(integral(x).value, kinetic + potential - turning, 64 * real::epsilon<float128>() * scale));
+    EXPECT_TRUE(close<float128>(scale, kinetic + float128(9.75) * norm(model.mass_moment_B) + real::abs(turning),
+                                64 * real::epsilon<float128>() * scale));
   }
   EXPECT_GT(energies_that_change, 10);
 }
