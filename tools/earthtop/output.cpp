@@ -79,6 +79,7 @@ void print_json(const JsonObject& document) { print(document.text()); }
 
 std::string errors_json(const std::string& file, const std::vector<Diagnostic>& errors) {
   std::vector<JsonObject> list;
+  list.reserve(errors.size());
   for (const Diagnostic& error : errors) list.push_back(diagnostic_json(file, error));
   return JsonObject().put("errors", list).text();
 }
