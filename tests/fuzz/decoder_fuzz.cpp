@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/frames/angle_spline.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/angle_table.hpp"
 
