@@ -20,29 +20,29 @@ add_library(earthtop-workbench
   compare/cost.cpp
   compare/csv_reader.cpp
   compare/document.cpp
-  compare/estimated_inputs.cpp
   compare/figure.cpp
   compare/figures.cpp
   compare/hints.cpp
   compare/interpolate.cpp
   compare/junit.cpp
   compare/mapping.cpp
-  compare/measured_motion.cpp
-  compare/measurement.cpp
-  compare/measurement_columns.cpp
-  compare/measurement_file.cpp
-  compare/measurement_json.cpp
   compare/pairing.cpp
   compare/row.cpp
   compare/row_source.cpp
   compare/rows.cpp
-  compare/scaled_problem.cpp
   compare/scenario_changes.cpp
   compare/stores.cpp
   compare/survey.cpp
   compare/tolerances.cpp
   compare/update.cpp
-  compare/weighted_fit.cpp
+  measure/columns.cpp
+  measure/document.cpp
+  measure/estimated_inputs.cpp
+  measure/file.cpp
+  measure/measured_motion.cpp
+  measure/measurement.cpp
+  measure/scaled_problem.cpp
+  measure/weighted_fit.cpp
   report/bars.cpp
   report/content_policy.cpp
   report/document_pages.cpp
@@ -96,7 +96,7 @@ target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
 set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp compare/csv_reader.cpp
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
-earthtop_unity_rooms(earthtop-workbench "bench;compare;report;study;verify")
+earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;report;study;verify")
 
 # The browser's part of a report.
 file(GLOB report_assets CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/assets/*)

@@ -18,7 +18,7 @@ scenario
 budget
 run
 results plot
-bench study compare report verify
+bench study compare measure report verify
 tools'
 
 find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |

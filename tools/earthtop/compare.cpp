@@ -10,7 +10,7 @@
 
 #include "command_line.hpp"
 #include "compare_text.hpp"
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earthtop/compare/measurement.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/measure/measurement.hpp"
 
 namespace earthtop::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 
 namespace earthtop::compare {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A measured motion held against a scenario's.
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,11 +11,11 @@
 #include <map>
 #include <numbers>
 
-#include "compare/estimated_inputs.hpp"
-#include "compare/measured_motion.hpp"
-#include "compare/weighted_fit.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "error/gsl_errors.hpp"
+#include "measure/estimated_inputs.hpp"
+#include "measure/measured_motion.hpp"
+#include "measure/weighted_fit.hpp"
 
 namespace earthtop {
 namespace compare {

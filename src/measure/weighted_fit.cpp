@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/weighted_fit.hpp"
+#include "measure/weighted_fit.hpp"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
@@ -14,8 +14,8 @@
 #include <memory>
 #include <new>
 
-#include "compare/scaled_problem.hpp"
 #include "error/gsl_errors.hpp"
+#include "measure/scaled_problem.hpp"
 
 namespace earthtop::compare {
 namespace {

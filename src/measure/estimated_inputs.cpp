@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/estimated_inputs.hpp"
+#include "measure/estimated_inputs.hpp"
 
 #include <fmt/core.h>
 

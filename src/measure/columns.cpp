@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/measurement_columns.hpp"
+#include "measure/columns.hpp"
 
 #include <fmt/core.h>
 

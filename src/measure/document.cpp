@@ -2,7 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 #include "text/json.hpp"
 #include "text/utf8.hpp"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "compare/weighted_fit.hpp"
+#include "measure/weighted_fit.hpp"
 
 namespace earthtop::compare {
 

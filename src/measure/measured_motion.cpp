@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/measured_motion.hpp"
+#include "measure/measured_motion.hpp"
 
 #include <fmt/core.h>
 

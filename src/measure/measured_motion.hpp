@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 #include "earthtop/vectors.hpp"
 #include "earthtop/watch.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A measured motion held against a scenario. The motions "measured" here are closed forms written down in this file, or values
 // of extended precision: none is made by the functions that are fitted to it.
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <numbers>
 #include <random>
 
-#include "compare/estimated_inputs.hpp"
 #include "earthtop/frames/earth.hpp"
+#include "measure/estimated_inputs.hpp"
 #include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 

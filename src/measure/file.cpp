@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "compare/csv_reader.hpp"
-#include "compare/measurement_columns.hpp"
-#include "earthtop/compare/measurement.hpp"
+#include "earthtop/measure/measurement.hpp"
 #include "earthtop/real.hpp"
+#include "measure/columns.hpp"
 #include "scenario/findings.hpp"
 
 namespace earthtop {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/scaled_problem.hpp"
+#include "measure/scaled_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
