@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plants one fault at a time and asks whether the named test notices. A fault that no test notices is a hole in the suite.
 #   tools/mutants.sh [NAME...]      NAME: a file of tests/mutants, without .mutant; default: all
+#   tools/mutants.sh --check        builds nothing: asks only whether each fault can still be planted, and its test still exists
 #
 # A mutant is one text file:
 #   title: what is wrong with it
@@ -19,6 +20,51 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 root=$PWD
+
+field() { sed -n "/^---/q;s/^$1:[[:space:]]*//p" "$root/tests/mutants/$2.mutant"; }
+block() { # the lines between two marks
+  awk -v from="--- $1" -v to="--- $2" '$0 == to { inside = 0 } inside; $0 == from { inside = 1 }' \
+    "$root/tests/mutants/$3.mutant"
+}
+# What stands against planting this mutant in a tree; nothing where it can be planted.
+obstacle() {
+  local tree=$1 name=$2 file old content after
+  if [[ ! -f $root/tests/mutants/$name.mutant ]]; then echo "there is no tests/mutants/$name.mutant"; return; fi
+  file=$(field file "$name") old=$(block replace with "$name")
+  if [[ ! -f $tree/$file ]]; then echo "there is no ${file:-\'file:\' line}"; return; fi
+  if [[ -z $old ]]; then echo "nothing to replace"; return; fi
+  content=$(cat "$tree/$file")
+  after=${content#*"$old"}
+  if [[ $after == "$content" ]]; then echo "its text does not occur in $file"; return; fi
+  if [[ ${after#*"$old"} != "$after" ]]; then echo "its text occurs more than once in $file"; fi
+}
+
+# The filters of a mutant that no test in the sources matches.
+missing_tests() {
+  local filter
+  while IFS= read -r filter; do
+    compgen -W "$tests" -X "!$filter" >/dev/null || echo "$filter"
+  done < <(field 'killed by' "$1" | tr ':' '\n')
+}
+
+all_mutants() { for mutant in tests/mutants/*.mutant; do basename "$mutant" .mutant; done; }
+
+if [[ ${1:-} == --check ]]; then
+  checked=0 rotten=0
+  tests=$(grep -rhoE '(TEST|TEST_F|TEST_P|TYPED_TEST|TYPED_TEST_P|RC_GTEST_PROP)\([A-Za-z0-9_]+, *[A-Za-z0-9_]+' tests --include='*.cpp' |
+    sed -E 's/.*\(//; s/, */./')
+  for name in $(all_mutants); do
+    remark=$(obstacle "$root" "$name")
+    missing=$(missing_tests "$name")
+    if [[ -n $missing ]]; then remark+="${remark:+; }no test is called $missing"; fi
+    if [[ -n $remark ]]; then echo "$name: $remark"; rotten=$((rotten + 1)); fi
+    checked=$((checked + 1))
+  done
+  echo "$((checked - rotten)) of $checked mutants can be planted"
+  [[ $rotten -eq 0 && $checked -gt 0 ]]
+  exit
+fi
+
 work=${EARTHTOP_MUTANTS_DIR:-$root/build/mutants}
 jobs=${EARTHTOP_JOBS:-$(nproc)}
 time_limit=${EARTHTOP_MUTANT_SECONDS:-300}
@@ -45,15 +91,10 @@ fi
 
 names=("$@")
 if [[ ${#names[@]} -eq 0 ]]; then
-  for mutant in tests/mutants/*.mutant; do names+=("$(basename "$mutant" .mutant)"); done
+  mapfile -t names < <(all_mutants)
 fi
 declare -A program verdict remark seconds
 
-field() { sed -n "/^---/q;s/^$1:[[:space:]]*//p" "$root/tests/mutants/$2.mutant"; }
-block() { # the lines between two marks
-  awk -v from="--- $1" -v to="--- $2" '$0 == to { inside = 0 } inside; $0 == from { inside = 1 }' \
-    "$root/tests/mutants/$3.mutant"
-}
 # The test program that has tests of this filter: its path, or nothing.
 program_of() {
   local candidate
@@ -83,16 +124,13 @@ try() {
   local file filter old new content before after status=0
   verdict[$1]="NOT TRIED"
   file=$(field file "$1") filter=$(field 'killed by' "$1") old=$(block replace with "$1") new=$(block with end "$1")
-  if [[ ! -f $work/tree/$file ]]; then remark[$1]="there is no ${file:-\'file:\' line}"; return; fi
-  if [[ -z $old ]]; then remark[$1]="nothing to replace"; return; fi
+  remark[$1]=$(obstacle "$work/tree" "$1")
+  if [[ -n ${remark[$1]} ]]; then return; fi
 
   content=$(cat "$work/tree/$file" && printf .) # the dot saves the last newline from the shell
   content=${content%.}
   before=${content%%"$old"*}
   after=${content#*"$old"}
-  if [[ $before == "$content" ]]; then remark[$1]="its text does not occur in $file"; return; fi
-  if [[ ${after#*"$old"} != "$after" ]]; then remark[$1]="its text occurs more than once in $file"; return; fi
-
   echo "$file" >>"$changed"
   printf '%s' "$before$new$after" >"$work/tree/$file"
   if ! cmake --build "$build" --parallel "$jobs" --target "$(basename "${program[$1]}")" >"$work/build.log" 2>&1; then
