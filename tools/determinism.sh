@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One hash of the numbers, whatever compiler, optimisation, instruction set and processor: of trajectory.csv, torques.csv and
-# summary.json (but for what built it) of every shipped scenario, every effect, platform, gimbal, observer, method and precision.
+# One hash of the numbers, whatever compiler, optimisation, instruction set and processor. It covers trajectory.csv, torques.csv
+# and summary.json (without what built it) of every shipped scenario, hard case, effect, platform, gimbal, observer, method and
+# precision; points, statistics and fits of a study; and what run, explain, verify and compare print, without times.
 #   tools/determinism.sh [--short] PROGRAM...  of these builds of earthtop; and of the first with a C library that takes the
 #                                              processor for an older one, and its sine and exponential accordingly (GNU's does).
-#                                              --short: without the shipped scenarios, and the others for 0.4 s
+#                                              --short: without shipped scenarios and hard cases, and the others for 0.4 s
 #   tools/determinism.sh [--quick]             builds the matrix first, in build/determinism: g++ and clang++, -O0 to -O3, without
 #                                              and with -march=native; --quick: -O0 and -O3 only
 # Status: 0 where all hashes are one, 1 where they are not.
@@ -35,13 +36,18 @@ printf 't_s,angle_rad\n0,0\n0.7,0.05\n1.6,-0.1\n2.4,0.2\n3.5,0.1\n60,0.3\n100,0\
 
 # scenes: a line for each run: its name, its file, then values to set
 scenes() {
-  local base name method utc='/motion/start_utc="2026-06-21T12:00:00Z"' east=/site/longitude_deg=11.6
+  local base name method values utc='/motion/start_utc="2026-06-21T12:00:00Z"' east=/site/longitude_deg=11.6
   # Long enough for every branch of an effect, and no longer: ten rows.
   local brief="/motion/duration_s=2 /motion/output_step_s=0.2"
   if [[ $short == 1 ]]; then
     brief="/motion/duration_s=0.4 /motion/output_step_s=0.1"
   else
     for base in scenarios/*.json; do echo "$(basename "$base" .json) $base"; done
+    for base in scenarios/hard/*.json; do
+      # Two days take the same branches as thirty, in a hundredth of the time.
+      [[ $base == *thirty-days.json ]] && values=/motion/duration_s=172800 || values=
+      echo "hard-$(basename "$base" .json) $base $values"
+    done
     # Full length, of what a result of a minute rests on.
     echo "long-tide scenarios/toy-top.json /effects/tide=true $utc $east"
     echo "long-platform scenarios/asymmetric-top.json" \
@@ -95,6 +101,45 @@ SETTINGS
   done
 }
 
+# A study of eighteen points, with a fit.
+cat >"$work/study.json" <<JSON
+{ "\$schema": "earthtop-study-1.json", "name": "latitudes", "base": "$PWD/scenarios/toy-top.json",
+  "set": { "/motion/duration_s": 1, "/motion/output_step_s": 0.1, "/report/threshold_rad": 1e-6 },
+  "axes": [ { "pointer": "/site/latitude_deg", "range": { "from": -80, "to": 80, "points": 9 } },
+            { "pointer": "/release/spin_rad_s", "values": [150, 200] } ],
+  "collect": ["drift.secular.azimuth_rate_rad_s", "drift.axis_final_rad", "drift.axis_bound_rad", "drift.verdict",
+              "drift.threshold_time_s", { "name": "up", "path": "motion.axis_final_L.2" },
+              "invariants.0.largest_change", "theory.0.predicted"],
+  "fits": [ { "kind": "sin_latitude", "axis": "latitude_deg", "quantity": "drift.secular.azimuth_rate_rad_s" } ] }
+JSON
+
+# documents PROGRAM: what its other verbs print, in files beside the results
+documents() {
+  local program=$1 out=$work/results/documents scene
+  mkdir -p "$out"
+  "$program" study "$work/study.json" --out "$work/study" --force --quiet
+  cp "$work/study/study.csv" "$work/study/study.json" "$out"
+  for scene in toy-top asymmetric-top free-gyro; do "$program" explain "scenarios/$scene.json" --json >"$out/explain-$scene.json"; done
+  "$program" explain scenarios/asymmetric-top.json >"$out/explain.txt"
+  "$program" run scenarios/toy-top.json --set /motion/duration_s=2 --set /report/sensitivities=true --set '/numerics/ledger="body"' \
+    --out "$work/told" --force >"$out/run.txt"
+  local cases=(scenarios/hard/{h04,h13,h16}*.json)
+  [[ $short == 1 ]] || cases+=(scenarios/hard/{h01,h03,h08,h09,h10,h15,h22,h26,t01,t07}*.json)
+  "$program" verify "${cases[@]}" --json >"$out/verify.json"
+  # A difference is an answer, too (status 1).
+  "$program" compare "$work/results/method-taylor" "$work/results/method-dopri5" --allow-change / --json >"$out/compare.json" ||
+    [[ $? -eq 1 ]]
+  "$program" compare "$work/results/viscous-toy-top" "$work/results/uncertain-toy-top" --allow-change / --json --profile physics \
+    >"$out/compare-physics.json" || [[ $? -eq 1 ]]
+  if [[ $short == 0 ]]; then
+    mkdir "$work/shipped"
+    for scene in scenarios/*.json; do ln -s "$work/results/$(basename "$scene" .json)" "$work/shipped"; done
+    "$program" compare tests/data/references "$work/shipped" --allow-change /numerics --json >"$out/compare-references.json" ||
+      [[ $? -eq 1 ]]
+    rm -r "$work/shipped"
+  fi
+}
+
 # hash_of PROGRAM [NAME=VALUE]: of its results, in that environment; those of each file go to $list
 hash_of() {
   local program=$1 environment=${2:-} name file values
@@ -105,15 +150,41 @@ hash_of() {
     env $environment "$program" run "$file" --quiet --out "$work/results/$name" "${set[@]}" >/dev/null ||
       [[ $? -eq 3 ]] || { echo "$name: not run" >&2; exit 1; } # 3: an outcome with its numbers
   done < <(scenes)
-  python3 - "$work/results" <<'PYTHON'
-import json, pathlib, sys
-for path in pathlib.Path(sys.argv[1]).glob("*/summary.json"):
-    summary = json.loads(path.read_text().replace(str(pathlib.Path(sys.argv[1]).parent), "."))
-    summary["provenance"] = summary["provenance"]["constants"]
-    path.write_text(json.dumps(summary, indent=1))
+  export -f documents
+  env $environment short=$short work="$work" bash -c 'set -euo pipefail; documents "$1"' bash "$program" ||
+    { echo "its documents could not be made" >&2; exit 1; }
+  python3 - "$work" <<'PYTHON'
+import json, pathlib, re, sys
+work = pathlib.Path(sys.argv[1])
+TIMES = {"cpu_s", "seconds", "wall_seconds", "computed_utc"}  # numbers and dates that no two runs share
+BUILT = {"version", "commit", "compiler", "flags", "libraries", "program", "earthtop"}
+COMPARED = ("drift.", "motion.", "invariants.", "growth_of_disturbances.")  # beside the measures of rows, without a point
+def is_number(value):
+    """Whether an entry of a list states what another run of the same program would state, too."""
+    if not isinstance(value, dict) or not isinstance(value.get("name"), str): return True
+    name = value["name"]
+    return name != "seconds" and ("tolerance_origin" not in value or "." not in name or name.startswith(COMPARED))
+def numbers(value):
+    if isinstance(value, dict):
+        return {k: numbers(v) for k, v in value.items() if k not in TIMES | BUILT}
+    if isinstance(value, list):
+        return [numbers(v) for v in value if is_number(v)]
+    return value
+for path in work.glob("results/*/*.*"):
+    if path.suffix not in (".json", ".txt"): continue
+    text = path.read_text().replace(str(work), ".")
+    if path.name == "summary.json":
+        summary = json.loads(text)
+        summary["provenance"] = summary["provenance"]["constants"]
+        text = json.dumps(summary, indent=1)
+    elif path.suffix == ".json" and path.name != "timing.json":
+        text = json.dumps(numbers(json.loads(text)), indent=1)
+    else:
+        text = re.sub(r"(?m), [0-9.e+-]+ s$", "", text)
+    path.write_text(text)
 PYTHON
-  (cd "$work/results" && find . -name '*.csv' -o -name summary.json | LC_ALL=C sort | xargs sha256sum) | tee "${list:-/dev/null}" |
-    sha256sum | cut -c1-16
+  (cd "$work/results" && find . -name '*.csv' -o -name summary.json -o -path '*/documents/*' | LC_ALL=C sort | xargs sha256sum) |
+    tee "${list:-/dev/null}" | sha256sum | cut -c1-16
 }
 
 declare -A programs
