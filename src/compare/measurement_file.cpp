@@ -6,15 +6,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/csv_reader.hpp"
 #include "compare/measurement_columns.hpp"
 #include "earthtop/compare/measurement.hpp"
 #include "earthtop/real.hpp"
-#include "scenario/findings.hpp"
+#include "input/csv_reader.hpp"
+#include "input/findings.hpp"
 
 namespace earthtop {
 namespace compare {
 namespace {
+
+using input::CellKind, input::CsvReader;
 
 constexpr std::uint64_t kMostMeasuredRows = 200'000;
 constexpr double kLatestTime_s = 1e9;                               // the longest duration of a scenario
@@ -102,14 +104,14 @@ class MeasurementReader {
 
   void refuse(std::size_t wanted, std::string message) { refuse_at(reader_.column(wanted), std::move(message)); }
   void refuse_at(std::size_t column, std::string message) {
-    if (++count_ > scenario::kMostDiagnostics) return;
+    if (++count_ > input::kMostDiagnostics) return;
     findings_.push_back({static_cast<int>(reader_.line()), static_cast<int>(column), "", std::move(message)});
   }
   void throw_findings() {
     if (count_ == 0) return;
-    if (count_ > scenario::kMostDiagnostics)
+    if (count_ > input::kMostDiagnostics)
       findings_.push_back({static_cast<int>(reader_.line()), 1, "",
-                           fmt::format("{} more errors are not shown", count_ - scenario::kMostDiagnostics)});
+                           fmt::format("{} more errors are not shown", count_ - input::kMostDiagnostics)});
     throw ScenarioError(std::move(findings_), reader_.file());
   }
 
