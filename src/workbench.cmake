@@ -18,8 +18,8 @@ add_library(earthtop-workbench
   compare/comparand.cpp
   compare/compare.cpp
   compare/cost.cpp
-  compare/csv_reader.cpp
   compare/document.cpp
+  compare/fields.cpp
   compare/figure.cpp
   compare/figures.cpp
   compare/hints.cpp
@@ -55,6 +55,7 @@ add_library(earthtop-workbench
   study/chunk.cpp
   study/collect.cpp
   study/design.cpp
+  study/fields.cpp
   study/figure.cpp
   study/gathering.cpp
   study/identity.cpp
@@ -93,7 +94,7 @@ target_link_libraries(earthtop-workbench
 # What reads and writes documents takes a third less time to compile so; what goes through millions of rows, or integrates, keeps
 # its optimisation.
 target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
-set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp compare/csv_reader.cpp
+set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;report;study;verify")

@@ -14,6 +14,7 @@ model
 closed_form
 integrate
 drift
+input
 scenario
 budget
 run

@@ -96,7 +96,7 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
 }
 
 Json read_json_file(const fs::path& file, std::string_view noun) {
-  const std::string text = scenario::read_regular_file(file.string(), file.string(), {noun, false});
+  const std::string text = input::read_regular_file(file.string(), file.string(), {noun, false});
   if (text.empty()) refuse_path(file, "is empty");
   Json json = json_or_discarded(text);
   if (json.is_discarded() || !json.is_object())

@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <set>
 
-#include "earthtop/scenario/scenario.hpp"
-#include "scenario/check.hpp"
-#include "scenario/fields.hpp"
-#include "scenario/section.hpp"
+#include "compare/fields.hpp"
+#include "earthtop/error.hpp"
+#include "input/check.hpp"
+#include "input/file.hpp"
+#include "input/section.hpp"
 
 namespace earthtop::compare {
 namespace {
 
-using namespace scenario;
+using namespace input;
 
 /// The words of an array of `count` strings; refused where it is none.
 std::vector<std::string> words_of(const Section& section, std::string_view key, std::size_t count) {
@@ -163,8 +164,8 @@ Mapping read_mapping(const std::string& file) {
   const std::string content = read_regular_file(file, file, {"mapping file", false});
   std::string_view text = content;
   Findings findings;
-  const Node root = read_checked(text, file, kMapping, findings);
-  Mapping mapping = decode_mapping(Section(root, findings, kMapping));
+  const Node root = read_checked(text, file, mapping_fields(), findings);
+  Mapping mapping = decode_mapping(Section(root, findings, mapping_fields()));
   if (!findings.empty()) throw ScenarioError(findings.errors(text), file);
   mapping.file = file;
   return mapping;

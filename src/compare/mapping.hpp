@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "compare/csv_reader.hpp"
+#include "input/csv_reader.hpp"
 
 namespace earthtop::compare {
+
+using input::CsvFormat;
 
 /// A right-handed frame's axes as signed axes of ours: the file's axis i is sign[i] times our axis index[i].
 struct AxisTurn {

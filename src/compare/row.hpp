@@ -8,9 +8,11 @@
 #include <span>
 #include <string_view>
 
-#include "compare/csv_reader.hpp"
+#include "input/csv_reader.hpp"
 
 namespace earthtop::compare {
+
+using input::CellKind, input::CsvReader;
 
 /// A row: its time, and the cells of its table's columns in their order.
 struct Row {

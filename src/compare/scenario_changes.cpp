@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
 
-std::string shown(const Json* json) { return json ? scenario::excerpt(written_replacing(*json)) : "nothing"; }
+std::string shown(const Json* json) { return json ? input::excerpt(written_replacing(*json)) : "nothing"; }
 
 void collect(const Json* a, const Json* b, const std::string& pointer, std::vector<ScenarioChange>& changes) {
   if (a && b && *a == *b) return;
@@ -27,7 +27,7 @@ void collect(const Json* a, const Json* b, const std::string& pointer, std::vect
   const auto member = [](const Json* json, const std::string& key) {
     return json && json->contains(key) ? &json->at(key) : nullptr;
   };
-  for (const std::string& key : keys) collect(member(a, key), member(b, key), pointer + scenario::pointer_step(key), changes);
+  for (const std::string& key : keys) collect(member(a, key), member(b, key), pointer + input::pointer_step(key), changes);
 }
 
 }  // namespace

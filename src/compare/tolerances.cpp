@@ -5,17 +5,17 @@
 
 #include <algorithm>
 
-#include "earthtop/scenario/scenario.hpp"
-#include "scenario/check.hpp"
-#include "scenario/fields.hpp"
-#include "scenario/file.hpp"
-#include "scenario/section.hpp"
+#include "compare/fields.hpp"
+#include "earthtop/error.hpp"
+#include "input/check.hpp"
+#include "input/file.hpp"
+#include "input/section.hpp"
 
 namespace earthtop {
 namespace compare {
 namespace {
 
-using namespace scenario;
+using namespace input;
 
 constexpr double kOfEffect = 1e-3;        // of the Earth's effect: more could hide it
 constexpr double kNoEffect = 1e-6;        // where there is none: rad, or of the quantity's size
@@ -198,12 +198,12 @@ std::string_view to_string(Profile profile) {
 }
 
 Tolerances read_tolerances(const std::string& file) {
-  using namespace scenario;
+  using namespace input;
   const std::string content = read_regular_file(file, file, {"tolerance file", false});
   std::string_view text = content;
   Findings findings;
-  const Node root = read_checked(text, file, kTolerances, findings);
-  const Section section(root, findings, kTolerances);
+  const Node root = read_checked(text, file, compare::tolerances_fields(), findings);
+  const Section section(root, findings, compare::tolerances_fields());
   Tolerances tolerances;
   tolerances.file = file;
   const auto profile = section.word("profile");

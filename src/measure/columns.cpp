@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "scenario/node.hpp"
-#include "scenario/suggest.hpp"
+#include "input/node.hpp"
+#include "input/suggest.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 namespace {
 
 struct AngleUnit {
@@ -61,8 +61,8 @@ class HeaderReader {
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     for (const std::string& name : header_) {
       if (name.starts_with('_') || std::find(names.begin(), names.end(), name) != names.end()) continue;
-      const auto meant = scenario::suggest(name, candidates);
-      columns_.errors.push_back(fmt::format("unknown column \"{}\"; {}{}", scenario::excerpt(name), kAllowedColumns,
+      const auto meant = input::suggest(name, candidates);
+      columns_.errors.push_back(fmt::format("unknown column \"{}\"; {}{}", input::excerpt(name), kAllowedColumns,
                                             meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
     }
   }
@@ -127,4 +127,4 @@ class HeaderReader {
 
 MeasurementColumns measurement_columns(const std::vector<std::string>& header) { return HeaderReader(header).read(); }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

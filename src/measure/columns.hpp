@@ -7,7 +7,7 @@
 
 #include "earthtop/measure/measurement.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 
 /// Where a quantity's numbers are among the wanted ones, and in which units.
 struct QuantityCells {
@@ -26,4 +26,4 @@ struct MeasurementColumns {
 
 MeasurementColumns measurement_columns(const std::vector<std::string>& header);
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

@@ -7,7 +7,7 @@
 #include "text/utf8.hpp"
 
 namespace earthtop {
-namespace compare {
+namespace measure {
 namespace {
 
 using Json = nlohmann::ordered_json;  // writes what is not finite as null
@@ -43,10 +43,10 @@ Json residual_json(const MeasurementResidual& residual) {
 }
 
 }  // namespace
-}  // namespace compare
+}  // namespace measure
 
 std::string measurement_json(const MeasurementReport& report) {
-  using namespace compare;
+  using namespace measure;
   Json quantities = Json::array(), estimates = Json::array(), residuals = Json::array();
   for (const auto& [quantity, values] : report.quantities)
     quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});

@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "earthtop/frames/earth.hpp"
+#include "input/overrides.hpp"
+#include "input/reader.hpp"
+#include "input/suggest.hpp"
 #include "scenario/fields.hpp"
-#include "scenario/overrides.hpp"
-#include "scenario/reader.hpp"
-#include "scenario/suggest.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 namespace {
 
 constexpr std::size_t kMostEstimates = 8;
@@ -36,33 +36,33 @@ constexpr std::string_view kAllowedNames =
     "pointers of numbers of site, earth, body, release, platform or effects, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
-  throw ScenarioError("--estimate " + scenario::excerpt(name, 80), std::string(what));
+  throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
 }
 
 /// The table's row of a pointer, indices of lists, vectors and matrices taken for what they are.
-const scenario::Field* field_of(std::string_view pointer) {
+const input::Field* field_of(std::string_view pointer) {
   std::string pattern;
   for (std::size_t at = 1; at <= pointer.size();) {
     const std::size_t end = std::min(pointer.find('/', at), pointer.size());
     const std::string_view token = pointer.substr(at, end - at);
     const bool index = !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
-    const scenario::Field* field = scenario::find_field(pattern);
-    using enum scenario::FieldKind;
+    const input::Field* field = scenario::fields().find(pattern);
+    using enum input::FieldKind;
     if (index && field && (field->kind == vector3 || field->kind == matrix3 || field->kind == numbers)) return field;
     pattern += index ? "/*" : fmt::format("/{}", token);
     at = end + 1;
   }
-  const scenario::Field* field = scenario::find_field(pattern);
-  return field && field->kind == scenario::FieldKind::number ? field : nullptr;
+  const input::Field* field = scenario::fields().find(pattern);
+  return field && field->kind == input::FieldKind::number ? field : nullptr;
 }
 
 /// The number at a pointer of a tree; nothing where there is none.
-std::optional<double> number_in(const scenario::Node& root, std::string_view pointer) {
-  const scenario::Node* node = &root;
+std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
+  const input::Node* node = &root;
   for (std::size_t at = 1; at <= pointer.size();) {
     const std::size_t end = std::min(pointer.find('/', at), pointer.size());
     const std::string_view token = pointer.substr(at, end - at);
-    if (node->kind == scenario::JsonKind::array) {
+    if (node->kind == input::JsonKind::array) {
       std::size_t index = 0;
       const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), index);
       if (error != std::errc() || stop != token.data() + token.size() || index >= node->children.size()) return std::nullopt;
@@ -72,16 +72,16 @@ std::optional<double> number_in(const scenario::Node& root, std::string_view poi
     }
     at = end + 1;
   }
-  if (node->kind != scenario::JsonKind::number) return std::nullopt;
+  if (node->kind != input::JsonKind::number) return std::nullopt;
   return node->number;
 }
 
 /// A tree of a text that was read without complaint before.
-scenario::Node tree_of(std::string_view text, const std::vector<std::pair<std::string, std::string>>& overrides) {
-  scenario::Node root;
-  scenario::Findings none;
-  scenario::read_json(text, "", false, root, none);
-  scenario::apply_overrides(root, overrides, none);
+input::Node tree_of(std::string_view text, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  input::Node root;
+  input::Findings none;
+  input::read_json(text, "", false, root, none);
+  input::apply_overrides(root, overrides, none);
   return root;
 }
 
@@ -117,11 +117,11 @@ void EstimatedInputs::add(const std::string& name) {
   if (!pointer.starts_with('/')) {
     std::vector<std::string_view> names = {kVerticalRate};
     for (const NamedInput& input : kNamedInputs) names.push_back(input.name);
-    const auto meant = scenario::suggest(name, names);
+    const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }
   const bool in_room = std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
-  const scenario::Field* field = in_room ? field_of(pointer) : nullptr;
+  const input::Field* field = in_room ? field_of(pointer) : nullptr;
   if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
@@ -145,8 +145,8 @@ void EstimatedInputs::add_vertical_rate() {
 /// As the scenario's text has it; else the table's default; else the one that was computed.
 double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
   if (const auto number = number_in(tree_of(source_.text, overrides_), pointer)) return *number;
-  const scenario::Field* field = field_of(pointer);
-  if (field->kind == scenario::FieldKind::number) {
+  const input::Field* field = field_of(pointer);
+  if (field->kind == input::FieldKind::number) {
     double fallback = 0;
     const std::string_view text = field->fallback;
     if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;
@@ -173,4 +173,4 @@ std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& val
   return varied;
 }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

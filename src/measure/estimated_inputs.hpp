@@ -9,7 +9,7 @@
 
 #include "earthtop/scenario/scenario.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 
 struct EstimatedInput {
   std::string name;     ///< as it was asked for
@@ -44,4 +44,4 @@ class EstimatedInputs {
   std::vector<EstimatedInput> list_;
 };
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

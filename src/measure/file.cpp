@@ -6,15 +6,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/csv_reader.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/real.hpp"
+#include "input/csv_reader.hpp"
+#include "input/findings.hpp"
 #include "measure/columns.hpp"
-#include "scenario/findings.hpp"
 
 namespace earthtop {
-namespace compare {
+namespace measure {
 namespace {
+
+using input::CellKind, input::CsvReader;
 
 constexpr std::uint64_t kMostMeasuredRows = 200'000;
 constexpr double kLatestTime_s = 1e9;                               // the longest duration of a scenario
@@ -102,14 +104,14 @@ class MeasurementReader {
 
   void refuse(std::size_t wanted, std::string message) { refuse_at(reader_.column(wanted), std::move(message)); }
   void refuse_at(std::size_t column, std::string message) {
-    if (++count_ > scenario::kMostDiagnostics) return;
+    if (++count_ > input::kMostDiagnostics) return;
     findings_.push_back({static_cast<int>(reader_.line()), static_cast<int>(column), "", std::move(message)});
   }
   void throw_findings() {
     if (count_ == 0) return;
-    if (count_ > scenario::kMostDiagnostics)
+    if (count_ > input::kMostDiagnostics)
       findings_.push_back({static_cast<int>(reader_.line()), 1, "",
-                           fmt::format("{} more errors are not shown", count_ - scenario::kMostDiagnostics)});
+                           fmt::format("{} more errors are not shown", count_ - input::kMostDiagnostics)});
     throw ScenarioError(std::move(findings_), reader_.file());
   }
 
@@ -122,7 +124,7 @@ class MeasurementReader {
 };
 
 }  // namespace
-}  // namespace compare
+}  // namespace measure
 
 std::string_view to_string(MeasuredQuantity quantity) {
   switch (quantity) {
@@ -135,6 +137,6 @@ std::string_view to_string(MeasuredQuantity quantity) {
   return "";
 }
 
-Measurement read_measurement(const std::string& csv_file) { return compare::MeasurementReader(csv_file).read(); }
+Measurement read_measurement(const std::string& csv_file) { return measure::MeasurementReader(csv_file).read(); }
 
 }  // namespace earthtop

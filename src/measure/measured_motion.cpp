@@ -11,7 +11,7 @@
 #include "earthtop/vectors.hpp"
 #include "scenario/problem.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
@@ -167,4 +167,4 @@ double period_of(const MeasurementResidual& residual) {
   return residual.quantity == "azimuth" || residual.quantity == "drift_azimuth" ? kWholeTurn : 0;
 }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

@@ -9,7 +9,7 @@
 #include "earthtop/vectors.hpp"
 #include "earthtop/watch.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 
 /// The measured times, each once, ascending; the release is the first (s).
 std::vector<double> measured_times(const Measurement& measurement);
@@ -47,4 +47,4 @@ std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, co
 /// What a residual may jump by where an angle goes round (rad); 0 where it cannot.
 double period_of(const MeasurementResidual& residual);
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

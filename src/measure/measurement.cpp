@@ -18,7 +18,7 @@
 #include "measure/weighted_fit.hpp"
 
 namespace earthtop {
-namespace compare {
+namespace measure {
 namespace {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -149,7 +149,7 @@ void add_notes(MeasurementReport& report) {
 }
 
 }  // namespace
-}  // namespace compare
+}  // namespace measure
 
 std::string_view to_string(FitOutcome outcome) {
   switch (outcome) {
@@ -173,7 +173,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
                                            const Measurement& measurement, const std::vector<std::string>& estimates,
                                            const Watch& watch) {
-  using namespace compare;
+  using namespace measure;
   if (measurement.values.empty()) throw ScenarioError("", "no measured value");
   const Scenario given = parse_scenario(source, overrides);
   if (given.effects.automatic)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 namespace {
 
 constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // of a parameter's scale
@@ -91,4 +91,4 @@ ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, 
   }
 }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

@@ -7,7 +7,7 @@
 
 #include "measure/weighted_fit.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 
 /// The problem in parameters divided by their scales, 1 at the start, and residuals divided by their standard errors.
 class ScaledProblem {
@@ -38,4 +38,4 @@ class ScaledProblem {
   std::vector<double> residuals_;
 };
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

@@ -17,7 +17,7 @@
 #include "error/gsl_errors.hpp"
 #include "measure/scaled_problem.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 namespace {
 
 using Eigen::Index;
@@ -226,4 +226,4 @@ Fit fit_weighted(const FitProblem& problem) {
   }
 }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

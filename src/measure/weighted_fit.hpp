@@ -9,7 +9,7 @@
 
 #include "earthtop/measure/measurement.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::measure {
 
 /// What is to be fitted. A residual is a measured less a predicted angle (rad).
 struct FitProblem {
@@ -44,4 +44,4 @@ inline constexpr double kPredictionError_rad = 1e-11;
 /// Converged is a fit whose next full step would be a thousandth of the standard errors.
 Fit fit_weighted(const FitProblem& problem);
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::measure

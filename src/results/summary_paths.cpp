@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "earthtop/results/results.hpp"
+#include "input/pointers.hpp"
+#include "input/suggest.hpp"
 #include "results/summary_section.hpp"
-#include "scenario/pointers.hpp"
-#include "scenario/suggest.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {
@@ -128,7 +128,7 @@ std::string no_member(const Json& object, const std::string& path, std::string_v
   std::string text = fmt::format("summary.json never has \"{}\"{}", name, path.empty() ? "" : fmt::format(" in {}", path));
   if (const std::string elsewhere = place_of(name, every_member(), ""); !elsewhere.empty())
     return text + fmt::format("; did you mean \"{}\"", elsewhere);
-  if (const auto meant = scenario::suggest(name, names))
+  if (const auto meant = input::suggest(name, names))
     return text + fmt::format("; did you mean \"{}{}{}\"", path, path.empty() ? "" : ".", *meant);
   return text + fmt::format("; there are: {}", fmt::join(names, ", "));
 }
@@ -149,7 +149,7 @@ std::optional<std::string> summary_path_fault(std::string_view path) {
     } else if (at->is_array() && !at->empty()) {
       const bool list = is_list(*at);
       const std::size_t size = list ? static_cast<std::size_t>(-1) : at->size();
-      const auto index = scenario::array_index(step, size);
+      const auto index = input::array_index(step, size);
       if (!index)
         return list ? fmt::format("{} is a list; after it comes a number from 0 on, not \"{}\"", so_far, step)
                     : fmt::format("{} has {} elements; after it comes a number from 0 to {}, not \"{}\"", so_far, size,

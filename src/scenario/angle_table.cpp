@@ -9,7 +9,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/frames/angle_spline.hpp"
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -36,7 +36,7 @@ std::optional<double> finite_number(std::string_view field) {
 }
 
 /// The beginning of what stands there; a table may hold any bytes.
-std::string shown_text(std::string_view text) { return printable(excerpt(text)); }
+std::string shown_text(std::string_view text) { return printable(input::excerpt(text)); }
 
 std::string no_number(std::string_view key, std::string_view field) {
   return fmt::format("{} is \"{}\"; must be a finite number that a double can hold, like -1.25e-3", key, shown_text(field));

@@ -6,10 +6,11 @@
 #include <filesystem>
 
 #include "earthtop/model/release.hpp"
-#include "scenario/check.hpp"
-#include "scenario/overrides.hpp"
+#include "input/check.hpp"
+#include "input/overrides.hpp"
+#include "input/reader.hpp"
+#include "scenario/fields.hpp"
 #include "scenario/plausibility.hpp"
-#include "scenario/reader.hpp"
 
 namespace earthtop {
 namespace scenario {
@@ -23,7 +24,7 @@ void decode_name(const Section& root, const std::string& file, Scenario& scenari
   }
   if (file.empty() || file == "<stdin>") return;
   const std::string stem = std::filesystem::path(file).stem().string();
-  if (is_scenario_name(stem))
+  if (input::is_name(stem))
     scenario.name = stem;
   else
     root.missing("name",
@@ -139,6 +140,7 @@ void decode(const Section& root, const ScenarioSource& source, Scenario& scenari
 ScenarioReport examine_scenario(const ScenarioSource& source,
                                 const std::vector<std::pair<std::string, std::string>>& overrides) {
   using namespace scenario;
+  using namespace input;
   std::string_view text = source.text;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark: columns are counted behind it
   Findings findings;
@@ -149,8 +151,8 @@ ScenarioReport examine_scenario(const ScenarioSource& source,
     return {std::nullopt, findings.count(), findings.errors(text), {}};
   Scenario scenario;
   if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
-  check_structure(root, findings);
-  decode(Section(root, findings), source, scenario);
+  check_structure(root, findings, fields());
+  decode(Section(root, findings, fields()), source, scenario);
   ScenarioReport report{std::nullopt, findings.count(), findings.errors(text), findings.warnings(text)};
   if (findings.empty()) report.scenario = std::move(scenario);
   return report;

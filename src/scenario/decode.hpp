@@ -7,9 +7,11 @@
 #include <string>
 
 #include "earthtop/scenario/scenario.hpp"
-#include "scenario/section.hpp"
+#include "input/section.hpp"
 
 namespace earthtop::scenario {
+
+using input::excerpt, input::lists, input::Node, input::Section, input::split_words;
 
 /// The body, nothing where it is not physical or not complete.
 std::optional<BodySpec> decode_body(const Section& body);

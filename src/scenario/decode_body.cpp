@@ -179,9 +179,9 @@ std::optional<BodySpec> decode_body(const Section& body) {
   }
   if (!violations.empty()) return std::nullopt;
   const Body<double> made = make_body<double>(spec);
-  const Range mass_range = find_field("/body/mass_kg")->range;
+  const input::Range mass_range = fields().find("/body/mass_kg")->range;
   if (!mass_range.contains(made.mass)) {
-    body.refuse(source, fmt::format("the mass is {} kg in all; it must be {} kg", made.mass, range_text(mass_range)));
+    body.refuse(source, fmt::format("the mass is {} kg in all; it must be {} kg", made.mass, input::range_text(mass_range)));
     return std::nullopt;
   }
   if (!made.I_BP_B_inverse.allFinite() || !made.I_BP_B.allFinite() || !(made.I_BP_B.determinant() > 0)) {

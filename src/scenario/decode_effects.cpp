@@ -8,8 +8,8 @@
 
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/release.hpp"
+#include "input/suggest.hpp"
 #include "scenario/decode.hpp"
-#include "scenario/suggest.hpp"
 
 namespace earthtop::scenario {
 namespace {

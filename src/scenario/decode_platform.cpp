@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "earthtop/real.hpp"
+#include "input/file.hpp"
 #include "scenario/angle_table.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
-#include "scenario/file.hpp"
 #include "scenario/rules.hpp"
 #include "text/sha256.hpp"
 
@@ -31,7 +31,7 @@ std::optional<std::string> read_table(const Section& platform, const ScenarioSou
   else
     try {
       const std::filesystem::path path = std::filesystem::path(source.file).parent_path() / file;
-      return read_regular_file(path.string(), excerpt(path.string(), kLongestShownPath), {"table"});
+      return input::read_regular_file(path.string(), excerpt(path.string(), kLongestShownPath), {"table"});
     } catch (const ScenarioError& error) {
       for (const Diagnostic& diagnostic : error.diagnostics())
         platform.refuse("file", fmt::format("{}: {}", error.file(), diagnostic.message));

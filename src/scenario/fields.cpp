@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenario/fields.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "scenario/quantities.hpp"
@@ -12,9 +8,11 @@
 namespace earthtop::scenario {
 namespace {
 
+using input::Field, input::Range;
+using enum input::FieldKind;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.141592653589793;
-using enum FieldKind;
 
 constexpr Range any() { return {}; }
 constexpr Range from(double least, double most) { return {least, most, false}; }
@@ -129,7 +127,8 @@ constexpr Field kFields[] = {
     {"/platform/file_sha256", text, "", any(), "", "", "table: SHA-256 that the file must have; any if left out"},
 
     {"/effects", object_or_word, "", any(), "auto", "{}",
-     "which torques act; \"auto\": what accuracy.drift_rad needs of those that have no parameter of their own"},
+     "which torques act; \"auto\": what accuracy.drift_rad needs of those that have no parameter of their own", !kRequired, "",
+     "this effect is not available"},
     {"/effects/coriolis", flag, "", any(), "", "true", "Coriolis torque"},
     {"/effects/centrifugal", flag, "", any(), "", "true", "centrifugal torque"},
     {"/effects/transverse", flag, "", any(), "", "true", "transverse torque"},
@@ -215,95 +214,10 @@ constexpr Field kFields[] = {
      "of the distance from the pivot to the centre of mass, moments about the pivot unchanged"},
 };
 
-}  // namespace
-
-std::span<const Field> all_fields() { return kFields; }
-
-std::span<const Field> fields_of(std::string_view pattern) {
-  if (pattern.starts_with(kStudy)) return study_fields();
-  if (pattern.starts_with(kMapping)) return mapping_fields();
-  if (pattern.starts_with(kTolerances)) return tolerances_fields();
-  return all_fields();
-}
-
-std::string_view noun_of(std::string_view pattern) {
-  if (pattern.starts_with(kStudy)) return "study";
-  if (pattern.starts_with(kMapping)) return "mapping file";
-  if (pattern.starts_with(kTolerances)) return "tolerance file";
-  return "scenario";
-}
-
-const Field* find_field(std::string_view pattern) {
-  for (const Field& field : fields_of(pattern))
-    if (field.pointer == pattern) return &field;
-  return nullptr;
-}
-
-std::vector<std::string_view> keys_below(std::string_view pattern) {
-  std::vector<std::string_view> keys;
-  for (const Field& field : fields_of(pattern))
-    if (field.parent() == pattern && field.key() != "*") keys.push_back(field.key());
-  return keys;
-}
-
-std::vector<std::string_view> split_words(std::string_view words) {
-  std::vector<std::string_view> list;
-  while (!words.empty()) {
-    list.push_back(words.substr(0, words.find('|')));
-    words.remove_prefix(std::min(list.back().size() + 1, words.size()));
-  }
-  return list;
-}
-
-bool lists(std::string_view words, std::string_view word) {
-  const auto list = split_words(words);
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-std::string range_text(const Range& range) {
-  const auto end = [](double x) { return std::abs(x) < 1e6 ? fmt::format("{}", x) : fmt::format("{:g}", x); };
-  if (std::isinf(range.least) && std::isinf(range.most)) return "";
-  if (std::isinf(range.most)) return fmt::format("{} {}", range.least_excluded ? "above" : "of at least", end(range.least));
-  if (range.least_excluded) return fmt::format("above {} and at most {}", end(range.least), end(range.most));
-  return fmt::format("from {} to {}", end(range.least), end(range.most));
-}
-
-namespace {
-
-std::string quoted_words(std::string_view words) {
-  std::string list;
-  for (const std::string_view w : split_words(words)) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", w);
-  return list;
-}
-
-std::string numbers_text(std::string_view what, const Field& field) {
-  std::string allowed(what);
-  if (const std::string range = range_text(field.range); !range.empty()) allowed += " " + range;
-  if (!field.unit.empty()) allowed += fmt::format(" ({})", field.unit);
-  return allowed;
-}
+constexpr FieldTable kTable = {"scenario", "scenario", kFields};
 
 }  // namespace
 
-std::string allowed_values(const Field& field) {
-  switch (field.kind) {
-    case object: return "an object {...}";
-    case object_or_word: return field.words.empty() ? "an object {...}" : quoted_words(field.words) + ", or an object {...}";
-    case flag_or_object:
-      return fmt::format("true, false{}{}, or an object {{...}}", field.words.empty() ? "" : ", ", quoted_words(field.words));
-    case list: return "an array of at least one object";
-    case text: return "a string";
-    case name: return "a string of 1 to 64 of a-z, 0-9 and '-', not beginning with '-'";
-    case word: return quoted_words(field.words);
-    case flag: return "true or false";
-    case number: return numbers_text("a number", field);
-    case vector3: return numbers_text("an array of 3 numbers", field);
-    case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);
-    case numbers: return numbers_text("an array of 1 to 4 numbers", field);
-    case changes: return "an array of \"/json/pointer=value\"";
-    case FieldKind::anything: return "given";
-  }
-  return "";
-}
+const FieldTable& fields() { return kTable; }
 
 }  // namespace earthtop::scenario

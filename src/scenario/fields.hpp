@@ -1,82 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The one table of fields: every key of a scenario with its kind, unit, range, words, default and meaning.
+/// The table of a scenario's fields.
 #pragma once
 
-#include <limits>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "input/fields.hpp"
 
 namespace earthtop::scenario {
 
-enum class FieldKind {
-  object,
-  object_or_word,
-  flag_or_object,  ///< true, false, one of `words`, or an object
-  list,            ///< of objects
-  text,            ///< any string
-  name,            ///< [a-z0-9][a-z0-9-]{0,63}
-  word,            ///< one of `words`
-  flag,            ///< true or false
-  number,
-  vector3,   ///< three numbers
-  matrix3,   ///< three rows of three numbers
-  numbers,   ///< one to four numbers
-  changes,   ///< "/json/pointer=value", any number of them
-  anything,  ///< whatever JSON there is: its decoder checks it
-};
+using input::FieldTable;
 
-struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool least_excluded = false;
-  bool contains(double x) const { return (least_excluded ? x > least : x >= least) && x <= most; }
-};
-
-struct Field {
-  std::string_view pointer;  ///< `*` stands for any index of a list
-  FieldKind kind;
-  std::string_view unit;      ///< of numbers; empty where there is none
-  Range range;                ///< of a number, or of every number of a vector or matrix
-  std::string_view words;     ///< allowed ones, separated by '|'
-  std::string_view fallback;  ///< default as JSON; empty where there is none, or it is computed
-  std::string_view doc;
-  bool required = false;         ///< wherever its parent stands; rules with more than one key are the decoder's
-  std::string_view reason = "";  ///< why the range ends where it ends, for those who passed it
-
-  std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
-  std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
-};
-
-/// Of a scenario.
-std::span<const Field> all_fields();
-
-/// Of a study, and of the files that a comparison takes: the same, with patterns that begin with these.
-inline constexpr std::string_view kStudy = "study:", kMapping = "mapping:", kTolerances = "tolerances:";
-std::span<const Field> study_fields();
-std::span<const Field> mapping_fields();
-std::span<const Field> tolerances_fields();
-
-/// The table that a pattern belongs to.
-std::span<const Field> fields_of(std::string_view pattern);
-/// What a file of the table is called: "scenario", "study", ...
-std::string_view noun_of(std::string_view pattern);
-
-/// The field of a pointer pattern, null if there is none.
-const Field* find_field(std::string_view pattern);
-
-/// Keys of an object, in the table's order.
-std::vector<std::string_view> keys_below(std::string_view pattern);
-
-std::vector<std::string_view> split_words(std::string_view words);
-/// Whether `word` is one of `words`.
-bool lists(std::string_view words, std::string_view word);
-
-/// What is allowed, for messages: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
-std::string allowed_values(const Field& field);
-
-/// "from -90 to 90", "above 0 and at most 1e6", "of at least 0"; empty where every finite number is in the range.
-std::string range_text(const Range& range);
+/// Every key of a scenario.
+const FieldTable& fields();
 
 }  // namespace earthtop::scenario

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "earthtop/scenario/scenario.hpp"
-#include "scenario/section.hpp"
+#include "input/section.hpp"
 
 namespace earthtop::scenario {
+
+using input::Section;
 
 /// Adds warnings. @param scenario  as decoded so far: what could not be decoded has its initial value and is passed over
 void warn_of_implausible(const Section& root, const Scenario& scenario);

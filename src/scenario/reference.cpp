@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "input/schema.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/rules.hpp"
 #include "text/json.hpp"
@@ -15,27 +16,7 @@ namespace scenario {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A table cell: a bar would end it.
-std::string cell(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '|') escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
-
-std::string value_text(const Field& field) {
-  if (field.kind == FieldKind::anything) return "see there";
-  const auto words = split_words(field.words);
-  return words.size() > 12 ? fmt::format("one of {} names", words.size()) : cell(allowed_values(field));
-}
-
-std::string default_text(const Field& field) {
-  if (!field.fallback.empty()) return fmt::format("`{}`", field.fallback);
-  return field.required ? "required" : "";
-}
+using input::Field, input::FieldKind, input::split_words;
 
 /// Whether a key may stand beside those of `given`, so that its default may be written there.
 bool belongs(std::string_view key, const Json& given) {
@@ -60,13 +41,13 @@ bool is_about_original(std::string_view pointer) {
 /// The values of `given` in the table's order, with the defaults of what it leaves out, each behind a comment.
 Json annotated(const Json& given, std::string_view pattern) {
   Json filled = Json::object();
-  for (const std::string_view key : keys_below(pattern)) {
-    const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
+  for (const std::string_view key : fields().keys_below(pattern)) {
+    const Field& field = *fields().find(fmt::format("{}/{}", pattern, key));
     const bool stands = given.contains(key);
     if (is_about_original(field.pointer) || (!stands && field.fallback.empty())) continue;
     if (!stands && !belongs(key, given)) continue;
     const Json value = stands ? given.at(key) : json_of(field.fallback);
-    if (!stands && value == Json::object() && keys_below(field.pointer).empty()) continue;
+    if (!stands && value == Json::object() && fields().keys_below(field.pointer).empty()) continue;
     std::string comment(field.doc);
     if (key != "$schema" && field.kind != FieldKind::object) comment += "; " + allowed_values(field);
     if (key != "$schema") filled[fmt::format("_{}", key)] = comment;
@@ -109,25 +90,7 @@ bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != 
 }  // namespace
 }  // namespace scenario
 
-namespace {
-
-std::string markdown_of(std::span<const scenario::Field> fields, std::string_view root) {
-  using namespace scenario;
-  std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
-  for (const Field& field : fields) {
-    if (field.key() == "*" || field.key() == "$schema") continue;
-    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(root.size() + 1), value_text(field),
-                        default_text(field), cell(field.doc));
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string scenario_reference_markdown() { return markdown_of(scenario::all_fields(), ""); }
-std::string study_reference_markdown() { return markdown_of(scenario::study_fields(), scenario::kStudy); }
-std::string mapping_reference_markdown() { return markdown_of(scenario::mapping_fields(), scenario::kMapping); }
-std::string tolerances_reference_markdown() { return markdown_of(scenario::tolerances_fields(), scenario::kTolerances); }
+std::string scenario_reference_markdown() { return input::reference_markdown(scenario::fields()); }
 
 std::string annotated_scenario(const ScenarioSource& source) {
   parse_scenario(source);
@@ -138,7 +101,7 @@ std::string annotated_scenario(const ScenarioSource& source) {
 
 std::vector<std::string> scenario_pointers() {
   std::vector<std::string> pointers;
-  for (const scenario::Field& field : scenario::all_fields()) {
+  for (const input::Field& field : scenario::fields().fields) {
     if (!scenario::is_one_value(field.kind)) continue;
     std::string pointer(field.pointer);
     if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
+#include "input/schema.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/scenario/reference.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/rules.hpp"
-#include "text/json.hpp"
 
 namespace earthtop {
 namespace scenario {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using input::split_words;
 
 Json required(std::string_view keys) { return {{"required", split_words(keys)}}; }
 Json none_of(std::string_view keys) {
@@ -115,7 +114,7 @@ Json composition_rule() {
 Json precision_rule() {
   const auto allowed = [](Precision precision) -> Json {
     Json methods = Json::array();
-    for (const std::string_view word : split_words(find_field("/numerics/method")->words))
+    for (const std::string_view word : split_words(fields().find("/numerics/method")->words))
       for (const Method method : kMethods)
         if (to_string(method) == word && is_built(method, precision)) methods.push_back(word);
     return {
@@ -138,7 +137,7 @@ Json criterion_rules() {
   return rules;
 }
 
-/// Rules of an object that involve more than one of its keys; an empty array where there are none.
+/// The rules of an object that involve more than one of its keys; an empty array where there are none.
 Json rules_of(std::string_view pattern) {
   if (pattern.empty()) return Json::array({site_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
@@ -159,101 +158,14 @@ Json rules_of(std::string_view pattern) {
   return Json::array();
 }
 
-void add_range(Json& schema, const Range& range) {
-  if (!std::isinf(range.least)) schema[range.least_excluded ? "exclusiveMinimum" : "minimum"] = range.least;
-  if (!std::isinf(range.most)) schema["maximum"] = range.most;
-}
-
-Json of_object(std::string_view pattern);
-
-Json of_three(Json items) { return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 3}, {"maxItems", 3}}; }
-
-Json of_field(const Field& field) {
-  Json number = {{"type", "number"}};
-  add_range(number, field.range);
-  Json words = {{"enum", split_words(field.words)}};
-  switch (field.kind) {
-    case FieldKind::object: return of_object(field.pointer);
-    case FieldKind::object_or_word:
-      if (field.words.empty()) return of_object(field.pointer);
-      return {{"oneOf", Json::array({words, of_object(field.pointer)})}};
-    case FieldKind::flag_or_object: {
-      Json choices = Json::array({{{"type", "boolean"}}, of_object(field.pointer)});
-      if (!field.words.empty()) choices.push_back(words);
-      return {{"oneOf", choices}};
-    }
-    case FieldKind::list: return {{"type", "array"}, {"minItems", 1}, {"items", of_object(std::string(field.pointer) + "/*")}};
-    case FieldKind::text: return {{"type", "string"}};
-    case FieldKind::name: return {{"type", "string"}, {"pattern", "^[a-z0-9][a-z0-9-]{0,63}$"}};
-    case FieldKind::word: return words;
-    case FieldKind::flag: return {{"type", "boolean"}};
-    case FieldKind::number: return number;
-    case FieldKind::vector3: return of_three(number);
-    case FieldKind::matrix3: return of_three(of_three(number));
-    case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
-    case FieldKind::changes:
-      return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};
-    case FieldKind::anything: return Json::object();
-  }
-  return false;
-}
-
-Json of_object(std::string_view pattern) {
-  Json properties = Json::object(), needed = Json::array();
-  for (const std::string_view key : keys_below(pattern)) {
-    const Field& field = *find_field(fmt::format("{}/{}", pattern, key));
-    Json schema = of_field(field);
-    schema["description"] = field.unit.empty() ? std::string(field.doc) : fmt::format("{} ({})", field.doc, field.unit);
-    if (!field.fallback.empty()) schema["default"] = json_of(field.fallback);
-    properties[key] = std::move(schema);
-    if (field.required) needed.push_back(key);
-  }
-  Json schema = {{"type", "object"},
-                 {"properties", std::move(properties)},
-                 {"patternProperties", {{"^(_|//)", true}}},
-                 {"additionalProperties", false}};
-  if (!needed.empty()) schema["required"] = std::move(needed);
-  if (Json rules = rules_of(pattern); !rules.empty()) schema["allOf"] = std::move(rules);
-  return schema;
-}
-
 }  // namespace
 }  // namespace scenario
 
-namespace {
-
-std::string schema_of(std::string_view pattern, std::string_view id, std::string_view title, std::string_view description) {
-  scenario::Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                           {"$id", id},
-                           {"title", title},
-                           {"description", std::string(description) + " Keys that begin with _ or // are comments."}};
-  schema.update(scenario::of_object(pattern));
-  return written(schema, 2) + '\n';
-}
-
-}  // namespace
-
 std::string scenario_schema() {
-  return schema_of(
-      "", "earthtop-scenario-1.json", "earthtop scenario",
-      "A top or gyroscope in a laboratory that turns with the Earth. Laboratory axes: East, North, Up; body axis 3 "
-      "is the spin axis.");
-}
-
-std::string study_schema() {
-  return schema_of(scenario::kStudy, "earthtop-study-1.json", "earthtop study",
-                   "A base scenario, axes along which its keys are changed, a design that chooses the points, and the "
-                   "quantities to collect.");
-}
-
-std::string mapping_schema() {
-  return schema_of(scenario::kMapping, "earthtop-mapping-1.json", "earthtop mapping",
-                   "What the columns of another program's CSV file mean.");
-}
-
-std::string tolerances_schema() {
-  return schema_of(scenario::kTolerances, "earthtop-tolerances-1.json", "earthtop tolerances",
-                   "What a comparison lets pass, a quantity at a time.");
+  return input::schema(scenario::fields(),
+                       "A top or gyroscope in a laboratory that turns with the Earth. Laboratory axes: East, North, Up; body "
+                       "axis 3 is the spin axis.",
+                       scenario::rules_of);
 }
 
 }  // namespace earthtop

@@ -1,86 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
-#include <fmt/core.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <utility>
-
 #include "earthtop/scenario/scenario.hpp"
-#include "scenario/file.hpp"
-#include "scenario/reader.hpp"
+#include "input/file.hpp"
 
 namespace earthtop {
-namespace scenario {
-namespace {
-
-[[noreturn]] void refuse_file(const std::string& name, std::string message) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, name);
-}
-
-void require_regular(const struct stat& status, const std::string& name, const FileUse& use) {
-  const auto* or_stdin = use.or_standard_input ? ", or '-' and redirect standard input" : "";
-  if (S_ISDIR(status.st_mode)) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));
-  if (S_ISFIFO(status.st_mode)) refuse_file(name, fmt::format("is a FIFO; give a file{}", or_stdin));
-  if (!S_ISREG(status.st_mode)) refuse_file(name, fmt::format("is no regular file; give a file{}", or_stdin));
-}
-
-std::string read_all(int descriptor, const std::string& name, const FileUse& use) {
-  std::string text, chunk(std::size_t{1} << 16, '\0');
-  for (;;) {
-    const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0 && errno == EISDIR) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));
-    if (got < 0 && errno == EBADF) refuse_file(name, "is closed; give a file, or redirect standard input");
-    if (got < 0) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
-    if (got == 0) return text;
-    text.append(chunk, 0, static_cast<std::size_t>(got));
-    if (text.size() > kLargestText)
-      refuse_file(name, fmt::format("has more than 16 MiB, the most a {0} may have; is it a {0}?", use.noun));
-  }
-}
-
-constexpr FileUse kScenarioFile = {"scenario file", true};
-
-}  // namespace
-
-Descriptor open_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
-  struct stat status = {};
-  if (::stat(path.c_str(), &status) == 0) require_regular(status, name, use);
-  // Not blocking, and asked again: a FIFO put there in between would hold the program for ever.
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-  if (file.get() < 0) {
-    if (errno == ENOENT)
-      refuse_file(name, fmt::format("there is no such file; check the path{}",
-                                    use.or_standard_input ? ", or give '-' for standard input" : ""));
-    refuse_file(name, fmt::format("cannot be opened ({}); check path and permissions", std::strerror(errno)));
-  }
-  if (::fstat(file.get(), &status) != 0)
-    refuse_file(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
-  require_regular(status, name, use);
-  return file;
-}
-
-std::size_t read_some(const Descriptor& file, const std::string& name, char* bytes, std::size_t size) {
-  for (;;) {
-    const ssize_t got = ::read(file.get(), bytes, size);
-    if (got >= 0) return static_cast<std::size_t>(got);
-    if (errno != EINTR) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
-  }
-}
-
-std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
-  return read_all(open_regular_file(path, name, use).get(), name, use);
-}
-
-}  // namespace scenario
 
 ScenarioSource read_scenario_source(const std::string& path) {
-  using namespace scenario;
-  if (path == "-") return {"<stdin>", read_all(STDIN_FILENO, "<stdin>", kScenarioFile)};
-  return {path, read_regular_file(path, path, kScenarioFile)};
+  constexpr input::FileUse kScenarioFile = {"scenario file", true};
+  if (path == "-") return {"<stdin>", input::read_standard_input(kScenarioFile)};
+  return {path, input::read_regular_file(path, path, kScenarioFile)};
 }
 
 }  // namespace earthtop

@@ -8,8 +8,8 @@
 namespace earthtop::study {
 namespace {
 
-Json tree_of(const scenario::Node& node) {
-  using scenario::JsonKind;
+Json tree_of(const input::Node& node) {
+  using input::JsonKind;
   Json json;
   switch (node.kind) {
     case JsonKind::null:
@@ -19,11 +19,11 @@ Json tree_of(const scenario::Node& node) {
     case JsonKind::string: json = node.text; break;
     case JsonKind::array:
       json = Json::array();
-      for (const scenario::Node& child : node.children) json.push_back(tree_of(child));
+      for (const input::Node& child : node.children) json.push_back(tree_of(child));
       break;
     case JsonKind::object:
       json = Json::object();
-      for (const scenario::Node& child : node.children) json[child.key] = tree_of(child);
+      for (const input::Node& child : node.children) json[child.key] = tree_of(child);
       break;
   }
   return json;
@@ -31,7 +31,7 @@ Json tree_of(const scenario::Node& node) {
 
 }  // namespace
 
-std::string json_text(const scenario::Node& node) { return written(tree_of(node)); }
+std::string json_text(const input::Node& node) { return written(tree_of(node)); }
 
 std::string json_text(double number) { return written(number); }
 

@@ -5,13 +5,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 
 namespace earthtop::study {
 
 using Json = nlohmann::ordered_json;
 
-std::string json_text(const scenario::Node& node);
+std::string json_text(const input::Node& node);
 /// The shortest digits that read back to the same bits.
 std::string json_text(double number);
 

@@ -8,19 +8,20 @@
 #include <set>
 
 #include "earthtop/study/study.hpp"
+#include "input/check.hpp"
+#include "input/pointers.hpp"
+#include "input/reader.hpp"
+#include "input/section.hpp"
 #include "results/summary_section.hpp"
-#include "scenario/check.hpp"
 #include "scenario/fields.hpp"
-#include "scenario/pointers.hpp"
-#include "scenario/reader.hpp"
-#include "scenario/section.hpp"
+#include "study/fields.hpp"
 #include "study/json_text.hpp"
 
 namespace earthtop {
 namespace study {
 namespace {
 
-using namespace scenario;
+using namespace input;
 
 constexpr std::size_t kMostAxes = 20;  // the Sobol sequence at hand has 40 dimensions, and indices take two an axis
 constexpr std::size_t kMostQuantities = 200;
@@ -89,7 +90,7 @@ class Decoder {
       study_.name = *name;
     } else if (!root.has("name") && source_.file != "<stdin>") {
       const std::string stem = std::filesystem::path(source_.file).stem().string();
-      if (is_scenario_name(stem))
+      if (is_name(stem))
         study_.name = stem;
       else
         root.missing("name", fmt::format("is missing, and the file's stem \"{}\" is no name; give one", excerpt(stem)));
@@ -126,7 +127,7 @@ class Decoder {
       if (change.key.starts_with("//")) continue;
       if (!is_pointer(change.key))
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), "is no JSON pointer; e.g. /motion/duration_s");
-      else if (const auto fault = base_ ? std::nullopt : pointer_fault(change.key))
+      else if (const auto fault = base_ ? std::nullopt : pointer_fault(scenario::fields(), change.key))
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), *fault);
       else
         study_.set.emplace_back(change.key, json_text(change));
@@ -178,7 +179,7 @@ class Decoder {
         return;
       } else if (!pointers_.insert(pointer).second) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{} is varied twice", excerpt(pointer)));
-      } else if (const auto fault = base_ ? std::nullopt : pointer_fault(pointer)) {
+      } else if (const auto fault = base_ ? std::nullopt : pointer_fault(scenario::fields(), pointer)) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{}: {}", excerpt(pointer, 200), *fault));
       }
     if (decoded.pointers.empty()) return;
@@ -241,7 +242,7 @@ class Decoder {
     const Node* list = root.any("collect");
     if (!list) {
       Findings none;
-      read_json(find_field("study:/collect")->fallback, "", false, fallback, none);
+      read_json(fields().find("/collect")->fallback, "", false, fallback, none);
       list = &fallback;
     }
     const Given given{*list, "/collect", findings_};
@@ -333,11 +334,11 @@ std::string_view to_string(FitKind kind) {
 }
 
 Study parse_study(const ScenarioSource& source, const std::optional<ScenarioSource>& base) {
-  using namespace scenario;
+  using namespace input;
   Findings findings;
   std::string_view text = source.text;
-  const Node root = read_checked(text, source.file, kStudy, findings);
-  Study decoded = study::Decoder(source, base, findings).decode(Section(root, findings, kStudy));
+  const Node root = read_checked(text, source.file, study::fields(), findings);
+  Study decoded = study::Decoder(source, base, findings).decode(Section(root, findings, study::fields()));
   if (!findings.empty()) throw ScenarioError(findings.errors(text), source.file);
   decoded.text = source.text;
   return decoded;

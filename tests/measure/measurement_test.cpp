@@ -251,7 +251,7 @@ TEST_F(MeasurementTest, TheVerticalRateLeavesGravityAsItWas) {
     "body": {"mass_kg": 1, "center_of_mass_m": [0, 0, 0.1], "inertia": {"principal_kg_m2": [0.02, 0.02, 0.01]}},
     "release": {"tilt_deg": 20, "spin_rad_s": 100}})"};
   const Scenario base = parse_scenario(source);
-  const compare::EstimatedInputs vertical(source, {}, base, {"omega_sin_latitude_rad_s"});
+  const measure::EstimatedInputs vertical(source, {}, base, {"omega_sin_latitude_rad_s"});
   const auto varied = vertical.scenario({0.9 * kOmega});
   ASSERT_TRUE(varied);
   EXPECT_EQ(varied->site.gravity_m_s2, base.site.gravity_m_s2);
@@ -259,7 +259,7 @@ TEST_F(MeasurementTest, TheVerticalRateLeavesGravityAsItWas) {
   EXPECT_NEAR(W_L[1], kOmega * std::cos(30 * kDegree), 1e-15 * kOmega);
   EXPECT_NEAR(W_L[2], 0.9 * kOmega, 1e-15 * kOmega);
   // The latitude as --set has it takes the plumb line's gravity along.
-  const compare::EstimatedInputs latitude(source, {}, base, {"latitude_deg"});
+  const measure::EstimatedInputs latitude(source, {}, base, {"latitude_deg"});
   EXPECT_NE(latitude.scenario({31})->site.gravity_m_s2, base.site.gravity_m_s2);
   EXPECT_FALSE(latitude.scenario({91}));
 }
@@ -271,7 +271,7 @@ TEST_F(MeasurementTest, NumbersAreFoundWhereverTheyStand) {
     "release": {"tilt_deg": 20, "spin_rad_s": 100}})"};
   const Overrides set = {{"/release/spin_rad_s", "90"}, {"/release/spin_angle_deg", "33"}};
   const Scenario base = parse_scenario(source, set);
-  const compare::EstimatedInputs inputs(source, set, base,
+  const measure::EstimatedInputs inputs(source, set, base,
                                         {"spin_rad_s", "tilt_deg", "/release/azimuth_deg", "gravity_m_s2",
                                          "rotation_rate_rad_s", "/body/center_of_mass_m/2", "/body/inertia/principal_kg_m2/0"});
   const double expected[] = {90, 20, 0, base.site.gravity_m_s2, kOmega, 0.1, 0.02};

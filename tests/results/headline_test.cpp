@@ -94,7 +94,7 @@ TEST(Headline, IsInTheSummary) {
 
 // A scenario may name what can be looked up, all of it, and nothing else.
 TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
-  const auto words = scenario::split_words(scenario::find_field("/headline/quantity")->words);
+  const auto words = input::split_words(scenario::fields().find("/headline/quantity")->words);
   for (const Column& column : trajectory_columns()) {
     const bool is_a_figure_of_merit =
         column.name == "t_s" || column.name == "drift_reliable" || column.name.ends_with("_bound_rad");

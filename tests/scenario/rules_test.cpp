@@ -397,7 +397,7 @@ TEST(ScenarioRules, AnyValueAnywhereIsRefusedOrGivesAWholeScenario) {
                                            R"({"rate_rad_s":1})",
                                            R"([{"shape":"disc","radius_m":0.1,"mass_kg":1,"at_m":0.1}])"};
   std::vector<std::string> pointers;
-  for (const scenario::Field& field : scenario::all_fields()) {
+  for (const input::Field& field : scenario::fields().fields) {
     std::string pointer(field.pointer);
     if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';
     pointers.push_back(pointer);

@@ -2,8 +2,8 @@
 // The table of fields: unknown keys, types, ranges, words, and what is not available.
 #include <cmath>
 
+#include "input/reader.hpp"
 #include "scenario/fields.hpp"
-#include "scenario/reader.hpp"
 #include "support.hpp"
 
 namespace earthtop::scenario_test {
@@ -150,15 +150,15 @@ TEST(ScenarioFields, AllErrorsComeAtOnceSortedAndAtMostTwenty) {
 
 // Every default of the table reads as JSON and lies in its own range: otherwise a spelled-out default would be refused.
 TEST(ScenarioFields, TableIsConsistent) {
-  for (const scenario::Field& field : scenario::all_fields()) {
-    EXPECT_EQ(scenario::find_field(field.pointer), &field) << field.pointer;  // no pointer twice
-    EXPECT_TRUE(field.parent().empty() || scenario::find_field(field.parent())) << field.pointer;
+  for (const input::Field& field : scenario::fields().fields) {
+    EXPECT_EQ(scenario::fields().find(field.pointer), &field) << field.pointer;  // no pointer twice
+    EXPECT_TRUE(field.parent().empty() || scenario::fields().find(field.parent())) << field.pointer;
     EXPECT_FALSE(field.doc.empty()) << field.pointer;
     if (field.fallback.empty()) continue;
-    scenario::Findings findings;
-    scenario::Node node;
-    EXPECT_EQ(scenario::read_json(field.fallback, "", false, node, findings), scenario::ReadOutcome::complete) << field.pointer;
-    if (field.kind == scenario::FieldKind::number) {
+    input::Findings findings;
+    input::Node node;
+    EXPECT_EQ(input::read_json(field.fallback, "", false, node, findings), input::ReadOutcome::complete) << field.pointer;
+    if (field.kind == input::FieldKind::number) {
       EXPECT_TRUE(field.range.contains(node.number)) << field.pointer;
     }
   }

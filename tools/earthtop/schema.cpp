@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "command_line.hpp"
+#include "earthtop/compare/compare.hpp"
 #include "earthtop/scenario/reference.hpp"
+#include "earthtop/study/study.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 

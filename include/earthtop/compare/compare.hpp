@@ -145,4 +145,10 @@ Figure comparison_figure(const CompareReport& report);
 std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                                           const std::string& reason);
 
+/// JSON Schema (draft 7) of a mapping file and of a tolerance file, and every key of them as a Markdown table.
+std::string mapping_schema();
+std::string mapping_reference_markdown();
+std::string tolerances_schema();
+std::string tolerances_reference_markdown();
+
 }  // namespace earthtop

@@ -16,16 +16,6 @@ std::string scenario_schema();
 /// Every key with its unit, range, default and meaning, as a Markdown table.
 std::string scenario_reference_markdown();
 
-/// The same of a study file (study/study.hpp).
-std::string study_schema();
-std::string study_reference_markdown();
-
-/// The same of the files that a comparison takes (compare/compare.hpp).
-std::string mapping_schema();
-std::string mapping_reference_markdown();
-std::string tolerances_schema();
-std::string tolerances_reference_markdown();
-
 /// A scenario with every key that applies, defaults filled in, and a comment beside each that says what it means and what is
 /// allowed. Purpose, headline, criteria and the author's own comments are left out: they are about the
 /// original.

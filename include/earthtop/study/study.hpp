@@ -129,4 +129,8 @@ StudySample sample_points(const Study& study);
 /// titles, fits and limits are not part of it.
 std::string study_sha256(const Study& study);
 
+/// JSON Schema (draft 7) of a study file, and every key of it as a Markdown table.
+std::string study_schema();
+std::string study_reference_markdown();
+
 }  // namespace earthtop

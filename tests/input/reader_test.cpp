@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text: syntax, encoding, numbers, duplicates, depth, and the processor time that hostile texts cost.
-#include "scenario/reader.hpp"
+#include "input/reader.hpp"
 
 #include <ctime>
 #include <random>
 
-#include "support.hpp"
+#include "scenario/support.hpp"
 #include "support/json.hpp"
 
 namespace earthtop::scenario_test {
@@ -169,10 +169,10 @@ TEST(ScenarioSyntax, AcceptsTheJsonThatAnotherReaderAccepts) {
         default: text.erase(at, 1); break;
       }
     }
-    scenario::Findings findings;
-    scenario::Node root;
-    const auto outcome = scenario::read_json(text, "", false, root, findings);
-    const bool is_json = outcome == scenario::ReadOutcome::complete;
+    input::Findings findings;
+    input::Node root;
+    const auto outcome = input::read_json(text, "", false, root, findings);
+    const bool is_json = outcome == input::ReadOutcome::complete;
     if (findings.empty()) {
       EXPECT_TRUE(testing::is_json(text)) << text;
       ++accepted;

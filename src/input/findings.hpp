@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "earthtop/error.hpp"
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 /// Diagnostics shown; one more says how many were left out.
 inline constexpr std::size_t kMostDiagnostics = 20;
@@ -58,4 +58,4 @@ class Findings {
   std::set<std::string> expected_;
 };
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

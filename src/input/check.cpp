@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/check.hpp"
+#include "input/check.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "earthtop/error.hpp"
-#include "scenario/fields.hpp"
-#include "scenario/pointers.hpp"
-#include "scenario/reader.hpp"
-#include "scenario/suggest.hpp"
+#include "input/fields.hpp"
+#include "input/pointers.hpp"
+#include "input/reader.hpp"
+#include "input/suggest.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 /// What stands there, for messages: short values are shown.
@@ -27,14 +27,14 @@ std::string shown(const Node& node) {
 
 class Checker {
  public:
-  explicit Checker(Findings& findings) : findings_(findings) {}
+  Checker(Findings& findings, const FieldTable& table) : findings_(findings), table_(table) {}
 
   void members(Node& node, std::string_view pattern, const std::string& pointer) {
     for (Node& child : node.children) {
       if (is_comment(child.key)) continue;
       const std::string child_pointer = pointer + pointer_step(child.key);
       const bool plain = child.key.size() < 80 && child.key.find('/') == std::string::npos && child.key != "*";
-      const Field* field = plain ? find_field(std::string(pattern) + "/" + child.key) : nullptr;
+      const Field* field = plain ? table_.find(std::string(pattern) + "/" + child.key) : nullptr;
       if (field)
         value(child, *field, child_pointer);
       else
@@ -54,7 +54,7 @@ class Checker {
   void unknown_key(Node& node, std::string_view pattern, const std::string& pointer, const std::string& parent_pointer) {
     node.refused = true;
     if (findings_.full()) return findings_.add(node.key_place, "", "");
-    UnknownKey unknown = scenario::unknown_key(node.key, pattern);
+    UnknownKey unknown = input::unknown_key(table_, node.key, pattern);
     if (unknown.meant) findings_.expect(parent_pointer + "/" + std::string(*unknown.meant));
     findings_.add(node.key_place, pointer, std::move(unknown.message));
   }
@@ -77,7 +77,7 @@ class Checker {
         if (node.kind != JsonKind::string) wrong_type(node, field, pointer);
         return;
       case name:
-        if (node.kind != JsonKind::string || !is_scenario_name(node.text)) wrong_type(node, field, pointer);
+        if (node.kind != JsonKind::string || !is_name(node.text)) wrong_type(node, field, pointer);
         return;
       case word: return one_word(node, field, pointer);
       case flag:
@@ -103,7 +103,7 @@ class Checker {
 
   void objects(Node& node, const Field& field, const std::string& pointer) {
     if (node.kind != JsonKind::array || node.children.empty()) return wrong_type(node, field, pointer);
-    const Field& element = *find_field(std::string(field.pointer) + "/*");
+    const Field& element = *table_.find(std::string(field.pointer) + "/*");
     for (std::size_t i = 0; i < node.children.size(); ++i) value(node.children[i], element, fmt::format("{}/{}", pointer, i));
     propagate(node);
   }
@@ -156,30 +156,30 @@ class Checker {
   }
 
   Findings& findings_;
+  const FieldTable& table_;
 };
 
 }  // namespace
 
-bool is_scenario_name(std::string_view text) {
+bool is_name(std::string_view text) {
   const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
   return !text.empty() && text.size() <= 64 && text.front() != '-' && std::all_of(text.begin(), text.end(), allowed);
 }
 
-void check_structure(Node& root, Findings& findings, std::string_view pattern) {
-  if (root.kind == JsonKind::object) return Checker(findings).members(root, pattern, "");
+void check_structure(Node& root, Findings& findings, const FieldTable& table) {
+  if (root.kind == JsonKind::object) return Checker(findings, table).members(root, "", "");
   if (root.kind != JsonKind::refused)
-    findings.add(root.place, "",
-                 fmt::format("the text is {}; a {} is an object {{...}}", name_of(root.kind), noun_of(pattern)));
+    findings.add(root.place, "", fmt::format("the text is {}; a {} is an object {{...}}", name_of(root.kind), table.noun));
   root.refused = true;
 }
 
-Node read_checked(std::string_view& text, const std::string& file, std::string_view pattern, Findings& findings) {
+Node read_checked(std::string_view& text, const std::string& file, const FieldTable& table, Findings& findings) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Node root;
   const ReadOutcome outcome = read_json(text, "", false, root, findings);
   if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) throw ScenarioError(findings.errors(text), file);
-  check_structure(root, findings, pattern);
+  check_structure(root, findings, table);
   return root;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

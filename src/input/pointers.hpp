@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// JSON pointers into a scenario: their steps, and which of them a scenario can have.
+/// JSON pointers: their steps, where they lead, and which of them a kind of file can have.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace earthtop::scenario {
+#include "input/fields.hpp"
+
+namespace earthtop::input {
 
 /// The reference tokens of a JSON pointer (RFC 6901), nothing where it is malformed.
 std::optional<std::vector<std::string>> tokens_of(std::string_view pointer);
@@ -22,9 +24,9 @@ struct UnknownKey {
   std::optional<std::string_view> meant;  ///< a key of the same object
 };
 /// @param pattern  of the object
-UnknownKey unknown_key(std::string_view key, std::string_view pattern);
+UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern);
 
-/// Why no scenario, whatever its other keys are, has a value at this pointer; nothing where one may.
-std::optional<std::string> pointer_fault(std::string_view pointer);
+/// Why no file of the table's kind, whatever its other keys are, has a value at this pointer; nothing where one may.
+std::optional<std::string> pointer_fault(const FieldTable& table, std::string_view pointer);
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/suggest.hpp"
+#include "input/suggest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kLongestWord = 48;  // longer ones are no misspelling, and hostile ones would cost time
@@ -88,4 +88,4 @@ std::optional<std::string_view> suggest(std::string_view given, const std::vecto
   return with_part(word, candidates);
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

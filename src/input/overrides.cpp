@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/overrides.hpp"
+#include "input/overrides.hpp"
 
 #include <fmt/core.h>
 
-#include "scenario/pointers.hpp"
-#include "scenario/reader.hpp"
+#include "input/pointers.hpp"
+#include "input/reader.hpp"
 #include "text/utf8.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 constexpr Place kFromSet{0, true};
@@ -68,4 +68,4 @@ void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::s
   for (const auto& [pointer, value] : overrides) apply(root, pointer, value, findings);
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

@@ -8,16 +8,17 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/findings.hpp"
-#include "scenario/node.hpp"
+#include "input/fields.hpp"
+#include "input/findings.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 /// Values are nothing where the key is missing without a default or has been refused already. Keys are those of the table.
 class Section {
  public:
-  /// The whole text. @param pattern  of the root: empty for a scenario, `kStudy` for a study
-  Section(const Node& root, Findings& findings, std::string_view pattern = "");
+  /// The whole text.
+  Section(const Node& root, Findings& findings, const FieldTable& table);
 
   Section section(std::string_view key) const;
   Section element(std::string_view key, std::size_t index) const;
@@ -50,13 +51,15 @@ class Section {
   const std::string& pointer() const { return pointer_; }
 
  private:
-  Section(const Node* node, Place place, bool refused, std::string pointer, std::string pattern, Findings& findings)
+  Section(const Node* node, Place place, bool refused, std::string pointer, std::string pattern, Findings& findings,
+          const FieldTable& table)
       : node_(node),
         place_(place),
         refused_(refused),
         pointer_(std::move(pointer)),
         pattern_(std::move(pattern)),
-        findings_(&findings) {}
+        findings_(&findings),
+        table_(&table) {}
   /// The node of a key, or of its default; null where there is neither or it has been refused.
   const Node* value(std::string_view key, Node& fallback) const;
 
@@ -66,6 +69,7 @@ class Section {
   std::string pointer_;
   std::string pattern_;  // the pointer with * for indices
   Findings* findings_;
+  const FieldTable* table_;
 };
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

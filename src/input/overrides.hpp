@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "scenario/findings.hpp"
-#include "scenario/node.hpp"
+#include "input/findings.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 /// Replaces or adds values in order, creating missing objects on the way. A value that is not JSON is a string. Finds
 /// malformed pointers, pointers that lead through what is no container, and values out of a double's range.
 void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings);
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

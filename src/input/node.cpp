@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 std::string_view name_of(JsonKind kind) {
   switch (kind) {
@@ -35,4 +35,4 @@ std::string pointer_step(std::string_view key) {
   return step;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/pointers.hpp"
+#include "input/pointers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,11 +8,10 @@
 #include <charconv>
 #include <limits>
 
-#include "scenario/fields.hpp"
-#include "scenario/node.hpp"
-#include "scenario/suggest.hpp"
+#include "input/node.hpp"
+#include "input/suggest.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
@@ -65,15 +64,16 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
   return index;
 }
 
-UnknownKey unknown_key(std::string_view key, std::string_view pattern) {
-  const std::vector<std::string_view> keys = keys_below(pattern);
-  UnknownKey unknown{pattern == "/effects" ? "this effect is not available" : "unknown key", suggest(key, keys)};
+UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern) {
+  const std::vector<std::string_view> keys = table.keys_below(pattern);
+  const Field* object = table.find(pattern);
+  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), suggest(key, keys)};
   unknown.message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
   if (unknown.meant) {
     unknown.message += fmt::format("; did you mean \"{}\"", *unknown.meant);
     return unknown;
   }
-  for (const Field& field : all_fields()) {  // the right key in the wrong place
+  for (const Field& field : table.fields) {  // the right key in the wrong place
     if (field.key() != key || field.pointer.find('*') != std::string_view::npos) continue;
     unknown.message += fmt::format("; did you mean \"{}\"", field.pointer);
     break;
@@ -81,7 +81,7 @@ UnknownKey unknown_key(std::string_view key, std::string_view pattern) {
   return unknown;
 }
 
-std::optional<std::string> pointer_fault(std::string_view pointer) {
+std::optional<std::string> pointer_fault(const FieldTable& table, std::string_view pointer) {
   const auto tokens = tokens_of(pointer);
   if (!tokens) return "is no JSON pointer; e.g. /site/latitude_deg";
   std::string pattern;  // of what the tokens so far lead to
@@ -100,17 +100,17 @@ std::optional<std::string> pointer_fault(std::string_view pointer) {
     } else if (may_be_object(kind)) {
       if (is_comment(token)) return fmt::format("\"{}\" is a comment: it changes nothing", excerpt(token));
       const bool plain = token.find('/') == std::string::npos && token != "*";
-      if (!plain || find_field(fmt::format("{}/{}", pattern, token)) == nullptr)
-        return fmt::format("\"{}\": {}", excerpt(token), unknown_key(token, pattern).message);
+      if (!plain || table.find(fmt::format("{}/{}", pattern, token)) == nullptr)
+        return fmt::format("\"{}\": {}", excerpt(token), unknown_key(table, token, pattern).message);
       pattern += "/" + token;
     } else {
       return fmt::format("nothing lies below {}, so there is no \"{}\"", pattern, excerpt(token));
     }
-    const Field& field = *find_field(pattern);
+    const Field& field = *table.find(pattern);
     kind = field.kind;
     lengths = lengths_of(kind);
   }
   return std::nullopt;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

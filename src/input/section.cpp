@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/section.hpp"
+#include "input/section.hpp"
 
 #include <fmt/core.h>
 
-#include "scenario/fields.hpp"
-#include "scenario/reader.hpp"
+#include "input/fields.hpp"
+#include "input/reader.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 std::array<double, 3> three_numbers(const Node& array) {
@@ -15,22 +15,22 @@ std::array<double, 3> three_numbers(const Node& array) {
 
 }  // namespace
 
-Section::Section(const Node& root, Findings& findings, std::string_view pattern)
-    : Section(root.refused ? nullptr : &root, root.place, root.refused, "", std::string(pattern), findings) {}
+Section::Section(const Node& root, Findings& findings, const FieldTable& table)
+    : Section(root.refused ? nullptr : &root, root.place, root.refused, "", "", findings, table) {}
 
 Section Section::section(std::string_view key) const {
   const std::string step = fmt::format("/{}", key);
   const Node* child = node_ ? node_->find(key) : nullptr;
   const bool refused = refused_ || (child && (child->refused || child->kind != JsonKind::object));
   return Section(refused ? nullptr : child, child ? child->place : place_, refused, pointer_ + step, pattern_ + step,
-                 *findings_);
+                 *findings_, *table_);
 }
 
 Section Section::element(std::string_view key, std::size_t index) const {
   const Node& child = node_->find(key)->children[index];
   const bool refused = child.refused || child.kind != JsonKind::object;
   return Section(refused ? nullptr : &child, child.place, refused, fmt::format("{}/{}/{}", pointer_, key, index),
-                 fmt::format("{}/{}/*", pattern_, key), *findings_);
+                 fmt::format("{}/{}/*", pattern_, key), *findings_, *table_);
 }
 
 std::size_t Section::size(std::string_view key) const {
@@ -41,7 +41,7 @@ std::size_t Section::size(std::string_view key) const {
 const Node* Section::value(std::string_view key, Node& fallback) const {
   if (refused_) return nullptr;
   if (const Node* child = node_ ? node_->find(key) : nullptr) return child->refused ? nullptr : child;
-  const Field* field = find_field(fmt::format("{}/{}", pattern_, key));
+  const Field* field = table_->find(fmt::format("{}/{}", pattern_, key));
   if (!field || field->fallback.empty()) return nullptr;
   Findings none;
   read_json(field->fallback, "", false, fallback, none);
@@ -125,9 +125,9 @@ void Section::missing(std::string_view key, std::string message) const {
 
 bool Section::require(std::string_view key) const {
   if (has(key)) return true;
-  const Field* field = find_field(fmt::format("{}/{}", pattern_, key));
+  const Field* field = table_->find(fmt::format("{}/{}", pattern_, key));
   missing(key, fmt::format("is missing; must be {}", field ? allowed_values(*field) : "given"));
   return false;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

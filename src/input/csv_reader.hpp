@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/file.hpp"
+#include "input/file.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::input {
 
 struct CsvFormat {
   char delimiter = ',';
@@ -52,7 +52,7 @@ class CsvReader {
 
   std::string file_;
   CsvFormat format_;
-  scenario::Descriptor descriptor_;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0, read_ = 0;  // bytes
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what is in the buffer and not yet given out
@@ -65,4 +65,4 @@ class CsvReader {
   std::vector<CellKind> kinds_;
 };
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::input

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-#include "scenario/findings.hpp"
-#include "scenario/node.hpp"
+#include "input/findings.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // bytes
 inline constexpr int kGreatestDepth = 64;
@@ -25,4 +25,4 @@ enum class ReadOutcome {
 /// @param pointer  JSON pointer of the root   @param from_set  whether the text comes from --set
 ReadOutcome read_json(std::string_view text, std::string_view pointer, bool from_set, Node& root, Findings& findings);
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

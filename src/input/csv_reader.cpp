@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/csv_reader.hpp"
+#include "input/csv_reader.hpp"
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -12,14 +12,14 @@
 #include <unordered_set>
 
 #include "earthtop/error.hpp"
-#include "scenario/node.hpp"
+#include "input/node.hpp"
 
-namespace earthtop::compare {
+namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // a file without line ends is none of numbers
-constexpr scenario::FileUse kCsvFile = {"CSV file", false};
+constexpr FileUse kCsvFile = {"CSV file", false};
 
 std::string_view trimmed(std::string_view cell) {
   while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
@@ -46,7 +46,7 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
 }  // namespace
 
 CsvReader::CsvReader(std::string file, CsvFormat format)
-    : file_(std::move(file)), format_(format), descriptor_(scenario::open_regular_file(file_, file_, kCsvFile)) {
+    : file_(std::move(file)), format_(format), descriptor_(open_regular_file(file_, file_, kCsvFile)) {
   struct stat status = {};
   if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
@@ -57,7 +57,7 @@ CsvReader::CsvReader(std::string file, CsvFormat format)
   std::unordered_set<std::string_view> names;
   for (const std::string& name : header_)
     if (!name.empty() && !names.insert(name).second)
-      refuse(fmt::format("column \"{}\" stands twice in the header", scenario::excerpt(name)));
+      refuse(fmt::format("column \"{}\" stands twice in the header", excerpt(name)));
 }
 
 std::size_t CsvReader::find(std::string_view column) const {
@@ -79,7 +79,7 @@ bool CsvReader::next() {
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const std::string_view cell = cells_[wanted_[i]];
     if (!parse(cell, numbers_[i], kinds_[i]))
-      refuse(fmt::format("column {}: \"{}\" is no number", header_[wanted_[i]], scenario::excerpt(cell)),
+      refuse(fmt::format("column {}: \"{}\" is no number", header_[wanted_[i]], excerpt(cell)),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
   return true;
@@ -95,7 +95,7 @@ bool CsvReader::read_line(std::string_view& line) {
       end_ -= begin_;
       begin_ = 0;
       if (buffer_.size() < end_ + kBlock) buffer_.resize(end_ + kBlock);
-      const std::size_t got = scenario::read_some(descriptor_, file_, buffer_.data() + end_, kBlock);
+      const std::size_t got = read_some(descriptor_, file_, buffer_.data() + end_, kBlock);
       if (got == 0 && end_ == 0) return false;
       if (got == 0) {
         ++line_;
@@ -130,4 +130,4 @@ void CsvReader::refuse(std::string message, std::size_t column) const {
                       file_);
 }
 
-}  // namespace earthtop::compare
+}  // namespace earthtop::input

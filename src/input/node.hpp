@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 /// `refused` stands where the text had a number that is none (1e999, NaN): it has been complained about already.
 enum class JsonKind { null, boolean, number, string, array, object, refused };
@@ -49,4 +49,4 @@ std::string excerpt(std::string_view text, std::size_t limit = 40);
 /// A key as one more step of a JSON pointer ("/" in front, ~ and / escaped, cut to a printable length).
 std::string pointer_step(std::string_view key);
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/reader.hpp"
+#include "input/reader.hpp"
 
 #include <fmt/core.h>
 
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenario/number.hpp"
+#include "input/number.hpp"
 #include "text/utf8.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -313,4 +313,4 @@ ReadOutcome read_json(std::string_view text, std::string_view pointer, bool from
   return Reader(text, pointer, from_set, findings).document(root);
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 
 /// What a file should have been, for messages.
 struct FileUse {
@@ -45,4 +45,7 @@ std::size_t read_some(const Descriptor& file, const std::string& name, char* byt
 /// or a device; ReadError.
 std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use);
 
-}  // namespace earthtop::scenario
+/// Standard input to its end, whatever it is; named "<stdin>" in errors. @throws as read_regular_file
+std::string read_standard_input(const FileUse& use);
+
+}  // namespace earthtop::input

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/number.hpp"
+#include "input/number.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 /// Whether a number out of a double's range is large: the decimal place of its first digit that is not 0, plus its exponent.
@@ -38,4 +38,4 @@ NumberFit decimal_to_double(std::string_view digits, double& value) {
   return is_large(digits) ? NumberFit::too_large : NumberFit::too_small;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input

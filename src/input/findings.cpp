@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/findings.hpp"
+#include "input/findings.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace earthtop::scenario {
+namespace earthtop::input {
 namespace {
 
 struct Position {
@@ -63,4 +63,4 @@ std::vector<Diagnostic> Findings::report(std::vector<Finding> sorted, std::size_
   return diagnostics;
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop::input
