@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which closed form the whole motion of a model has.
+/// The kinds of closed form that the whole motion of a model may have.
 #pragma once
 
 namespace earthtop {
