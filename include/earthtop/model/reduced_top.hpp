@@ -43,7 +43,7 @@ struct NutationRate {
   }
 };
 
-/// Whether a model is a symmetric top on which only gravity acts on the rotating Earth.
+/// Whether a model is a symmetric top on which nothing acts but gravity and the Earth's rotation.
 template <class T>
 bool is_reducible(const Model<T>& model) {
   return model.kind == SceneKind::plain && symmetry_axis(model.I_BP_B, model.mass_moment_B) >= 0;
