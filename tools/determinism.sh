@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One hash of the numbers, whatever compiler, optimisation, instruction set and processor: of trajectory.csv, torques.csv and
-# summary.json (but for what built it) of every shipped scenario, every effect, platform, gimbal, observer, method and precision.
-#   tools/determinism.sh [--short] PROGRAM...  of these builds of earthtop; and of the first with a C library that takes the
-#                                              processor for an older one, and its sine and exponential accordingly (GNU's does).
-#                                              --short: without the shipped scenarios, and the others for 0.4 s
-#   tools/determinism.sh [--quick]             builds the matrix first, in build/determinism: g++ and clang++, -O0 to -O3, without
-#                                              and with -march=native; --quick: -O0 and -O3 only
-# Status: 0 where all hashes are one, 1 where they are not.
+# Checks that the results have the same digits whatever the compiler, optimisation, instruction set and processor. It compares
+# one hash of trajectory.csv, torques.csv and summary.json (without the entries about the build), for every shipped scenario,
+# effect, platform, gimbal, observer, method and precision.
+#   tools/determinism.sh [--short] PROGRAM...  compares these builds of earthtop; also the first of them with a C library that
+#                                              takes the processor for an older one and chooses its sine and exponential
+#                                              accordingly (as GNU's does). --short: without the shipped scenarios, and only
+#                                              0.4 s of the others
+#   tools/determinism.sh [--quick]             first builds the matrix in build/determinism: g++ and clang++, -O0 to -O3,
+#                                              without and with -march=native; --quick: only -O0 and -O3
+# Exit status: 0 if all hashes are equal, 1 if they are not.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -33,16 +35,16 @@ cat >"$work/gyrocompass.json" <<'JSON'
 JSON
 printf 't_s,angle_rad\n0,0\n0.7,0.05\n1.6,-0.1\n2.4,0.2\n3.5,0.1\n60,0.3\n100,0\n' >"$work/table.csv"
 
-# scenes: a line for each run: its name, its file, then values to set
+# scenes: prints one line for each run: its name, its file, then values to set
 scenes() {
   local base name method utc='/motion/start_utc="2026-06-21T12:00:00Z"' east=/site/longitude_deg=11.6
-  # Long enough for every branch of an effect, and no longer: ten rows.
+  # Long enough to reach every branch of an effect, and no longer: ten rows.
   local brief="/motion/duration_s=2 /motion/output_step_s=0.2"
   if [[ $short == 1 ]]; then
     brief="/motion/duration_s=0.4 /motion/output_step_s=0.1"
   else
     for base in scenarios/*.json; do echo "$(basename "$base" .json) $base"; done
-    # Full length, of what a result of a minute rests on.
+    # Runs of full length, for effects that matter for runs of a minute.
     echo "long-tide scenarios/toy-top.json /effects/tide=true $utc $east"
     echo "long-platform scenarios/asymmetric-top.json" \
       '/platform={"motion":"harmonic","axis":[0,1,0.2],"amplitude_rad":0.1,"frequency_hz":0.7,"pivot_offset_m":[0.2,0.1,0]}'
@@ -95,7 +97,7 @@ SETTINGS
   done
 }
 
-# hash_of PROGRAM [NAME=VALUE]: of its results, in that environment; those of each file go to $list
+# hash_of PROGRAM [NAME=VALUE]: the hash of its results, with that environment variable; the hashes of the files go to $list
 hash_of() {
   local program=$1 environment=${2:-} name file values
   rm -rf "$work/results"
@@ -103,7 +105,7 @@ hash_of() {
     local set=()
     for value in $values; do set+=(--set "$value"); done
     env $environment "$program" run "$file" --quiet --out "$work/results/$name" "${set[@]}" >/dev/null ||
-      [[ $? -eq 3 ]] || { echo "$name: not run" >&2; exit 1; } # 3: an outcome with its numbers
+      [[ $? -eq 3 ]] || { echo "$name: not run" >&2; exit 1; } # 3: numerical trouble, but with results
   done < <(scenes)
   python3 - "$work/results" <<'PYTHON'
 import json, pathlib, sys

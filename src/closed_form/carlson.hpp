@@ -43,9 +43,9 @@ T carlson_rc(T x, T y) {
 
 /// R_F(x, y, z) = 1/2 integral_0^inf dt / sqrt((t + x)(t + y)(t + z)); no argument negative, at most one zero.
 ///
-/// The deviations from the mean decrease by exactly 4 in each step, so that they are divided by the mean only at the end
-/// (Carlson 1995, (2.4)). The steps end at deviations below eps^(1/12), because a series to the eleventh order follows: 1/(2N +
-/// 1) times the N-th coefficient of (1 + E2 t^2 - E3 t^3)^(-1/2) (DLMF 19.19.7), whose next order is below eps / 20.
+/// The deviations from the mean shrink exactly fourfold in each step, so that they are divided by the mean only at the end
+/// (Carlson 1995, (2.4)). The steps end at deviations below eps^(1/12), because a series to the eleventh order follows:
+/// 1/(2N + 1) times the N-th coefficient of (1 + E2 t^2 - E3 t^3)^(-1/2) (DLMF 19.19.7), whose next order is below eps / 20.
 template <class T>
 T carlson_rf(T x, T y, T z) {
   constexpr T per_tolerance = std::is_same_v<T, float128> ? T(650) : std::is_same_v<T, long double> ? T(39) : T(21);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Jacobi's elliptic functions for every scalar type (DLMF 22.2), by theta series. Includes Carlson's integrals and the
 /// lattice.
+///
 /// A lattice is made from the parameter m = k^2 *and* its complement m1 = 1 - m, both with full relative accuracy: then no
 /// digits are lost for m -> 0 or m -> 1.
 #pragma once

@@ -133,7 +133,7 @@ Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
     f.condition = to_3 + f.m * to_1 + (of_3 * to_3 + of_1 * to_1 + of_rate) / ((of_1 + of_3) * f.separation);
   }
   f.momentum_rate = (twice_T + L * f.rate_amplitude[2]) / (L + C * f.rate_amplitude[2]);
-  // cn >= 0 because w1 >= 0: u0 lies in the first quarter period on either side.
+  // cn >= 0 because w1 >= 0: |u0| is at most a quarter period.
   const W sn = f.rate_amplitude[1] > W(0) ? f.s * w[1] / f.rate_amplitude[1] : W(0);
   const W cn = f.rate_amplitude[0] > W(0) ? w[0] / f.rate_amplitude[0] : W(1);
   const W dn = f.rate_amplitude[2] > W(0) ? w[2] / f.rate_amplitude[2] : W(1);

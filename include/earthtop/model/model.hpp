@@ -12,8 +12,9 @@
 
 namespace earthtop {
 
-/// What a scene needs, decided once and compiled in: `plain` has all three non-inertial torques and a pivot at rest in the
-/// laboratory; `full` weighs each torque, lets a platform carry the pivot, and applies further torques.
+/// Two kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
+/// at rest in the laboratory. `full`: each torque has a weight, a platform may carry the pivot, and further torques may be
+/// applied.
 enum class SceneKind { plain, full };
 
 /// The weight of each of the torques of [F] (torques.hpp): 1, or 0 if the scene leaves it out.

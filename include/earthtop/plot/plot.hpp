@@ -18,8 +18,7 @@ enum class LineStyle {
   broad,  ///< faint and wide, to be drawn beneath other lines
 };
 enum class Marker { none, circle, square, triangle, diamond };
-enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< palette of Okabe and Ito, safe for the
-                                                                              ///< colour-blind
+enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
 
 struct Axis {
   std::string label;
