@@ -8,7 +8,7 @@
 namespace earthtop {
 namespace {
 
-/// Kept from the compiler's knowledge, so that the processor has to compute with it.
+/// Hides a value from the optimizer, so that the processor has to compute with it at run time.
 double opaque(double x) {
   volatile double kept = x;
   return kept;
@@ -27,7 +27,7 @@ std::string arithmetic_faults() {
   const double least = opaque(std::numeric_limits<double>::denorm_min()), normal = opaque(std::numeric_limits<double>::min());
   expect(least + least == 2 * std::numeric_limits<double>::denorm_min() && opaque(normal / 2) > 0,
          "subnormal numbers are flushed to zero");
-  // (1 + u)^2 = 1 + 2u + u^2, of which rounding leaves 1 + 2u: a fused sum would see u^2.
+  // (1 + u)^2 = 1 + 2u + u^2 is rounded to 1 + 2u; only a fused multiply-add would see the u^2.
   const double u = 0x1p-30, a = opaque(1 + u), b = opaque(-(1 + 2 * u));
   expect(a * a + b == 0, "products are contracted into sums");
   const double one = opaque(1), tiny = opaque(0x1p-60);

@@ -8,17 +8,19 @@
 #include <limits>
 #include <numbers>
 
-/// `purec` is plain C, the same code for every processor; `cinz` promises the same bits without fused products. What is added
-/// here are the ends of the number line, where SLEEF's functions overflow before their result does, or lose the least numbers.
+/// SLEEF's `purec` functions are plain C, the same code for every processor; its `cinz` functions promise the same bits without
+/// fused products. Added here are the ends of the number range, where SLEEF's functions overflow before their result does, or
+/// lose the smallest numbers.
 namespace earthtop::real {
 namespace {
 
-constexpr double kHuge = 0x1p+500;   ///< beyond it, 1 + x = x and x^2 + 1 = x^2
-constexpr double kTiny = 0x1p-30;    ///< below it, f(x) = x + O(x^3) is x to less than half a unit in the last place
+constexpr double kHuge = 0x1p+500;   ///< beyond it, 1 + x = x and x^2 + 1 = x^2 in double
+constexpr double kTiny = 0x1p-30;    ///< below it, f(x) = x + O(x^3) equals x within half a unit in the last place
 constexpr double kLargeExp = 709.0;  ///< exp is finite up to 709.78, cosh and sinh up to 710.47
 
-/// Up to here, where the Earth and slow platforms turn in most runs, the series are three times faster: the first terms left
-/// out are below 1e-20, and what is rounded before the last sum is a 96th of the result and less.
+/// Up to this angle (rad) the series below are used, which are three times faster; in most runs the Earth and slow platforms
+/// turn by no more than this. The first omitted terms are below 1e-20, and everything that is rounded before the last sum is at
+/// most a 96th of the result.
 constexpr double kSmall = 0.25;
 
 double small_sin(double x) {
@@ -34,7 +36,7 @@ double small_cos(double x) {
   return 1 - (z / 2 - z2 * (low + z2 * (middle + z2 * high)));
 }
 
-/// e^|x| / 2, where e^|x| itself would overflow.
+/// e^|x| / 2, for |x| where e^|x| itself would overflow.
 double half_exp(double size) {
   const double root = exp(size / 2);
   return root / 2 * root;

@@ -6,15 +6,17 @@
 
 #include "earthtop/elementary.hpp"
 
-/// The turbulent drag of a disc takes two fifth roots an evaluation, where pow would be most of the cost of a run.
+/// The fifth root. The turbulent drag of a disc needs two fifth roots for each evaluation; with `pow` they would be most of the
+/// cost of a run.
 ///
-/// With x = 2^(5 q) u and 1 <= u < 32, u^(1/5) = t (1 + e)^(1/5) where t is a tabulated root near by and e = u / t^5 - 1. Since
-/// t has ten bits, t^5 is exact, and so is u - t^5; what is rounded before the last sum is a 280th of the result and less.
+/// With x = 2^(5 q) u and 1 <= u < 32, u^(1/5) = t (1 + e)^(1/5), where t is a nearby root from a table and e = u / t^5 - 1.
+/// Since t has ten bits, t^5 is exact, and so is u - t^5. Everything that is rounded before the last sum is at most a 280th of
+/// the result.
 namespace earthtop::real {
 namespace {
 
-constexpr std::size_t kParts = 32;  ///< of each binade of u: |e| is below 0.018 with them
-constexpr int kTerms = 8;           ///< the first one left out is below 1e-2 units in the last place
+constexpr std::size_t kParts = 32;  ///< parts of each binade of u; with this many |e| is below 0.018
+constexpr int kTerms = 8;           ///< the first omitted term is below 1e-2 units in the last place
 
 struct Start {
   double root, power, inverse_power;
@@ -25,7 +27,7 @@ constexpr std::array<Start, 5 * kParts> kStarts = [] {
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const double middle = static_cast<double>(1U << i / kParts) * (1 + (static_cast<double>(i % kParts) + 0.5) / kParts);
     double root = 2;
-    for (int k = 0; k < 12; ++k) root -= (root - middle / (root * root * root * root)) / 5;  // Newton, from above
+    for (int k = 0; k < 12; ++k) root -= (root - middle / (root * root * root * root)) / 5;  // Newton's method, from above
     root = static_cast<double>(static_cast<unsigned>(1024 * root + 1) >> 1U) / 512;
     const double power = root * root * root * root * root;
     starts[i] = {root, power, 1 / power};
@@ -33,7 +35,7 @@ constexpr std::array<Start, 5 * kParts> kStarts = [] {
   return starts;
 }();
 
-/// Of (1 + e)^(1/5) = 1 + e (c_0 + c_1 e + ...).
+/// Coefficients c_n of (1 + e)^(1/5) = 1 + e (c_0 + c_1 e + ...).
 constexpr std::array<double, kTerms> kSeries = [] {
   std::array<double, kTerms> series{};
   double binomial = 1;
@@ -50,7 +52,7 @@ double fifth_root(double x) noexcept {
   }
   const auto bits = std::bit_cast<std::uint64_t>(x);
   constexpr std::uint64_t kMore = 205;
-  const std::uint64_t exponent = (bits >> 52U) + 2;  // 5 * kMore more than that of 2
+  const std::uint64_t exponent = (bits >> 52U) + 2;  // exceeds the exponent of 2 by 5 * kMore
   const std::uint64_t fifth = exponent / 5, part = (bits >> 47U) % kParts;
   const Start& start = kStarts[kParts * (exponent - 5 * fifth) + part];
   const double u = std::bit_cast<double>(bits - ((5 * fifth - 5 * kMore) << 52U));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The workbench above the core: studies, comparison, measurement, benchmarks, verification and report pages. SQLite, and MPI and
-# SUNDIALS where they are installed, are needed here only.
+# The workbench on top of the core: studies, comparison, measurement, benchmarks, verification and report pages. Only the
+# workbench needs SQLite, and MPI and SUNDIALS if they are installed.
 add_library(earthtop-workbench
   bench/bench.cpp
   bench/comparison.cpp
@@ -91,15 +91,15 @@ set_target_properties(earthtop-workbench PROPERTIES EXPORT_NAME workbench)
 target_link_libraries(earthtop-workbench
   PUBLIC earthtop
   PRIVATE $<BUILD_INTERFACE:earthtop_compiled> GSL::gsl GSL::gslcblas fmt::fmt SQLite::SQLite3 Threads::Threads)
-# What reads and writes documents takes a third less time to compile so; what goes through millions of rows, or integrates, keeps
-# its optimisation.
+# Code that reads and writes documents takes a third less time to compile at -O1. Sources that process millions of rows, or
+# integrate, are compiled at -O3.
 target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
 set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;report;study;verify")
 
-# The browser's part of a report.
+# The scripts and styles of a report for the browser.
 file(GLOB report_assets CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/assets/*)
 add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp
   COMMAND ${CMAKE_COMMAND} -DDIRECTORY=${CMAKE_CURRENT_SOURCE_DIR}/report/assets -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp
@@ -108,7 +108,7 @@ add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp
   VERBATIM)
 target_sources(earthtop-workbench PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/report_assets.cpp)
 
-# MPI carries a study beyond one machine, where it is installed. (Its C++ bindings are obsolete, and not wanted.)
+# If MPI is installed, a study can use several machines. (MPI's C++ bindings are obsolete and not used.)
 if(EARTHTOP_MPI)
   find_package(MPI QUIET COMPONENTS CXX)
 endif()
@@ -123,7 +123,7 @@ else()
   message(STATUS "MPI: not found or not wanted; studies run in threads, or in shards (libopenmpi-dev)")
 endif()
 
-# SUNDIALS' integrators as peers of `earthtop bench`, where it is installed.
+# If SUNDIALS is installed, its integrators are peers in `earthtop bench`.
 if(EARTHTOP_SUNDIALS)
   find_path(SUNDIALS_INCLUDE_DIR arkode/arkode_erkstep.h)
   set(sundials_libraries "")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Includes point one way only, and elementary functions come from one place. A line below may include the lines above it, and its own; of two names in one line only one
-# may include the other.
+# Checks that includes point one way only, and that elementary functions come from one place. In the list below each line may
+# include the lines above it and itself; of two names in the same line only one may include the other.
 #   tools/check-layers.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,7 +25,7 @@ tools'
 find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |
   xargs awk -v layers="$layers" '
     function complain(what) { printf "%s:%d: %s\n", FILENAME, FNR, what; ++faults }
-    function layer_of(path) {  # below include/earthtop or src: its directory, or its name if it has none
+    function layer_of(path) {  # for a path below include/earthtop or src: its directory, or its name if it has none
       sub(/^include\/earthtop\//, "", path); sub(/^src\//, "", path)
       if (path ~ /^tools\//) return "tools"
       if (path ~ /\//) sub(/\/.*/, "", path); else sub(/\..*/, "", path)
@@ -45,7 +45,8 @@ find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ip
     is_public && code ~ /#[ ]*include[ ]*[<"](sleef|nlohmann|boost\/numeric\/odeint|fmt|gsl|GeographicLib|sha2|sqlite3|erfa)/ {
       complain("a public header must not need this: " $0)
     }
-    # By that name the C library takes the last digit from the processor, and a compiler that of a constant from its own.
+    # The functions with these names in the C library have a last digit that depends on the processor; for constants, on the
+    # compiler.
     from != "elementary" && from != "real" && FILENAME !~ /libm[.]cpp$/ &&
     code ~ /(std::|__builtin_|[^a-z0-9_:.>&]::)(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|erfc?|[tl]gamma)[fl]?[ ]*[(;]/ {
       complain("the C library has other digits on another processor; real:: of elementary.hpp has one: " $0)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Formatting of every C++ file, the syntax of every script, and the licence in all of them.
-#   tools/check-style.sh [--fix]     --fix formats the files instead of judging their formatting
+# Checks the formatting of every C++ file, the syntax of every script, and the licence line in all of them.
+#   tools/check-style.sh [--fix]     --fix: format the files instead of checking their format
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

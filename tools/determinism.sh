@@ -34,7 +34,7 @@ cat >"$work/gyrocompass.json" <<'JSON'
 JSON
 printf 't_s,angle_rad\n0,0\n0.7,0.05\n1.6,-0.1\n2.4,0.2\n3.5,0.1\n60,0.3\n100,0\n' >"$work/table.csv"
 
-# scenes: a line for each run: its name, its file, then values to set
+# scenes: prints one line for each run: its name, its file, then values to set
 scenes() {
   local base name method values utc='/motion/start_utc="2026-06-21T12:00:00Z"' east=/site/longitude_deg=11.6
   # Long enough for every branch of an effect, and no longer: ten rows.
@@ -148,7 +148,7 @@ hash_of() {
     local set=()
     for value in $values; do set+=(--set "$value"); done
     env $environment "$program" run "$file" --quiet --out "$work/results/$name" "${set[@]}" >/dev/null ||
-      [[ $? -eq 3 ]] || { echo "$name: not run" >&2; exit 1; } # 3: an outcome with its numbers
+      [[ $? -eq 3 ]] || { echo "$name: not run" >&2; exit 1; } # 3: numerical trouble, but with results
   done < <(scenes)
   export -f documents
   env $environment short=$short work="$work" bash -c 'set -euo pipefail; documents "$1"' bash "$program" ||

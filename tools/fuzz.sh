@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Throws made-up texts at the scenario decoder (tests/fuzz/decoder_fuzz.cpp), beginning with the shipped scenarios and a
-# dictionary of the keys and words they may hold. What is found stands in build/fuzz/found, and can be given to decoder_fuzz.
+# Feeds generated texts to the scenario decoder (tests/fuzz/decoder_fuzz.cpp), starting from the shipped scenarios and a
+# dictionary of the keys and words that they may hold. Inputs that cause failures are stored in build/fuzz/found, and can be
+# passed to decoder_fuzz.
 #   tools/fuzz.sh [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,7 +15,7 @@ work=build/fuzz
 mkdir -p "$work/corpus" "$work/seeds" "$work/found"
 cp scenarios/*.json "$work/seeds/"
 printf '%s\001/site/latitude_deg\00112\001/numerics/method\001dopri5' "$(cat scenarios/toy-top.json)" >"$work/seeds/sets.txt"
-{ # every key, pointer and word of the table of fields, and the marks and numbers that JSON is made of
+{ # every key, pointer and word of the table of fields, and the punctuation and numbers that JSON consists of
   grep -oE '"[^" ]+"' src/scenario/fields.cpp | tr -d '"' | tr '|' '\n' | grep -E '^[/$A-Za-z0-9_.*-]+$' |
     awk '{ print; if (sub(/.*\//, "") && length) print }' | sort -u | sed 's/.*/"\\"&\\""/'
   grep -oE '"/[^" ]+"' src/scenario/fields.cpp | tr -d '"' | sort -u | sed 's/.*/"\\x01&\\x01"/'

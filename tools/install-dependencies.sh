@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what earthtop is built with, on Debian 12 or a relative of it; only what is missing, so a second call costs nothing.
+# Installs the packages needed to build earthtop, on Debian 12 or its relatives. Only missing ones are installed, so that a
+# second call costs nothing.
 #   tools/install-dependencies.sh [--program] [MORE_PACKAGES...]     --program: without what only tests and benchmarks need
 set -euo pipefail
 
@@ -28,7 +29,7 @@ missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
-# Any Boost from 1.74 on will do. The -dev packages of two versions exclude each other: one that is there stays.
+# Any Boost from 1.74 on is suitable. The -dev packages of two versions exclude each other, so an installed one is kept.
 if ! is_installed 'libboost[0-9]*-dev'; then missing+=(libboost-dev); fi
 
 if [[ ${#missing[@]} -eq 0 ]]; then exit 0; fi

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Plants one fault at a time and asks whether the named test notices. A fault that no test notices is a hole in the suite.
+# Inserts one fault at a time into the sources and checks that the named test fails. A fault that no test notices is a gap in
+# the tests.
 #   tools/mutants.sh [NAME...]      NAME: a file of tests/mutants, without .mutant; default: all
 #   tools/mutants.sh --check        builds nothing: asks only whether each fault can still be planted, and its test still exists
 #
@@ -13,9 +14,10 @@
 #   --- with
 #   ...
 #   --- end
-# Everything happens in a copy of the tree, in $EARTHTOP_MUTANTS_DIR (default build/mutants), which is kept: the next call
-# builds only what changed. $EARTHTOP_JOBS (default: all cores), $EARTHTOP_MUTANT_SECONDS (default 300) a test run.
-# Status: 0 all killed, 1 one survived or could not be tried.
+# Everything happens in a copy of the tree, in $EARTHTOP_MUTANTS_DIR (default build/mutants), which is kept, so that the next
+# call builds only what changed. $EARTHTOP_JOBS: number of parallel jobs (default: all cores); $EARTHTOP_MUTANT_SECONDS: time
+# limit of a test run (default 300).
+# Exit status: 0 if all mutants were killed, 1 if one survived or could not be tried.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -69,7 +71,7 @@ work=${EARTHTOP_MUTANTS_DIR:-$root/build/mutants}
 jobs=${EARTHTOP_JOBS:-$(nproc)}
 time_limit=${EARTHTOP_MUTANT_SECONDS:-300}
 build=$work/build
-changed=$work/changed # files whose objects may hold a fault: the copy below brings their old times back
+changed=$work/changed # files whose objects may contain a fault: the copy below restores their old times
 
 mkdir -p "$work/tree"
 touch "$changed"
@@ -107,7 +109,7 @@ program_of() {
 }
 passes() { (cd "$build/tests" && timeout "$time_limit" "$1" --gtest_filter="$2" --gtest_brief=1) >"$work/test.log" 2>&1; }
 
-# Is there such a mutant, and does its test pass without it?
+# Checks that the mutant exists, and that its test passes without the fault.
 prepare() {
   local filter
   verdict[$1]="NOT TRIED"
@@ -127,7 +129,7 @@ try() {
   remark[$1]=$(obstacle "$work/tree" "$1")
   if [[ -n ${remark[$1]} ]]; then return; fi
 
-  content=$(cat "$work/tree/$file" && printf .) # the dot saves the last newline from the shell
+  content=$(cat "$work/tree/$file" && printf .) # the dot protects the last newline from being removed by the shell
   content=${content%.}
   before=${content%%"$old"*}
   after=${content#*"$old"}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# From a fresh checkout to a first result: installs what is missing, builds the program alone, runs scenarios/toy-top.json, and says
-# where the picture of its drift is. A second call builds nothing.
+# From a fresh checkout to a first result: installs missing packages, builds only the program, runs scenarios/toy-top.json, and
+# prints where the picture of its drift is. A second call builds nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,7 +9,7 @@ tools/install-dependencies.sh --program
 begin=$SECONDS
 cmake --preset release -DEARTHTOP_BUILD_TESTS=OFF >/dev/null
 echo "Building earthtop; the first time takes some minutes."
-# One line that says how far it is: share of the work, seconds since its beginning.
+# The build shows its progress in one line: percentage done, seconds since the beginning.
 NINJA_STATUS='[%p after %e s] ' cmake --build --preset release --parallel "$(nproc)" --target earthtop-tool
 echo "Built in $((SECONDS - begin)) s."
 program=build/release/tools/earthtop/earthtop

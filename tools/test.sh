@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The release suite: installs what is missing, builds with warnings as errors, runs every test that is labelled
-# neither `slow` nor `extra` (one more of what the others see, which .ci/run runs after it).
-# Its status and its last lines are CTest's. Arguments go to CTest:  tools/test.sh -R Torques
+# The release suite: installs missing packages, builds with warnings as errors, and runs every test that is labelled neither
+# `slow` nor `extra` (.ci/run also runs `extra`).
+# Its exit status and last lines are CTest's. Arguments are passed to CTest:  tools/test.sh -R Torques
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What every digit rests on: IEEE 754 arithmetic as the standard has it, in the machine's present state and in the compiled
-/// code.
+/// /// Checks that the processor and the compiled code do IEEE 754 arithmetic as the standard prescribes: every digit of every
+/// result relies on it.
 #pragma once
 
 #include <stdexcept>
@@ -8,17 +8,17 @@
 
 namespace earthtop {
 
-/// The processor computes otherwise than the digits need. Says how.
+/// The arithmetic is not IEEE 754 arithmetic as the results need it; `what()` says in which respect.
 class ArithmeticError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What is wrong with the arithmetic: rounding not to nearest, subnormal numbers flushed to zero, products contracted into
-/// sums, sums reassociated, NaN or signed zeros not kept. Empty where nothing is. The first two are the thread's state, which a
-/// library loaded beside may have changed; the others how earthtop was compiled.
+/// Lists what is wrong with the arithmetic: rounding not to nearest, subnormal numbers flushed to zero, products contracted
+/// into sums, sums reassociated, NaN or signed zeros not kept. Empty if nothing is wrong. The first two belong to the state of
+/// the calling thread, which another library in the same process may have changed; the others to how earthtop was compiled.
 std::string arithmetic_faults();
 
-/// @throws ArithmeticError where `arithmetic_faults` finds any
+/// @throws ArithmeticError if `arithmetic_faults` finds any fault
 void require_ieee_arithmetic();
 
 }  // namespace earthtop

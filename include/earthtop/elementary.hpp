@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Elementary functions of double with the same digits on every machine.
 ///
-/// The C library's choose their code by the processor, and so their last digit. These are SLEEF's bit-reproducible ones, but
-/// for the fifth root, each within 1 unit in the last place (erfc: 1.5; atan2: 2 where the result is subnormal). Everything
-/// that reaches a result calls them, or the square root, fma, fmod, remainder and roundings of the C library, which are exact.
-/// Angles in rad.
+/// The functions of the C library choose their code by the processor, so that the last digit differs between machines. These
+/// are the bit-reproducible ones of SLEEF, except for the fifth root; each has an error of at most 1 unit in the last place
+/// (erfc: 1.5; atan2: 2 where the result is subnormal). Everything that reaches a result calls either these functions or the
+/// square root, fma, fmod, remainder and roundings of the C library, which are exact. Angles are in rad.
 #pragma once
 
 namespace earthtop {
@@ -20,7 +20,7 @@ namespace real {
 [[gnu::const]] double sin(double x) noexcept;
 [[gnu::const]] double cos(double x) noexcept;
 [[gnu::const]] double tan(double x) noexcept;
-/// Both for little more than the price of one. Either may differ from its own function in the last place.
+/// Sine and cosine together, for little more than the cost of one. Either may differ in the last place from `sin` or `cos`.
 [[gnu::const]] SinCos<double> sin_cos(double x) noexcept;
 [[gnu::const]] double asin(double x) noexcept;
 [[gnu::const]] double acos(double x) noexcept;
@@ -37,7 +37,7 @@ namespace real {
 [[gnu::const]] double log1p(double x) noexcept;
 [[gnu::const]] double pow(double x, double y) noexcept;
 [[gnu::const]] double cbrt(double x) noexcept;
-/// x^(1/5) where x is positive, else 0: within 0.53 units in the last place, by exact arithmetic operations only.
+/// x^(1/5) for positive x, else 0: within 0.53 units in the last place, from basic arithmetic operations only.
 [[gnu::const]] double fifth_root(double x) noexcept;
 
 [[gnu::const]] double sinh(double x) noexcept;
@@ -53,7 +53,7 @@ namespace real {
 /// log |Gamma(x)|
 [[gnu::const]] double lgamma(double x) noexcept;
 
-/// 10^exponent as the literal has it: correctly rounded, which pow is not.
+/// 10^exponent, correctly rounded (which `pow` is not): the same double as the literal 1e<exponent>.
 [[gnu::const]] double power_of_ten(int exponent) noexcept;
 
 }  // namespace real

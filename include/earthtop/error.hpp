@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What can go wrong, as types: refused input is thrown with everything that is wrong with it; numerical trouble is a
-/// returned outcome with a name.
+/// The types of failure. Input that is refused is thrown as an exception that lists all its violations; numerical trouble
+/// during an integration is a returned status.
 #pragma once
 
 #include <stdexcept>
@@ -11,8 +11,8 @@
 
 namespace earthtop {
 
-/// One violation: where it stands in the file (1-based; 0 where there is no file), which key (JSON pointer), what is wrong
-/// and what is allowed.
+/// One violation: its position in the file (line and column from 1; 0 if there is no file), the key as a JSON pointer, and a
+/// message that says what is wrong and what is allowed.
 struct Diagnostic {
   int line = 0;
   int column = 0;
@@ -20,7 +20,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// Input that is refused, with all its violations at once.
+/// Thrown for input that is refused; holds all its violations.
 class ScenarioError : public std::runtime_error {
  public:
   explicit ScenarioError(std::vector<Diagnostic> diagnostics, std::string file = "");
@@ -34,7 +34,7 @@ class ScenarioError : public std::runtime_error {
   std::string file_;
 };
 
-/// A file that cannot be worked with, though it was asked for rightly: which one, and why.
+/// Thrown for a file that cannot be read or written although the request was valid: which file, and why.
 class FileError : public std::runtime_error {
  public:
   FileError(std::string file, std::string reason)
@@ -47,7 +47,7 @@ class FileError : public std::runtime_error {
   std::string reason_;
 };
 
-/// Reading an input broke off.
+/// An input could not be read to its end.
 class ReadError : public FileError {
   using FileError::FileError;
 };
@@ -57,21 +57,21 @@ class WriteError : public FileError {
   using FileError::FileError;
 };
 
-/// A text as a terminal may safely show it: valid UTF-8 in which controls, line ends and marks of writing direction, and
-/// bytes that are no UTF-8, stand as `\xNN` or `\uNNNN`.
+/// A text in a form that a terminal can safely show: valid UTF-8. Control characters, line ends, marks of writing direction and
+/// bytes that are not valid UTF-8 are written as `\xNN` or `\uNNNN`.
 std::string printable(std::string_view text);
 
-/// `file:line:col: error: /json/pointer: what`, one line, printable. @param severity  "error" or "warning"
+/// One printable line `file:line:col: error: /json/pointer: message`.   @param severity  "error" or "warning"
 std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity = "error");
 
 /// How an integration ended.
 enum class RunStatus {
   completed,
-  not_finite,      ///< a right-hand side or a state stopped being a finite number
-  step_underflow,  ///< the step fell below what the time can resolve
-  not_converged,   ///< the iteration of an implicit method did not come to rest: its step is too long
-  step_limit,      ///< more steps than the limit allows, or ten times the work estimated
-  interrupted,     ///< asked to stop from outside
+  not_finite,      ///< a time derivative or a state stopped being a finite number
+  step_underflow,  ///< the step fell below the resolution of the time variable
+  not_converged,   ///< the iteration of an implicit method did not converge: its step is too long
+  step_limit,      ///< the integration needed more steps than its limit, or than ten times the estimated work
+  interrupted,     ///< stopped by request from outside
 };
 
 std::string_view to_string(RunStatus status);

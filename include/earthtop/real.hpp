@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The scalars that every formula of earthtop is a template on: double, long double and float128 (113-bit).
+/// The scalar types over which every formula of earthtop is a template: double, long double and float128 (113-bit significand).
 ///
-/// `__float128` is the compiler's own type. Its functions are declared here, not taken from quadmath.h, which clang does not
-/// find; libquadmath provides them.
+/// `__float128` is a built-in type of the compiler. Its functions are declared here instead of taken from quadmath.h, which
+/// clang does not find; libquadmath defines them.
 #pragma once
 
 #include <cmath>
@@ -33,10 +33,11 @@ float128 frexpq(float128, int*) noexcept;
 int finiteq(float128) noexcept;
 }
 
-/// Elementary functions of one name for every scalar. Angles in rad. Those of double are in elementary.hpp. Those of
-/// float128 are libquadmath's, which has one code for all processors. Those of long double reach results of double, too (the
-/// closed forms are set up in it): the C library has them in C as well, but for a few that are instructions of the processor,
-/// of which two makers' differ in the last place. Those are float128's, rounded.
+/// Elementary functions with one name for every scalar type; angles in rad. Those of double are in elementary.hpp. Those of
+/// float128 are libquadmath's, which run the same code on all processors. Those of long double influence double results, too,
+/// because the closed forms are set up in long double. Most are the C library's, written in C. A few of the C library's are
+/// processor instructions, whose last place differs between two processor makers: for these the float128 function is rounded to
+/// long double.
 namespace real {
 
 using std::fma;
@@ -78,12 +79,12 @@ SinCos<T> sin_cos(T x) {
   return {sin(x), cos(x)};
 }
 
-/// x * 2^exponent, exact.
+/// x * 2^exponent, exact unless it overflows or underflows.
 inline double scale(double x, int exponent) { return std::scalbn(x, exponent); }
 inline long double scale(long double x, int exponent) { return std::scalbn(x, exponent); }
 inline float128 scale(float128 x, int exponent) { return scalbnq(x, exponent); }
 
-/// Unit round-off times two: the distance from 1 to the next number.
+/// The distance from 1 to the next larger number: twice the unit round-off.
 template <class T>
 constexpr T epsilon() {
   return std::numeric_limits<T>::epsilon();
@@ -93,14 +94,14 @@ constexpr float128 epsilon<float128>() {
   return static_cast<float128>(1) / (static_cast<float128>(1ULL << 56) * static_cast<float128>(1ULL << 56));
 }
 
-/// pi to 113 bits, as a sum of three doubles.
+/// pi to the precision of T, as a sum of three doubles.
 template <class T>
 constexpr T pi() {
   return static_cast<T>(3.141592653589793116e+00) + static_cast<T>(1.224646799147353207e-16) +
          static_cast<T>(-2.994769809718339666e-33);
 }
 
-/// pi - pi<T>(), to the precision of T.
+/// pi - pi<T>(): the rounding error of pi<T>(), to the precision of T.
 template <class T>
 constexpr T pi_rest();
 template <>
@@ -116,12 +117,12 @@ constexpr float128 pi_rest() {
   return static_cast<float128>(8.6718101301237810248e-35L);
 }
 
-/// sqrt(x^2 + y^2 + z^2) without overflow or underflow between: the deviations of a tiny Earth rate live near 1e-300.
+/// sqrt(x^2 + y^2 + z^2) without intermediate overflow or underflow: for a tiny Earth rate the deviations can be near 1e-300.
 template <class T>
 T hypot(T x, T y, T z = T(0)) {
   const T ax = abs(x), ay = abs(y), az = abs(z);
   const T m = ax > ay ? (ax > az ? ax : az) : (ay > az ? ay : az);
-  if (!(m > T(0))) return ax + ay + az;  // 0, or NaN where one of them is
+  if (!(m > T(0))) return ax + ay + az;  // 0, or NaN if one of them is
   const T sx = ax / m, sy = ay / m, sz = az / m;
   return m * sqrt(sx * sx + sy * sy + sz * sz);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Many scenarios at once, for studies.
+/// Runs many scenarios at once, for studies.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace earthtop {
 
-/// What came of one scenario of a batch.
+/// The outcome of one scenario of a batch: a result, or the reason why there is none.
 struct BatchOutcome {
   std::optional<RunResult> result;
-  std::string refusal;  ///< why there is none: what the ScenarioError said
+  std::string refusal;  ///< the message of the ScenarioError, if there is no result
 };
 
-/// Runs scenarios; the outcome of each depends on it alone, not on its neighbours or on how many there are. An interrupt
-/// (of the watch) leaves outcomes with RunStatus::interrupted.
-/// @throws ArithmeticError as `run` does.
+/// Runs scenarios. The outcome of each depends on that scenario alone, not on its neighbours or on how many there are. After
+/// the watch has asked to stop, the unfinished outcomes have RunStatus::interrupted.
+/// @throws ArithmeticError as `run` does
 std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {});
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Vectors and matrices of three dimensions over every scalar of real.hpp.
+/// Three-dimensional vectors and matrices over every scalar type of real.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,9 @@
 
 #include "earthtop/real.hpp"
 
-// The library is compiled with it. A linker keeps one copy of Eigen's functions for all objects: without it that copy might be
-// the consumer's, whose packets form sums in another order, and the last digits of results would hang on the order of linking.
+// The library is compiled with this macro. A linker keeps only one copy of each Eigen function for all objects. If user code
+// were compiled without the macro, that copy might be the user's, which sums in another order (vector instructions): the last
+// digits of results would then depend on the order of linking.
 #ifndef EIGEN_DONT_VECTORIZE
 #error "earthtop's headers need EIGEN_DONT_VECTORIZE; its CMake targets and pkg-config files define it"
 #endif
@@ -25,8 +26,8 @@ T norm(const Vec3<T>& v) {
   return real::hypot(v[0], v[1], v[2]);
 }
 
-/// Products of 3x3 matrices and vectors for the hot loops, written out: a compiler makes twice as much of them as of Eigen's
-/// packet code for three components.
+/// Products of 3x3 matrices and vectors for the inner loops, written out: compilers make code from this that is twice as fast
+/// as from Eigen's vectorised code for three components.
 template <class T>
 Vec3<T> times(const Mat3<T>& m, const Vec3<T>& v) {
   return {m(0, 0) * v[0] + m(0, 1) * v[1] + m(0, 2) * v[2], m(1, 0) * v[0] + m(1, 1) * v[1] + m(1, 2) * v[2],
@@ -37,7 +38,7 @@ Vec3<T> transposed_times(const Mat3<T>& m, const Vec3<T>& v) {
   return {m(0, 0) * v[0] + m(1, 0) * v[1] + m(2, 0) * v[2], m(0, 1) * v[0] + m(1, 1) * v[1] + m(2, 1) * v[2],
           m(0, 2) * v[0] + m(1, 2) * v[1] + m(2, 2) * v[2]};
 }
-/// R m R^T: a tensor's components from body axes to outer axes.
+/// R m R^T: transforms the components of a tensor from body axes to outer axes.
 template <class T>
 Mat3<T> turned_tensor(const Mat3<T>& R, const Mat3<T>& m) {
   Mat3<T> half, turned;
@@ -47,7 +48,7 @@ Mat3<T> turned_tensor(const Mat3<T>& R, const Mat3<T>& m) {
   return turned;
 }
 
-/// [v]x, so that [v]x u = v x u.
+/// The matrix [v]x with [v]x u = v x u.
 template <class T>
 Mat3<T> cross_matrix(const Vec3<T>& v) {
   Mat3<T> m;

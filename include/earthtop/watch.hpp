@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Who watches some work: they may ask it to stop, and may want to know how far it has come.
+/// How a caller watches long work: it can ask the work to stop, and it can be told how far the work has come.
 #pragma once
 
 #include <algorithm>
@@ -7,15 +7,16 @@
 
 namespace earthtop {
 
-/// How far some work has come. One thread at a time writes it; any may read it meanwhile. The share never falls.
+/// How far some work has come. Only one thread at a time writes it; any thread may read it meanwhile. The share never
+/// decreases.
 class Progress {
  public:
-  double share() const noexcept { return share_.load(std::memory_order_relaxed); }  ///< 0 to 1, of the whole work
+  double share() const noexcept { return share_.load(std::memory_order_relaxed); }  ///< done part of the whole work, 0 to 1
   const char* phase() const noexcept { return phase_.load(std::memory_order_relaxed); }
   void reach(double share) noexcept {
     if (share > share_.load(std::memory_order_relaxed)) share_.store(std::min(share, 1.0), std::memory_order_relaxed);
   }
-  /// @param phase  what is being done; of static storage
+  /// @param phase  name of what is being done; must have static storage duration
   void enter(const char* phase) noexcept { phase_.store(phase, std::memory_order_relaxed); }
 
  private:
@@ -23,27 +24,29 @@ class Progress {
   std::atomic<const char*> phase_ = "";
 };
 
-/// A part of the watched work, as who does it sees it: whether to stop, and where to tell how much of the part is done. It is a
-/// small value: hand it on by copy or by reference. Loops ask it once a step, which costs one load, and tell it how far they
-/// are now and then. A default one asks for nothing and tells nobody.
+/// What a piece of watched work sees of its watcher: whether to stop, and where to report which share of this piece is done. It
+/// is a small value: pass it by copy or by reference. Loops check it once per step, which costs one load, and report their
+/// progress from time to time. A default-constructed watch never asks to stop and reports to nobody.
 class Watch {
  public:
   Watch() = default;
-  /// @param stop, progress  either may be null; both outlive the work
+  /// @param stop, progress  either may be null; both must outlive the work
   Watch(const std::atomic<bool>* stop, Progress* progress = nullptr)
-      : stop_(stop), progress_(progress) {}  // NOLINT: a flag is one
+      : stop_(stop), progress_(progress) {}  // NOLINT: a stop flag converts to a watch implicitly
 
-  /// Stopped by the same, for work that tells another how far it is. @param progress  may be null; outlives the work
+  /// The same stop flag with another progress, for work that reports to somebody else.   @param progress  may be null; must
+  /// outlive the work
   Watch telling(Progress* progress) const noexcept { return {stop_, progress}; }
 
-  /// Whether anybody wants to know how far the work is.
+  /// Whether anybody wants to know the progress.
   bool is_told() const noexcept { return progress_ != nullptr; }
   bool asks_to_stop() const noexcept { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
-  /// @param share  0 to 1, of this part
+  /// Reports the progress.   @param share  done part of this piece of work, 0 to 1
   void reach(double share) const noexcept {
     if (progress_ != nullptr) progress_->reach(from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0));
   }
-  /// The part of this part between two shares of it. What comes before is done.
+  /// The watch for the sub-piece between the shares `from` and `to` of this piece; everything before `from` is reported as
+  /// done.
   Watch part(double from, double to) const noexcept {
     Watch part = *this;
     part.from_ = from_ + (to_ - from_) * std::clamp(from, 0.0, 1.0);
@@ -51,7 +54,7 @@ class Watch {
     part.reach(0);
     return part;
   }
-  /// The same, with the name that it is shown by. @param phase  of static storage
+  /// The same, and sets the name of the phase that is shown.   @param phase  must have static storage duration
   Watch part(double from, double to, const char* phase) const noexcept {
     if (progress_ != nullptr) progress_->enter(phase);
     return part(from, to);
@@ -63,17 +66,17 @@ class Watch {
   double from_ = 0, to_ = 1;
 };
 
-/// Gives each of several pieces of work, one after the other, the part of a watch that its cost has of all.
+/// Divides a watch among several pieces of work that are done one after the other, in proportion to their costs.
 class Parts {
  public:
-  /// @param total  of all costs, in any unit
+  /// @param total  sum of all costs, in any unit
   Parts(const Watch& watch, double total) : watch_(watch), total_(total) {}
   Watch next(double cost) noexcept {
     const double from = share();
     done_ += cost;
     return watch_.part(from, share());
   }
-  /// @param phase  shown where the piece costs anything; of static storage
+  /// @param phase  name shown unless the cost of the piece is zero; must have static storage duration
   Watch next(double cost, const char* phase) noexcept {
     if (cost > 0) watch_.part(share(), 1, phase);
     return next(cost);

@@ -16,7 +16,7 @@
 namespace earthtop {
 namespace {
 
-/// One contender's work, ready to be repeated, and what it said at first.
+/// The work of one contender, ready to be repeated, and the results of its first computation.
 struct Racer {
   std::function<void()> compute;
   RunStatus status = RunStatus::completed;
@@ -27,7 +27,7 @@ struct Racer {
   int repetitions = 0, calls_a_repetition = 1;
 };
 
-/// Both of a peer's motions; its drift is their difference.
+/// The two motions of a peer; its drift is their difference.
 struct PeerDrift {
   RunStatus status;
   std::vector<Checkpoint> samples;
@@ -36,7 +36,8 @@ struct PeerDrift {
 
 Checkpoint checkpoint_of(const Checkpoint& checkpoint) { return checkpoint; }
 
-/// Computes once, stopped where it takes too long, and notes what came out; then ready to compute again without noting.
+/// Computes once, stopping if it takes too long, and stores the results; afterwards `racer.compute` computes again without
+/// storing.
 template <class Compute>
 void prepare(const Compute& compute, double most_seconds, Racer& racer) {
   const Deadline deadline(most_seconds);
@@ -114,7 +115,8 @@ void prepare(const Contender& contender, const Scenario& scenario, const std::ve
   }
 }
 
-/// How often to repeat, and how often to call in each; what is slow has been measured by its first call.
+/// Decides how often to repeat, and how often to compute in each repetition. For a slow contender the first computation is its
+/// measurement.
 void plan_repetitions(const BenchOptions& options, Racer& racer) {
   const double calls = std::ceil(options.least_seconds / std::max(racer.first_seconds, 1e-9));
   racer.calls_a_repetition = static_cast<int>(std::clamp(calls, 1.0, 1e6));
@@ -127,7 +129,7 @@ void plan_repetitions(const BenchOptions& options, Racer& racer) {
   }
 }
 
-/// Whether the same at a coarser tolerance was too slow already.
+/// Whether the same contender at a coarser tolerance was already too slow.
 bool is_hopeless(const Contender& contender, const Contender& before, const Racer& racer) {
   return racer.status == RunStatus::interrupted && method_name(contender) == method_name(before) &&
          equations_name(contender) == equations_name(before) && contender.precision == before.precision &&
@@ -140,7 +142,7 @@ void time_once(Racer& racer) {
   racer.seconds.push_back((thread_seconds() - start) / racer.calls_a_repetition);
 }
 
-/// The drift of a laboratory that stands still is zero, and so is every error in it.
+/// If the laboratory does not rotate, the drift is zero and so is every error in it; then the attitude is compared.
 ErrorKind compared_by_default(const BenchReport& report) {
   if (report.workload == Workload::axis) return ErrorKind::axis;
   return report.workload == Workload::drift && report.largest_drift > 0 ? ErrorKind::drift : ErrorKind::attitude;

@@ -50,7 +50,7 @@ std::vector<bool> pareto_front(const BenchReport& report, ErrorKind kind) {
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.seconds != b.seconds ? a.seconds < b.seconds : a.error < b.error; });
   std::vector<bool> front(report.entries.size(), false);
-  const Point* last = nullptr;  // the most exact of the faster ones
+  const Point* last = nullptr;  // the most exact of the faster entries
   for (const Point& point : points) {
     if (last != nullptr && point.error >= last->error && !(point.error == last->error && point.seconds == last->seconds))
       continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who runs: the standard contenders of a scenario.
+// The standard contenders of a scenario.
 #include <algorithm>
 
 #include "earthtop/bench/bench.hpp"
@@ -8,7 +8,7 @@
 namespace earthtop {
 namespace {
 
-/// A state and its equations: whose, and in which form.
+/// A set of variables and their equations: the observer and the form.
 struct Equations {
   Observer observer;
   ModelForm form;
@@ -18,10 +18,10 @@ constexpr Equations kBody{Observer::body, ModelForm::general};
 constexpr Equations kLaboratory{Observer::laboratory, ModelForm::general};
 constexpr Equations kOwn{Observer::laboratory, ModelForm::automatic};
 
-/// From coarse to as fine as the scalar allows. A Taylor series errs far less than its tolerance, and the long-horizon method's
-/// is the error itself.
+/// The tolerances to be tried, from coarse to as fine as the scalar type allows. The error of a Taylor series is far below its
+/// tolerance; the tolerance of the long-horizon method is the error itself.
 std::vector<double> tolerances(Method method, Precision precision) {
-  if (method == Method::closed_form) return {default_tolerance(precision)};  // it reads none
+  if (method == Method::closed_form) return {default_tolerance(precision)};  // it uses no tolerance
   switch (precision) {
     case Precision::bits53: break;
     case Precision::bits64: return {1e-14, 1e-17};
@@ -81,7 +81,7 @@ class Contenders {
     }
   }
 
-  /// Its step is given: some hundredths of the fastest motion's radian.
+  /// Adams's method has a fixed step: some hundredths of a radian of the fastest motion.
   void add_adams() {
     for (const double radians : {0.1, 0.05, 0.02}) {
       IntegrationOptions options;
@@ -105,7 +105,7 @@ class Contenders {
       }
   }
 
-  /// The scene with the numerics that decide whether a method fits left out.
+  /// The scene without the numerics, which would decide whether a method fits.
   Scenario as_asked() const {
     Scenario scenario = scenario_;
     scenario.numerics = {};

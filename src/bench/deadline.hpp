@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A flag that is set when the calling thread has used so much processor time.
+/// A flag that is set when the calling thread has used a given amount of processor time.
 #pragma once
 
 #include <pthread.h>
@@ -13,7 +13,7 @@
 
 namespace earthtop {
 
-/// Processor time of a thread (s): what other programs do meanwhile is not in it.
+/// Processor time of a thread (s), which does not count the time of other programs.
 inline double clock_seconds(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -45,7 +45,7 @@ class Deadline {
   std::atomic<bool> passed_ = false;
   std::mutex mutex_;
   std::condition_variable_any sleep_;
-  std::jthread watcher_;  // the last: it ends before what it reads
+  std::jthread watcher_;  // declared last: it is destroyed before the members that its thread uses
 };
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bench report as CSV and as JSON.
+// A benchmark report as CSV and as JSON.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -82,7 +82,7 @@ Json report_json(const BenchReport& report) {
           {"equal_error", equal_error_json(report, kind)}};
 }
 
-/// Names have commas, none has quotes.
+/// Names contain commas but no quotes.
 std::string csv_field(std::string_view text) { return fmt::format("\"{}\"", text); }
 
 void append_line(std::string& csv, const BenchEntry& entry, bool on_front) {

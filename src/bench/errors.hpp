@@ -18,13 +18,13 @@ Checkpoint checkpoint_of(const DriftSample<T>& sample) {
   return {{float128(sample.state.q_LB.w), sample.state.q_LB.v.template cast<float128>()}, float128(sample.measures.axis)};
 }
 
-/// A motion, and the angle between its axis and that of another one.
+/// The checkpoint of a motion, with the angle between its axis and that of another motion.
 inline Checkpoint subtracted(const Quaternion<float128>& q_LB, const Quaternion<float128>& other_q_LB) {
   const Quaternion<float128> e = other_q_LB.conjugate() * q_LB;
   return {q_LB, 2 * real::atan2(real::hypot(e.v[0], e.v[1]), real::hypot(e.w, e.v[2]))};
 }
 
-/// The errors of checkpoints against those of a reference, the largest of all. @param attitude  whether it was computed
+/// The largest errors of checkpoints relative to those of a reference.   @param attitude  whether the attitude was computed
 inline BenchErrors largest_errors(const std::vector<Checkpoint>& computed, const std::vector<Checkpoint>& reference,
                                   bool attitude) {
   BenchErrors errors;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The closed form of a scenario's motion, where it has one.
+/// The closed form of a scenario's motion, if it has one.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace earthtop {
 
-/// The motion in the laboratory at a time (s).
+/// The motion in the laboratory as a function of time (s).
 template <class T>
 using ExactLaboratoryMotion = std::function<LaboratoryState<T>(T)>;
 
-/// The rotating motion of a scenario: of a body without torque anywhere, and of a symmetric top on an Earth that stands still
-/// or at one of its poles. Empty for all others, on platforms and with switched-off effects.
+/// The rotating motion of a scenario: for a body without torque anywhere, and for a symmetric top on an Earth that does not
+/// rotate or at one of its poles. Empty for all others, on platforms and with effects switched off.
 template <class T>
 ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario);
 extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scenario&);

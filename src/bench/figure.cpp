@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bench report as a picture.
+// A benchmark report as a picture.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Look {
   Marker marker;
 };
 
-/// The same in every picture; other libraries' are grey.
+/// Colour and marker of a contender, the same in every picture; grey for other libraries.
 Look look_of(const Contender& contender) {
   if (contender.peer) {
     switch (*contender.peer) {
@@ -65,7 +65,7 @@ Line line_through(std::vector<Point> points) {
   return line;
 }
 
-/// A step from each point of the front to the next: what is below and to the left of it, none reaches.
+/// The Pareto front as a step line from each of its points to the next: no entry lies below and to the left of it.
 Line front_line(const BenchReport& report, ErrorKind kind) {
   std::vector<Point> points;
   const std::vector<bool> front = pareto_front(report, kind);

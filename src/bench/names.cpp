@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contenders in words.
+// The names of contenders in words.
 #include <fmt/core.h>
 
 #include "earthtop/bench/bench.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a peer integrates: q_LB (4) and w_IB in body axes (3), in natural units.
+/// The system that a peer integrates: q_LB (4 variables) and w_IB in body axes (3 variables), in natural units.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class PeerSystem {
     return {release.q_LB.w, release.q_LB.v[0], release.q_LB.v[1], release.q_LB.v[2], w_IB_B[0], w_IB_B[1], w_IB_B[2]};
   }
 
-  /// @returns false where the integration is to stop
+  /// @returns false if the integration is to stop
   bool rates(const double* x, double* dxdt) {
     ++evaluations_;
     const Motion<double> motion = load(x);
@@ -47,8 +47,8 @@ class PeerSystem {
     return sample;
   }
 
-  /// From time to time.
-  /// @param advance  takes the state from one time to another (natural units) and says how that ended
+  /// Computes the trajectory from one output time to the next.
+  /// @param advance  integrates the state from one time to another (natural units) and returns how that ended
   MotionTrajectory<double> trajectory(State& x, const std::function<RunStatus(double from, double to)>& advance) {
     MotionTrajectory<double> trajectory;
     trajectory.samples.push_back(sample(x.data(), problem_.times_s.front()));
@@ -63,7 +63,7 @@ class PeerSystem {
     return trajectory;
   }
 
-  /// The first step tried (natural units): a small part of the fastest motion's radian.
+  /// The first step size to be tried (natural units): a small part of a radian of the fastest motion.
   double first_step() const { return 1e-3 / problem_.fastest_rate; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certified reference: 113 or 64 bits, from two unrelated sources.
+// The certified reference: 113 or 64 bits, from two independent computations.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace earthtop {
 namespace {
 
-/// How one of the two is computed.
+/// How source or witness is computed.
 struct Recipe {
   Method method;
   Observer observer;
@@ -24,8 +24,8 @@ struct Plan {
   double tolerance;
 };
 
-/// In 113 bits the source is the general model by the method that takes a tenth of the evaluations; in 64 the series, without
-/// the spin where that can be. The witness has other variables, other equations and another method.
+/// In 113 bits the source is the general model with the method that needs a tenth of the evaluations; in 64 bits it is the
+/// Taylor series, of the reduced equations if possible. The witness has other variables, other equations and another method.
 Plan plan_of(const Scenario& scenario, Precision precision) {
   const bool reducible = is_reducible(make_model<double>(scenario));
   const Recipe extrapolation{Method::extrapolation, Observer::body, ModelForm::general};
@@ -67,10 +67,11 @@ std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::v
   return integrate_exactly<long double>(scenario, times_s, recipe, tolerance);
 }
 
-/// Both motions in closed form, and the angle between their axes: subtracted, which 113 bits can afford.
+/// Both motions in closed form, and the angle between their axes. It is found by subtracting them, for which 113 bits are
+/// enough.
 std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::vector<double>& times_s) {
   Scenario still = scenario;
-  still.rotation_rate_rad_s = 0;  // same attitude, same rates of the kind that the release names
+  still.rotation_rate_rad_s = 0;  // the release keeps its attitude, and its rates relative to the frame that it names
   const auto rotating = exact_laboratory_motion<float128>(scenario), reference = exact_laboratory_motion<float128>(still);
   if (!rotating || !reference) return {};
   std::vector<Checkpoint> checkpoints;
@@ -79,7 +80,8 @@ std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::v
   return checkpoints;
 }
 
-/// The error stated for a distance: three times it, as the two may err to the same side.
+/// The error stated for a distance between source and witness: three times the distance, because both may err in the same
+/// direction.
 BenchErrors stated(BenchErrors distance) {
   constexpr double kSafety = 3;
   distance.axis *= kSafety;
@@ -129,7 +131,7 @@ Scenario shortened_for_reference(const Scenario& scenario, double reference_seco
   if (seconds <= reference_seconds) return shortened;
   const double duration_s = scenario.duration_s * reference_seconds / seconds;
   const double unit = real::power_of_ten(static_cast<int>(std::floor(real::log10(duration_s))));
-  shortened.duration_s = std::floor(duration_s / unit) * unit;  // one digit
+  shortened.duration_s = std::floor(duration_s / unit) * unit;  // rounded down to one digit
   shortened.output_step_s = std::min(shortened.output_step_s, shortened.duration_s);
   return shortened;
 }

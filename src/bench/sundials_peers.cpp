@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SUNDIALS' CVODE (Adams) and ARKODE (explicit Runge-Kutta) as peers; compiled where SUNDIALS was found.
+// SUNDIALS' CVODE (Adams) and ARKODE (explicit Runge-Kutta) as peers; compiled if SUNDIALS was found.
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -18,7 +18,7 @@ int rates(realtype, N_Vector x, N_Vector dxdt, void* system) {
   return static_cast<PeerSystem*>(system)->rates(N_VGetArrayPointer(x), N_VGetArrayPointer(dxdt)) ? 0 : -1;
 }
 
-/// A context, and the state as a vector of SUNDIALS'.
+/// A context of SUNDIALS, and the state as one of its vectors.
 struct Workspace {
   SUNContext context = nullptr;
   N_Vector x = nullptr;
@@ -87,7 +87,7 @@ MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& prob
   ERKStepSetMaxNumSteps(arkode, -1);
   auto trajectory = top.trajectory(x, [&](double, double to) {
     realtype reached = 0;
-    ERKStepSetStopTime(arkode, to);  // its interpolant is of order 5 at most
+    ERKStepSetStopTime(arkode, to);  // steps must end at the output time: its interpolation is of order 5 at most
     return status_of(ERKStepEvolve(arkode, to, workspace.x, &reached, ARK_NORMAL), top);
   });
   long accepted = 0, rejected = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a bench.
+// Writes the files of a benchmark.
 #include <fmt/core.h>
 #include <unistd.h>
 

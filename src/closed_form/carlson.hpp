@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Carlson's symmetric elliptic integrals by duplication, and Legendre's complete ones from them: relative errors of a few eps
-/// in every scalar.
+/// Carlson's symmetric elliptic integrals by duplication, and Legendre's complete integrals from them. Relative errors are a
+/// few eps in every scalar type.
 ///
 /// B. C. Carlson, "Numerical computation of real or complex elliptic integrals", Numer. Algorithms 10 (1995) 13; DLMF 19.36.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace earthtop::elliptic {
 
-/// eps^(1/8): deviations below it leave a truncated seventh-order series right to round-off.
+/// eps^(1/8): if the deviations are smaller than this, a series truncated after the seventh order is exact to round-off.
 template <class T>
 T duplication_tolerance() {
   using real::sqrt;
@@ -41,11 +41,11 @@ T carlson_rc(T x, T y) {
   }
 }
 
-/// R_F(x, y, z) = 1/2 integral_0^inf dt / sqrt((t + x)(t + y)(t + z)); none negative, at most one zero.
+/// R_F(x, y, z) = 1/2 integral_0^inf dt / sqrt((t + x)(t + y)(t + z)); no argument negative, at most one zero.
 ///
-/// The distances from the mean fall by exactly 4 in a step, so that only the last mean divides them (Carlson 1995, (2.4)); and
-/// a series to the eleventh order, 1/(2N + 1) of the N-th coefficient of (1 + E2 t^2 - E3 t^3)^(-1/2) (DLMF 19.19.7), ends the
-/// steps at deviations below eps^(1/12), where the next order is below eps / 20.
+/// The deviations from the mean shrink exactly fourfold in each step, so that they are divided by the mean only at the end
+/// (Carlson 1995, (2.4)). The steps end at deviations below eps^(1/12), because a series to the eleventh order follows:
+/// 1/(2N + 1) times the N-th coefficient of (1 + E2 t^2 - E3 t^3)^(-1/2) (DLMF 19.19.7), whose next order is below eps / 20.
 template <class T>
 T carlson_rf(T x, T y, T z) {
   constexpr T per_tolerance = std::is_same_v<T, float128> ? T(650) : std::is_same_v<T, long double> ? T(39) : T(21);
@@ -69,7 +69,7 @@ T carlson_rf(T x, T y, T z) {
   return (T(1) + (even + b * (once + b * (twice + b * thrice)))) / real::sqrt(mean);
 }
 
-/// The common end of R_D and R_J (DLMF 19.36.2), less its leading 1.
+/// The series that ends both R_D and R_J (DLMF 19.36.2), without its leading 1.
 template <class T>
 T third_kind_series(T E2, T E3, T E4, T E5) {
   return -T(3) * E2 / T(14) + E3 / T(6) + T(9) * E2 * E2 / T(88) - T(3) * E4 / T(22) - T(9) * E2 * E3 / T(52) +
@@ -101,8 +101,8 @@ T carlson_rd(T x, T y, T z) {
 }
 
 /// R_J(x, y, z, p) = 3/2 integral_0^inf dt / ((t + p) sqrt((t + x)(t + y)(t + z))); x, y, z not negative, at most one of them
-/// zero, p > 0. The steps are those of Carlson's first algorithm (Numer. Math. 33 (1979) 1): its R_C takes two positive sums,
-/// where the later one adds 1 to a number that may be close to -1.
+/// zero, p > 0. The steps are those of Carlson's first algorithm (Numer. Math. 33 (1979) 1): its R_C has two positive sums as
+/// arguments, whereas the later algorithm adds 1 to a number that may be close to -1.
 template <class T>
 T carlson_rj(T x, T y, T z, T p) {
   const T tolerance = duplication_tolerance<T>();
@@ -128,7 +128,7 @@ T carlson_rj(T x, T y, T z, T p) {
   }
 }
 
-/// The complete integrals K, E and Pi (DLMF 19.25.1-2) of the parameter m = 1 - m1, m1 > 0. Pi takes p = 1 - n > 0, the
+/// The complete integrals K, E and Pi (DLMF 19.25.1-2) of the parameter m = 1 - m1, m1 > 0. Pi is given p = 1 - n > 0, the
 /// complement of the characteristic n.
 template <class T>
 T complete_k(T m1) {

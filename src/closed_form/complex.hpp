@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The little complex arithmetic that the closed forms need, in every scalar and without the special cases of std::complex.
+/// The few operations on complex numbers that the closed forms need, for every scalar type and without the special cases of
+/// std::complex.
 #pragma once
 
 #include "earthtop/real.hpp"

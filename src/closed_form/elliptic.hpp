@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Jacobi's elliptic functions in every scalar (DLMF 22.2), by theta series; with it Carlson's integrals and the lattice.
+/// Jacobi's elliptic functions for every scalar type (DLMF 22.2), by theta series. Includes Carlson's integrals and the
+/// lattice.
 ///
-/// A lattice is made from the parameter m = k^2 *and* its complement m1 = 1 - m, both accurate in the relative sense: then
-/// neither m -> 0 nor m -> 1 loses digits.
+/// A lattice is made from the parameter m = k^2 *and* its complement m1 = 1 - m, both with full relative accuracy: then no
+/// digits are lost for m -> 0 or m -> 1.
 #pragma once
 
 #include "closed_form/carlson.hpp"
@@ -16,7 +17,8 @@ struct JacobiValues {
   T sn, cn, dn, am;
 };
 
-/// Jacobi's functions at x. Absolute errors a few eps, plus what |x| eps does to the argument; sn relative near its zero at 0.
+/// Jacobi's functions at x. The absolute errors are a few eps, plus the effect of an error |x| eps of the argument; near its
+/// zero at 0 sn has a small relative error.
 template <class T>
 JacobiValues<T> jacobi(T x, const Lattice<T>& l) {
   constexpr int N = kThetaTerms<T>;
@@ -43,7 +45,7 @@ JacobiValues<T> jacobi(T x, const Lattice<T>& l) {
   } else {
     const HyperbolicPoint<T> p = hyperbolic_point<T>(l, l.rate * argument);
     const T root = real::exp(-real::abs(l.rate * argument));
-    // Everything over exp(|xi|)/2: sinh((2n+1)xi) = (1 - E) (1 + E + ... + E^2n) q^-n Q^n, and so on.
+    // All sums are divided by exp(|xi|)/2: sinh((2n+1)xi) = (1 - E) (1 + E + ... + E^2n) q^-n Q^n, and so on.
     T sinh = T(0), cosh = T(0), up = T(1), down = T(1), geometric = T(1), odd_E = p.E;
     T power_E = T(1), power_Q = T(1);
     for (int n = 0; n < N; ++n) {

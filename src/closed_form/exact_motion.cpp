@@ -10,7 +10,8 @@ ExactKind exact_kind(const Model<T>& model) {
   if (model.kind != SceneKind::plain) return ExactKind::not_plain;
   if (norm(model.mass_moment_B) == T(0) || norm(model.apparent_gravity_L) == T(0)) return ExactKind::free_body;
   if (!is_reducible(model)) return ExactKind::not_symmetric;
-  // Gravity lies along Up: an Earth that turns about Up, or not at all, leaves it where it is.
+  // Gravity lies along Up: if the Earth's rotation is about Up, or zero, the direction of gravity stays constant in inertial
+  // space.
   const bool stands_still = model.W_IL_L[0] == T(0) && model.W_IL_L[1] == T(0);
   return stands_still ? ExactKind::symmetric_top : ExactKind::turning_gravity;
 }
@@ -41,7 +42,8 @@ template ExactBody<float128> exact_body(const Model<float128>&);
 
 namespace {
 
-/// q_BP of the axes P, numbered round from the axis of symmetry: a third of a turn about (1, 1, 1), or none.
+/// q_BP of axes P that are the body's, renumbered cyclically so that axis 3 is the axis of symmetry: a third of a turn about
+/// (1, 1, 1), or none.
 template <class T>
 Quaternion<T> from_symmetry_axes(int axis) {
   if (axis == 2) return {};
@@ -63,7 +65,8 @@ template <class T>
 ExactMotion<T>::ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB, const Vec3<T>& w0_IB_B)
     : motion_(make_motion(body, q0_NB, w0_IB_B)), axis_(body.kind == ExactKind::symmetric_top ? body.axis : 2) {
   q_BP_ = from_symmetry_axes<T>(axis_);
-  // The kinetic energy grows by 2 |mgl| at most; of a symmetric top the part across the axis does, w3 being conserved.
+  // The kinetic energy grows by at most 2 |mgl|. For a symmetric top it is the part across the axis that grows, because w3 is
+  // conserved.
   const T gained = body.kind == ExactKind::symmetric_top ? T(4) * real::abs(body.top.mgl) : T(0);
   if (body.axis == 2) {
     spin_ = w0_IB_B[2];
@@ -71,7 +74,7 @@ ExactMotion<T>::ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB
     turn_rate_ = real::sqrt(across * across + gained / body.I_BP_B(0, 0));
   } else {
     const T twice_T = w0_IB_B.dot(times(body.I_BP_B, w0_IB_B)) + gained;
-    turn_rate_ = real::sqrt(twice_T * body.I_BP_B_inverse.trace());  // over the least moment, or less than that
+    turn_rate_ = real::sqrt(twice_T * body.I_BP_B_inverse.trace());  // the trace is at least the inverse of the smallest moment
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// An exact motion followed in time, so that its quaternion is continuous. A closed form gives the attitude at any time, but
-/// not how often it went round before: where rows are rare, that is seen in between.
+/// not how often it went round before. Where output rows are far apart, the motion is therefore also evaluated between them.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace earthtop {
 
-/// In double, which is enough to tell a quaternion from its opposite.
+/// The motion is followed in double, which is enough to tell a quaternion from its opposite.
 class FollowedMotion {
  public:
-  /// @param q0_NB  attitude at t = 0, of the sign to go on with
+  /// @param q0_NB  attitude at t = 0; its sign is the one to be continued
   FollowedMotion(const ExactBody<double>& body, const Quaternion<double>& q0_NB, const Vec3<double>& w0_IB_B)
       : motion_(body, q0_NB, w0_IB_B), q_NB_(q0_NB), despun_(q0_NB) {}
 
-  /// The attitude at t, its sign continuous if less than pi / turn_rate has passed since the last call.
+  /// The attitude at t. Its sign is continuous if less than pi / turn_rate has passed since the last call.
   const Quaternion<double>& advance(double t) {
     q_NB_ = motion_.at(t).q_NB;
     Quaternion<double> despun = motion_.despun(q_NB_, t);
@@ -40,15 +40,15 @@ class FollowedMotion {
   Quaternion<double> q_NB_, despun_;
 };
 
-/// Of the two signs of q the one that is nearer.
+/// q or -q, whichever is nearer to `near`.
 template <class T>
 Quaternion<T> with_sign_of(const Quaternion<double>& near, const Quaternion<T>& q) {
   const T dot = q.w * T(near.w) + q.v[0] * T(near.v[0]) + q.v[1] * T(near.v[1]) + q.v[2] * T(near.v[2]);
   return dot < T(0) ? Quaternion<T>{-q.w, -q.v} : q;
 }
 
-/// Visits the times in order and as many between two of them as it takes to go no further than `longest_step`.
-/// @param visit  (t, row): the row's number, or -1 between rows   @param watch  may end it
+/// Visits the times in order, and enough times between them that no step is longer than `longest_step`.
+/// @param visit  called as visit(t, row), where row is the index of the time, or -1 between rows   @param watch  may stop it
 template <class Visit>
 RunStatus visit_times(const std::vector<double>& times, double longest_step, std::int64_t step_limit, const Watch& watch,
                       Visit&& visit) {

@@ -9,8 +9,9 @@
 namespace earthtop {
 namespace {
 
-/// Bounds: of one evaluation apart from its phases, in eps of T (rad, and relative to the rate); of the constants of a phase
-/// and their product with the time, in eps of Wider<T>; of what decides on the side of the separatrix, in its own eps.
+/// Error bounds: of one evaluation apart from its phases, in eps of T (rad, or relative to the rate); of the constants of a
+/// phase and their product with the time, in eps of Wider<T>; of the number that decides on the side of the separatrix, in eps
+/// of float128 (its own scalar); and of principal axes computed from a tensor, in eps of Wider<T>.
 constexpr int kEvaluationRounding = 16;
 constexpr int kPhaseRounding = 12;
 constexpr int kSeparationRounding = 8;
@@ -25,8 +26,8 @@ Quaternion<T> product(const Quaternion<T>& p, const Quaternion<T>& q) {
                   p.w * q.v[2] + q.w * p.v[2] + p.v[0] * q.v[1] - p.v[1] * q.v[0])};
 }
 
-/// cos(half) + sin(half) times the least turn that takes l to axis 3, the turn about axis 3 last: a multiple of
-/// Rz(psi) Rmin(l) = (cos, 0, 0, sin)(1 + l3, l2, -l1, 0).
+/// A multiple of the quaternion of Rz(psi) Rmin(l), which is (cos, 0, 0, sin)(1 + l3, l2, -l1, 0): first the smallest rotation
+/// that takes l to axis 3, then the rotation about axis 3.
 template <class T>
 Quaternion<T> from_momentum_frame(const elliptic::UnitPhasor<T>& half_turn, const Vec3<T>& l) {
   const T c = half_turn.cos, s = half_turn.sin, w = T(1) + l[2];
@@ -41,18 +42,19 @@ Quaternion<T> scaled_to_unit(const Quaternion<T>& q) {
 
 }  // namespace
 
-/// The constants of one motion; a uniform turn needs the first four only.
+/// The constants of one motion; a uniform rotation needs only the first four.
 template <class T>
 struct FreeBodyMotion {
   using W = Wider<T>;
 
-  Quaternion<T> q_NM;         ///< q0_NB of a uniform turn
+  Quaternion<T> q_NM;         ///< for a uniform rotation: q0_NB
   Vec3<T> w0_B, turn_axis_B;  ///< rate and its direction
   W half_turn_rate = W(0);    ///< secular part of dpsi/dt / 2, or |w| / 2 (rad/s)
 
-  W phase_rate = W(0), phase0 = W(0), period = W(1);  ///< argument of the theta series, and its change in half a turn
+  W phase_rate = W(0), phase0 = W(0), period = W(1);  ///< argument of the theta series at a rate and a start, and its change in
+                                                      ///< half a turn
   W linear = W(0);                                    ///< see PrecessionTheta
-  T elliptic_per_phase = T(1), elliptic_rate = T(0);  ///< u per argument; p (1/s)
+  T elliptic_per_phase = T(1), elliptic_rate = T(0);  ///< u divided by the argument; p (1/s)
   elliptic::Lattice<T> lattice;
   elliptic::PrecessionTheta<T> theta;
   Vec3<T> rate_amplitude, direction;
@@ -90,7 +92,8 @@ FreeBodyRegime FreeBodyMotion<T>::prepare(const PrincipalAxes<W>& axes, const Qu
   half_turn_rate = size / W(2);
   largest_rate = static_cast<T>(size);
   if (axes.q_BP.v != Vec3<W>::Zero() && regime != FreeBodyRegime::at_rest) {
-    // What found a tensor's moments equal, or the rate along one of its axes, has rounded; about the middle axis that grows.
+    // Rounding may have made the moments of a tensor equal, or put the rate along one of its axes; about the middle axis such
+    // an error grows.
     const int i = w_Q[0] != W(0) ? 0 : w_Q[1] != W(0) ? 1 : 2;
     const W I1 = I[i], I2 = I[(i + 1) % 3], I3 = I[(i + 2) % 3], square = (I2 - I1) * (I1 - I3) / (I2 * I3);
     const W largest = std::max(I1, std::max(I2, I3)), least = std::min(I1, std::min(I2, I3));
@@ -108,7 +111,7 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   const W eta = tangent >= W(0) && real::isfinite(f.m * f.tangent_squared)
                     ? tangent * elliptic::carlson_rf<W>(W(1), W(1) + f.m * f.tangent_squared, W(1) + f.tangent_squared)
                     : W(0);
-  // dpsi/dt is least where dn is largest if C is the largest moment: its periodic part falls there.
+  // If C is the largest moment, dpsi/dt is smallest where dn is largest; so its periodic part decreases there.
   const elliptic::PrecessionTheta<W> wide_theta(wide, eta, -f.s);
   phase_rate = f.p * wide.rate;
   phase0 = f.u0 * wide.rate;
@@ -134,7 +137,7 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   rate_amplitude = converted<T>(Vec3<W>(f.rate_amplitude[0], f.s * f.rate_amplitude[1], f.rate_amplitude[2]));
   direction = converted<T>(Vec3<W>(f.direction[0], f.s * f.direction[1], f.direction[2]));
   largest_rate = static_cast<T>(norm(f.rate_amplitude));
-  // Given moments are exact, those of a tensor are not.
+  // Given moments are exact; those computed from a tensor are not.
   const bool given = q_BQ.v == Vec3<W>::Zero();
   const W eps = real::epsilon<W>(), eps_of_term = static_cast<W>(real::epsilon<float128>());
   separation_error = static_cast<T>(!given                  ? W(kTensorRounding) * eps * f.largest_ratio
@@ -160,8 +163,8 @@ ClosedFormState<T> FreeBodyMotion<T>::uniform_at(T t_s) const {
   return x;
 }
 
-/// What an error of 1 in the separation makes of the attitude: a shift of the elliptic argument at first and another one in
-/// each period, and neither more than an unstable motion makes of an error of its torques.
+/// By how much an error of 1 in the separation changes the attitude: by a shift of the elliptic argument at the start and
+/// another in each period, neither of them larger than the effect of a torque error on an unstable motion.
 template <class T>
 T FreeBodyMotion<T>::growth(T elliptic_phase, T swept) const {
   if (separation_error == T(0)) return T(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The name of a symmetric top's motion, from the roots of its cubic.
+/// Names the kind of motion of a symmetric top from the roots of its cubic.
 #pragma once
 
 #include "closed_form/lagrange_roots.hpp"
@@ -7,7 +7,8 @@
 
 namespace earthtop {
 
-/// @param eps  relative rounding of the input: numbers are called equal within 16 of it, times the terms they are the sum of.
+/// @param eps  relative rounding of the input; numbers count as equal if they differ by less than 16 eps times the terms that
+/// they are a sum of
 template <class W>
 LagrangeRegime lagrange_regime(const NutationData<W>& d, const NutationRoots<W>& r, W eps) {
   const W near = W(16) * eps, twice = W(2) * d.mu;

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The nutation of the heavy symmetric top: the cubic of u = cos(tilt), its roots, and every difference that the closed form
-/// needs of them, none formed by subtracting nearly equal numbers.
+/// The nutation of the heavy symmetric top: the cubic of u = cos(tilt), its roots, and all differences that the closed form
+/// needs of them. None is formed by subtracting nearly equal numbers.
 ///
-/// Everything is per I1: mu = |m g l| / I1, beta = I3 w3 / I1, c = (angular momentum across the axis)_z / I1 = b - beta u,
-/// P = |axis rate|^2, b = L_z / I1. In a top whose centre of mass lies below the pivot u and beta change sign, so that mu >= 0:
+/// All quantities are divided by I1: mu = |m g l| / I1, beta = I3 w3 / I1, b = L_z / I1, c = b - beta u (the z component of the
+/// angular momentum across the axis), P = |rate across the axis|^2. If the centre of mass lies below the pivot, u and beta
+/// change sign, so that mu >= 0:
 ///
 ///   (du/dt)^2 = f(u) = (1 - u^2) P(u) - c(u)^2 = 2 mu (u - u1)(u2 - u)(u3 - u),   P(u) = P0 - 2 mu (u - u0)
 ///
-/// -1 <= u1 <= u2 <= 1 <= u3, and P vanishes between u2 and u3 too. Three expansions share the work: about the present u0,
-/// which lies in [u1, u2]; about u = 1 and about the zero of P, both in [u2, u3]. In each the root outside the interval is
-/// found first, by Newton's method from a side where it converges monotonically; what is left is a quadratic whose roots differ
-/// in sign. Multiples 2 mu u3 replace u3, which goes to infinity with mu -> 0.
+/// -1 <= u1 <= u2 <= 1 <= u3, and P vanishes between u2 and u3, too. Three expansions are used: about the present u0, which
+/// lies in [u1, u2]; about u = 1; and about the zero of P; the latter two points lie in [u2, u3]. In each, the root outside the
+/// interval is found first, by Newton's method from a side where it converges monotonically; the remaining quadratic has two
+/// roots of different sign. The multiple 2 mu u3 is used instead of u3, which goes to infinity for mu -> 0.
 ///
-/// Close to u = 1, at the critical spin (beta^2 = 4 mu) and near the steady rate the three roots nearly meet, and the cubic's
-/// coefficients are small differences of large terms. There they are taken from two numbers that vanish with them,
+/// Close to u = 1, at the critical spin (beta^2 = 4 mu) and near the steady rate, the three roots nearly coincide, and the
+/// cubic's coefficients are small differences of large terms. There they are computed from numbers that vanish with them,
 ///
 ///   V = Omega - i beta conj(A) B,   slack = 4 mu - beta^2,   G = -2 Im(conj(V) conj(A) B) = c - beta (1 - u^2)/2
 ///
-/// so that a rounding of either amounts to one of the start and all three expansions see the same start.
+/// so that rounding errors of these numbers act like a change of the start, and all three expansions see the same start.
 #pragma once
 
 #include "closed_form/complex.hpp"
 
 namespace earthtop {
 
-/// The data of the nutation at one instant, in a frame where mu >= 0.
+/// The data of the nutation at one instant, in a frame in which mu >= 0.
 template <class T>
 struct NutationData {
   T mu, beta;
@@ -32,16 +33,17 @@ struct NutationData {
   T c0, rate0, P0;    ///< c, du/dt and P at u0
   T slack;            ///< 4 mu - beta^2
   T V2, G;            ///< |V|^2 and G
-  bool near_top;      ///< whether V and the slack say more than Omega and mu
+  bool near_top;      ///< whether V and the slack are more accurate than Omega and mu
 };
 
-/// x - y^2, rounded once however close the two are.
+/// x - y^2 with a single rounding, however close the two are.
 template <class T>
 T less_square(T x, T y) {
   return -real::fma(y, y, -x);
 }
-/// The same without the software that stands for a fused product in this scalar: the square as an exact sum (T. J. Dekker,
-/// Numer. Math. 18 (1971) 224) and a sum with its rest (Knuth). Of doubles nothing overflows or underflows here.
+/// The same for long double, which has no fused multiply-add in hardware: the square as an exact sum (T. J. Dekker, Numer.
+/// Math. 18 (1971) 224) and a sum with its rounding error (Knuth). For numbers that come from doubles nothing overflows or
+/// underflows here.
 template <>
 inline long double less_square(long double x, long double y) {
   constexpr long double kSplitter = 4294967297.0L;  // 2^32 + 1: halves of 32 bits
@@ -52,13 +54,13 @@ inline long double less_square(long double x, long double y) {
   return difference + (rest - square_rest);
 }
 
-/// @param A, B  halves of the unit quaternion, w + i z and x + i y   @param Omega  w1 + i w2
+/// @param A, B  the two complex halves of the unit quaternion, w + i z and x + i y   @param Omega  w1 + i w2
 template <class T>
 NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T>& B, const Complex<T>& Omega) {
   const bool flipped = mu < T(0);
   const T up = flipped ? T(-1) : T(1);
   const Complex<T> Z = conj(A) * B;
-  const Complex<T> moment = conj(Omega) * Z;  // c - i du/dt = 2 i conj(Omega) Z; 2 i Z: Up in body axes
+  const Complex<T> moment = conj(Omega) * Z;  // c - i du/dt = 2 i conj(Omega) Z; 2 i Z is Up in body axes
   NutationData<T> d;
   d.mu = up * mu;
   d.beta = up * beta;
@@ -98,11 +100,11 @@ struct NutationRoots {
   T at_bottom;   ///< c(-1) = b + beta
   T at_rest;     ///< 2 mu c at the zero of P: 2 mu c0 - beta P0
   T top_energy;  ///< P(1)
-  T span_loss;   ///< relative error of `span` in eps: the terms that it is the sum of, over it
-  T gap_terms;   ///< size of the terms that `gap` is the sum of
+  T span_loss;   ///< relative error of `span` in eps: the size of the terms that it is a sum of, over `span`
+  T gap_terms;   ///< size of the terms that `gap` is a sum of
 };
 
-/// A root of y^3 + a y^2 + b y + c by Newton's method from y, where the iteration is monotonic.
+/// A root of y^3 + a y^2 + b y + c by Newton's method, from a starting point y from which it converges monotonically.
 template <class T>
 T newton_root(T y, T a, T b, T c) {
   for (int step = 0; step < 64; ++step) {
@@ -115,10 +117,10 @@ T newton_root(T y, T a, T b, T c) {
   return y;
 }
 
-/// The two roots of x^2 - sum x - product_size, product_size >= 0: one on either side of 0.
+/// The two roots of x^2 - sum x - product_size with product_size >= 0: one on either side of 0.
 template <class T>
 struct SplitRoots {
-  T above, below_size;  ///< the positive root and minus the negative one
+  T above, below_size;  ///< the positive root, and minus the negative one
   T difference;
 };
 template <class T>
@@ -163,8 +165,9 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
                  lean * (beta2 - twice) - bend * (d.slack / T(2) + d.mu);
   }
 
-  // y = 2 mu (u - u0): the monic cubic y^3 + f2 y^2 + 2 mu f1 y + 4 mu^2 f0. The value at the mean of its roots tells which
-  // root stands apart; the bound with a double root is where Newton starts.
+  // With y = 2 mu (u - u0) the monic cubic is y^3 + f2 y^2 + 2 mu f1 y + 4 mu^2 f0. Its value at the mean of the roots tells
+  // which root stands apart from the others. Newton's method starts at the extreme position that this root can have, which it
+  // has if the others coincide.
   const T linear = twice * f1, constant = twice * twice * f0;
   const T mean = -f2 / T(3), radius = real::sqrt(not_negative<T>(f2 * f2 - T(3) * linear)) / T(3);
   const bool low_apart = constant + mean * (linear + mean * (f2 + mean)) > T(0);
@@ -180,7 +183,7 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
   }
   r.top1 = d.top - r.s1;
 
-  // About u = 1, in 2 mu (1 - u): the sum of the two roots left, and their product -2 mu at_top^2 / top1.
+  // About u = 1, in the variable 2 mu (1 - u): the sum of the other two roots, and their product -2 mu at_top^2 / top1.
   const T top_product = ratio<T>(r.at_top * r.at_top, r.top1);
   const T top_sum = ratio<T>(top_product - T(2) * top_slope, r.top1);
   const SplitRoots<T> top = split_roots<T>(top_sum, twice * top_product);
@@ -212,7 +215,7 @@ NutationRoots<T> nutation_roots(const NutationData<T>& d) {
     r.bottom1 = r.bottom2;
   }
 
-  // About the zero of P, in P itself.
+  // About the zero of P, in the variable P itself.
   r.P1 = d.P0 - twice * r.s1;
   const T rest_product = ratio<T>(r.at_rest * r.at_rest, r.P1);
   const T rest_sum = ratio<T>(rest_slope + rest_product, r.P1);

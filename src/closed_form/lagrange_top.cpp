@@ -12,13 +12,14 @@
 
 namespace earthtop {
 
-/// The series' functions at one argument: of the odd multiples (low) and of the quotients that vanish at or above u2 (high).
+/// The functions of the series at one argument: those of the low quotient (odd multiples), and those of the high quotients,
+/// which vanish at or above u2.
 template <class T>
 struct LagrangeTop<T>::Basis {
   std::array<T, kTerms> low_re, low_im, high_re, high_im;
   T low_factor, high_factor;  ///< 1 / denominator
-  T cos1, sin1;               ///< circular branch: of the argument
-  T E = T(1), Q = T(0);       ///< hyperbolic branch: exp(-2 |v|), and q exp(2 |v|), 1 at the turning point u2
+  T cos1, sin1;               ///< circular branch: cosine and sine of the argument
+  T E = T(1), Q = T(0);       ///< hyperbolic branch: exp(-2 |v|), and q exp(2 |v|), which is 1 at the turning point u2
   Complex<T> low(const Quotient& q) const { return sum(q, low_re, low_im); }
   Complex<T> high(const Quotient& q) const { return sum(q, high_re, high_im); }
   static Complex<T> sum(const Quotient& q, const std::array<T, kTerms>& re, const std::array<T, kTerms>& im) {
@@ -34,7 +35,8 @@ struct LagrangeTop<T>::Basis {
     for (int n = 0; n < kTerms; ++n) size += real::abs(q.re[n]) + real::abs(q.im[n]);
     return size;
   }
-  /// |sum|^2 over the largest that the quotient can be near here: how many digits its direction keeps.
+  /// |sum|^2 over the square of the largest size that the quotient can have near here: it tells how many digits its direction
+  /// keeps.
   static T quality(const Quotient& q, const std::array<T, kTerms>& re, const std::array<T, kTerms>& im, bool hyperbolic,
                    const std::array<T, kTerms>& natural) {
     T size = hyperbolic ? T(0) : terms(q);
@@ -46,7 +48,7 @@ struct LagrangeTop<T>::Basis {
 template <class T>
 struct LagrangeTop<T>::Setup {
   Complex<T> A, B, Omega;
-  T low_size, high_size;  ///< the largest |low| and |high|
+  T low_size, high_size;  ///< the largest values of |low| and |high|
 };
 
 template <class T>
@@ -89,7 +91,7 @@ template <class T>
 LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B) {
   using W = Wider<T>;
   static_assert(kTerms == elliptic::kThetaTerms<T>);
-  // The start, per I1, in the wider scalar.
+  // The start, divided by I1, in the wider scalar type.
   const W I1 = W(top.I1), I3 = W(top.I3), w3 = W(w0_NB_B[2]);
   Complex<W> A{W(q0_NB.w), W(q0_NB.v[2])}, B{W(q0_NB.v[0]), W(q0_NB.v[1])};
   const Complex<W> Omega{W(w0_NB_B[0]), W(w0_NB_B[1])};
@@ -116,13 +118,13 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
 
   regime_ = lagrange_regime<W>(data, roots, W(real::epsilon<T>()));
 
-  // v = rate t + start: the argument of the theta functions, 0 where u = u1 and `span` where u = u2.
+  // v = rate t + start is the argument of the theta functions: 0 where u = u1 and `span` where u = u2.
   W v_rate = l.rate * real::sqrt(roots.span) / W(2), v_start = W(0);
   if (roots.width > W(0)) {
     const W sn2 = -roots.s1 / roots.width, cn2 = roots.s2 / roots.width, dn2 = ratio<W>(roots.beyond, roots.span);
     if (cn2 + dn2 > W(0))
       v_start = sign_of(data.rate0) * l.rate * real::sqrt(sn2) * elliptic::carlson_rf<W>(cn2, dn2, W(1));
-    else  // on the separatrix's end: there for ever
+    else  // at the end of the separatrix, where the top stays for ever
       v_start = W(20000), v_rate = W(0);
   }
   const W period = l.hyperbolic ? W(2) * l.span : real::pi<W>();
@@ -143,7 +145,7 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
   set_coefficients<T>(l, high, false, high_);
   set_coefficients<T>(l, rest, false, rate_);
 
-  // Mean rates of arg A and arg B: the rate where u = u2 (low) or u1 (high), less what the theta quotient brings there.
+  // Mean rates of arg A and arg B: the rate at u = u2 (low) or u1 (high), less the contribution of the theta quotient there.
   const PhaseSlope<W> low_slope = phase_slope(l, low), high_slope = phase_slope(l, high);
   const W c1 = data.c0 - data.beta * roots.s1, c2 = data.c0 - data.beta * roots.s2;
   const W low_part = ratio<W>(c2, roots.bottom2), high_part = ratio<W>(c1, roots.top1);
@@ -160,7 +162,7 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
   }
   winding_ = static_cast<int>(roots.top_energy >= W(0) ? -rest_sign : up * high_sign);
 
-  // Sizes from the turning point where each is largest.
+  // The size of each quotient is set at the turning point where it is largest.
   Basis basis;
   evaluate_basis(T(0), T(0), basis);
   const auto set_size = [](Quotient& q, T factor, W value2, const Complex<T>& s) {
@@ -178,7 +180,7 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
   phase_loss_ = T(8) * wide_eps * static_cast<T>(real::abs(w3) + real::abs(sum) + real::abs(difference) + v_rate);
   nutation_loss_ = T(8) * wide_eps * static_cast<T>(roots.span_loss);
   if (l.hyperbolic) {
-    const W most = W(std::numeric_limits<T>::max() / T(1e6));  // a gap far below its own rounding
+    const W most = W(std::numeric_limits<T>::max() / T(1e6));  // used if the gap is far below its own rounding
     period_loss_ = T(8) * wide_eps * static_cast<T>(std::min(ratio<W>(roots.gap_terms, roots.gap), most));
     nome_loss_ = wide_eps / T(2) * static_cast<T>(roots.gap_terms / roots.span);
   }
@@ -196,8 +198,8 @@ LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_
               static_cast<T>(real::sqrt(roots.top1 / W(2)))});
 }
 
-/// The constant phases of A and B, from the start. Three numbers are known, A, B and Omega, and the phase of Omega follows from
-/// the other two; whichever of the three is least well known (it may vanish) is left out.
+/// Sets the constant phases of A and B from the start. A, B and Omega are known there, and the phase of each follows from the
+/// other two; the least accurate of the three (it may vanish) is not used.
 template <class T>
 void LagrangeTop<T>::set_phases(const Setup& start) {
   Basis b;
@@ -215,7 +217,7 @@ void LagrangeTop<T>::set_phases(const Setup& start) {
   Complex<T> low_phase = direction(low_start * conj(low)), high_phase = direction(high_start * conj(high));
   // Omega's phase is that of conj(A) B.
   Complex<T> between = direction(start.Omega * conj(rate));
-  if (flipped_) between = conj(between);  // now that of conj(low) high
+  if (flipped_) between = conj(between);  // the phase of conj(low) high
   const bool low_left_out = low_quality < high_quality && low_quality < rate_quality;
   const bool high_left_out = !low_left_out && high_quality < rate_quality;
   if (low_left_out) low_phase = high_phase * conj(between);
@@ -226,7 +228,8 @@ void LagrangeTop<T>::set_phases(const Setup& start) {
   high_.sin = high_phase.im;
 
   start_loss_ = gap_loss(b);
-  // What the functions' own rounding leaves, in units of eps: each quotient's largest term, and the two phases just found.
+  // What the rounding of the functions contributes, in units of eps: each quotient's largest term, and the two phases just
+  // found.
   const T low_floor = low_.size * (hyperbolic_ ? T(2) : Basis::terms(low_)),
           high_floor = high_.size * (hyperbolic_ ? T(2) : Basis::terms(high_));
   const auto loss = [](T q) { return q > T(0) ? T(1) / real::sqrt(q) : T(0); };
@@ -245,7 +248,7 @@ void LagrangeTop<T>::set_phases(const Setup& start) {
   rate_.sin = rate_sign * rate_phase.im;
 }
 
-/// How far the rounding of the gap between the upper roots matters here, relatively: most at the highest point.
+/// The relative effect of the rounding of the gap between the upper two roots at this point: largest at the highest point.
 template <class T>
 T LagrangeTop<T>::gap_loss(const Basis& b) const {
   if (real::isfinite(v_period_.high)) return period_loss_ * b.Q;
@@ -285,16 +288,17 @@ ClosedFormState<T> LagrangeTop<T>::at(T t) const {
   state.q_NB = {scale * A.re, {scale * B.re, scale * B.im, scale * A.im}};
   state.w_NB_B = {Omega.re, Omega.im, w3_};
 
-  // The set-up's rounding shifts v; the attitude follows at the axis rate, the rate at its own derivative 2 mu |A B|.
-  const T gap_lost = gap_loss(b);  // also what `high` and Omega lose of themselves near the highest point
+  // The rounding of the set-up shifts v. The attitude then changes at the rate across the axis, the rate at its own derivative
+  // 2 mu |A B|.
+  const T gap_lost = gap_loss(b);  // also the relative error of `high` and Omega near the highest point
   const T shift = v_rate_.high > T(0) ? nutation_loss_ * real::abs(t) +
                                             (T(2) * period_loss_ * real::abs(v.turns) + gap_lost + start_loss_) / v_rate_.high
                                       : T(0);
   const T across = real::hypot(Omega.re, Omega.im);
   T set_up = across * shift + gap_lost * real::sqrt(norm2(high));
   T set_up_rate = across * gap_lost + gravity_ * T(2) * real::sqrt(norm2(A) * norm2(B)) * shift;
-  // Next to the vertical that rounding is one of V and of the slack (lagrange_roots.hpp), which act by the first and second
-  // power of the time until the nutation has got under way.
+  // Next to the vertical that rounding acts as a rounding of V and of the slack (lagrange_roots.hpp). Until the nutation has
+  // got under way, its effect grows with the first and second power of the time.
   if (real::abs(t) < near_top_time_) {
     const T turn = T(1) + near_top_rate_ * real::abs(t);
     set_up = std::min(set_up, near_top_loss_ * turn * turn);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The path of the rate of a free body in its principal axes, numbered and turned for one formula to hold: see `FreeBody`.
+/// The polhode: the path of the angular velocity of a free body in its principal axes. The axes are numbered and oriented so
+/// that one formula holds for all cases, see `FreeBody`.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace earthtop {
 
-/// A proper turn that only exchanges axes and reverses some: v_P[i] = sign[i] v_B[index[i]].
+/// A proper rotation that only exchanges axes and reverses some: v_P[i] = sign[i] v_B[index[i]].
 struct AxisPermutation {
   std::array<int, 3> index = {0, 1, 2};
   std::array<int, 3> sign = {1, 1, 1};
@@ -26,7 +27,7 @@ struct AxisPermutation {
     for (std::size_t i = 0; i < 3; ++i) v_B[index[i]] = T(sign[i]) * v_P[static_cast<int>(i)];
     return v_B;
   }
-  /// q_PB. The largest of w^2, x^2, y^2, z^2 is 1/4 at least, and its row of the products gives the others.
+  /// q_PB. The largest of w^2, x^2, y^2, z^2 is at least 1/4; the other components follow from its products with them.
   template <class T>
   Quaternion<T> quaternion() const {
     T R[3][3] = {};
@@ -52,19 +53,20 @@ struct Polhode {
   Vec3<W> rate_amplitude;    ///< w1m, w2m, w3m (rad/s)
   Vec3<W> direction;         ///< A w1m / L, B w2m / L, C w3m / L
   W p = W(0);                ///< rate of the elliptic argument (1/s)
-  W u0 = W(0);               ///< the elliptic argument at t = 0, at most a quarter period off 0
+  W u0 = W(0);               ///< the elliptic argument at t = 0; at most a quarter period away from 0
   W m = W(0), m1 = W(1);     ///< parameter of the elliptic functions and its complement
   W tangent_squared = W(0);  ///< eta = F(atan(sqrt(tangent_squared)) | m1), where dn(i eta) = L / (C w3m)
   W momentum_rate = W(0);    ///< dpsi/dt where dn = 1 (rad/s)
-  W separation = W(1);       ///< |L^2 - 2 T B| over the sum of the sizes of its two terms
+  W separation = W(1);       ///< |L^2 - 2 T B| over the sum of the magnitudes of its two terms
   bool separation_is_exact = true;
-  W largest_ratio = W(1);  ///< of two moments
-  W condition = W(1);      ///< relative change of p and of L^2 - 2 T B that a relative change of tensor and rate makes, at most
+  W largest_ratio = W(1);  ///< largest over smallest moment
+  W condition = W(1);      ///< largest relative change of p and of L^2 - 2 T B over the relative change of tensor and rate that
+                           ///< causes it
 };
 
-/// I |I - B| w^2, what decides on the axis that a rate circles: L^2 - 2 T B = C (C - B) w3^2 + A (A - B) w1^2 is the one
-/// difference of the whole solution that can cancel. As a sum of two numbers of 113 bits it is exact where its factors are
-/// doubles.
+/// One term I |I - B| w^2 of the number that decides which axis the rate circles: L^2 - 2 T B = C (C - B) w3^2 + A (A - B)
+/// w1^2. It is the only difference in the whole solution that can cancel. As a sum of two numbers of 113 bits the term is exact
+/// if its factors are doubles.
 struct SeparationTerm {
   float128 high, low;
   bool exact;
@@ -78,7 +80,8 @@ struct SeparationTerm {
   }
 };
 
-/// @param moments  principal moments of axes B   @param w0_B  neither zero nor along a principal axis; not all moments equal.
+/// @param moments  principal moments along the axes B   @param w0_B  neither zero nor along a principal axis; not all moments
+/// equal
 template <class W>
 Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
   std::array<int, 3> sorted = {0, 1, 2};
@@ -123,17 +126,18 @@ Polhode<W> make_polhode(const Vec3<W>& moments, const Vec3<W>& w0_B) {
     f.m = BA * a / (CB * b);
     f.m1 = CA * static_cast<W>(real::abs(difference)) / (CB * b);
     f.tangent_squared = A * CB / (C * BA);
-    // The axes found for a tensor turn by eps largest / difference, the rate's components with them.
+    // The principal axes found for a tensor are rotated by an error of eps largest / difference, and the rate's components with
+    // them.
     const W of_1 = A * BA * w[0] * w[0], of_3 = C * CB * w[2] * w[2], to_1 = moments[high] / BA, to_3 = moments[high] / CB;
     const W of_rate = norm(w) * (to_1 + to_3) * (A * BA * w[0] + C * CB * w[2]);
     f.condition = to_3 + f.m * to_1 + (of_3 * to_3 + of_1 * to_1 + of_rate) / ((of_1 + of_3) * f.separation);
   }
   f.momentum_rate = (twice_T + L * f.rate_amplitude[2]) / (L + C * f.rate_amplitude[2]);
-  // cn >= 0 because w1 >= 0: u0 lies in the first quarter period on either side.
+  // cn >= 0 because w1 >= 0: |u0| is at most a quarter period.
   const W sn = f.rate_amplitude[1] > W(0) ? f.s * w[1] / f.rate_amplitude[1] : W(0);
   const W cn = f.rate_amplitude[0] > W(0) ? w[0] / f.rate_amplitude[0] : W(1);
   const W dn = f.rate_amplitude[2] > W(0) ? w[2] / f.rate_amplitude[2] : W(1);
-  // The test leaves out what is not a number, for which the integral's duplication would never end.
+  // The test excludes NaN, for which the duplication of the integral would never end.
   if (real::abs(sn) > W(0) && cn * cn + dn * dn > W(0)) f.u0 = sn * elliptic::carlson_rf<W>(cn * cn, dn * dn, W(1));
   return f;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The theta function whose argument is the periodic part of a free body's turn about its angular momentum.
+/// The theta function whose argument (phase) is the periodic part of a free body's rotation about its angular momentum.
 #pragma once
 
 #include "closed_form/theta.hpp"
@@ -11,23 +11,24 @@ struct UnitPhasor {
   T cos, sin;
 };
 
-/// theta_4(x + i y) with the nome q^2, q that of Jacobi's functions and x = pi u / (2 K), 0 <= y <= pi K' / (2 K): its argument
-/// has no secular part. For m > 1/2 Jacobi's imaginary transformation makes it
-///   exp(-i y' v / V) theta_2(y' - i v / 2),  nome exp(-V),  v = pi u / (2 K'), V = pi K / (2 K'), y' = pi eta / (4 K'),
-/// up to a positive factor; y = pi eta / (2 K). x and v are the arguments that a `Lattice` calls rate * u, V its span.
+/// theta_4(x + i y) with the nome q^2, where q is the nome of Jacobi's functions, x = pi u / (2 K), y = pi eta / (2 K) and 0 <=
+/// y <= pi K' / (2 K). The phase of its values has no secular part. For m > 1/2 Jacobi's imaginary transformation turns it, up
+/// to a positive factor, into
+///   exp(-i y' v / V) theta_2(y' - i v / 2),  nome exp(-V),  v = pi u / (2 K'), V = pi K / (2 K'), y' = pi eta / (4 K').
+/// In the notation of `Lattice`, x and v are rate * u, and V is its span.
 template <class T>
 struct PrecessionTheta {
-  /// The n-th term is at most exp(-pi n^2 / 2) of the first.
+  /// The n-th term is at most exp(-pi n^2 / 2) times the first.
   static constexpr int kTerms = std::is_same_v<T, float128> ? 8 : std::is_same_v<T, long double> ? 6 : 5;
 
   bool hyperbolic = false;
   T span = T(0);
   T even[kTerms], odd[kTerms];       ///< weights of the real and of the imaginary part
   T square[kTerms], pronic[kTerms];  ///< exp(-V n^2), exp(-V (n^2 + n)); hyperbolic only
-  T linear = T(0);                   ///< y' / V: what the phasor leaves out, the argument's part -linear v; hyperbolic only
+  T linear = T(0);                   ///< y' / V: the phasor omits the part -linear v of the phase; hyperbolic only
 
   PrecessionTheta() = default;
-  /// @param eta  the imaginary part of u, 0 <= eta <= K'; the sign of `sign` goes with it.
+  /// @param eta  imaginary part of u, 0 <= eta <= K'   @param sign  sign of that imaginary part
   PrecessionTheta(const Lattice<T>& l, T eta, T sign) : hyperbolic(l.hyperbolic), span(l.span) {
     const T y = l.rate * eta;
     for (int n = 0; n < kTerms; ++n) {
@@ -59,11 +60,11 @@ struct PrecessionTheta {
     }
   }
 
-  /// A positive multiple of exp(i (argument + linear v)) at x or v, no further out than the span.
+  /// A positive multiple of exp(i (phase + linear v)) at x or v, whose absolute value is at most the span.
   UnitPhasor<T> phasor(T x) const {
     UnitPhasor<T> sum{T(0), T(0)};
     if (hyperbolic) {
-      // Over exp(|v| / 2) / 2, so that nothing overflows.
+      // Divided by exp(|v| / 2) / 2, so that nothing overflows.
       const T size = real::abs(x), fall = real::exp(-size);
       const T rise = real::exp(size - span);  // 0 on the separatrix, whose span is infinite
       T power_rise = T(1), power_fall = fall;
@@ -91,7 +92,7 @@ struct PrecessionTheta {
     return sum;
   }
 
-  /// d(argument)/dx or d(argument)/dv at 0.
+  /// The derivative of the phase with respect to x or v at 0.
   T slope() const {
     T value = T(0), derivative = T(0);
     for (int n = 0; n < kTerms; ++n) {

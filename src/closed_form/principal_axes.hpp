@@ -9,11 +9,11 @@ namespace earthtop {
 template <class T>
 struct PrincipalAxes {
   Vec3<T> moments;
-  Quaternion<T> q_BP;  ///< from the principal axes P to the axes B of the tensor
+  Quaternion<T> q_BP;  ///< takes components in the principal axes P to the axes B of the tensor
 };
 
-/// Errors: a few eps of the largest moment in the moments; a tensor without products keeps its diagonal exactly and q_BP = 1.
-/// Only the lower triangle is read.
+/// The errors of the moments are a few eps of the largest moment. A tensor without products of inertia keeps its diagonal
+/// exactly, with q_BP = 1. Only the lower triangle is read.
 template <class T>
 PrincipalAxes<T> principal_axes(const Mat3<T>& tensor_B) {
   Vec3<T> diagonal = tensor_B.diagonal();
@@ -31,7 +31,7 @@ PrincipalAxes<T> principal_axes(const Mat3<T>& tensor_B) {
         continue;
       }
       done = false;
-      // The turn about axis k by the angle of tangent t that removes the product.
+      // The rotation about axis k that removes the product; t is the tangent of its angle.
       const T theta = (diagonal[j] - diagonal[i]) / (T(2) * product[k]);
       const T t = (theta < T(0) ? T(-1) : T(1)) / (real::abs(theta) + real::sqrt(T(1) + theta * theta));
       const T c = T(1) / real::sqrt(T(1) + t * t), s = t * c;
@@ -41,7 +41,7 @@ PrincipalAxes<T> principal_axes(const Mat3<T>& tensor_B) {
       const T with_i = product[j], with_j = product[i];  // couplings of axis k with i and with j
       product[j] = c * with_i - s * with_j;
       product[i] = s * with_i + c * with_j;
-      // New axis i = c e_i - s e_j, new axis j = s e_i + c e_j: a turn about e_k by minus the angle.
+      // New axis i = c e_i - s e_j, new axis j = s e_i + c e_j: a rotation about e_k by minus the angle.
       const T half = real::sqrt((T(1) + c) / T(2));
       q_BP = q_BP * Quaternion<T>{half, (-s / (T(2) * half)) * Vec3<T>::Unit(k)};
     }

@@ -6,7 +6,7 @@
 namespace earthtop {
 namespace {
 
-/// Bounds: of one evaluation apart from its phases, in eps of T; of a phase, in eps of Wider<T>.
+/// Error bounds: of one evaluation apart from its phases, in eps of T; of a phase, in eps of Wider<T>.
 constexpr int kEvaluationRounding = 16;
 constexpr int kPhaseRounding = 12;
 
@@ -14,7 +14,7 @@ template <class T>
 struct CosSin {
   T cos, sin;
 };
-/// Cosine and sine of a phase counted in the wider scalar.
+/// Cosine and sine of a phase that is computed in the wider scalar type.
 template <class T>
 CosSin<T> cos_sin(Wider<T> phase) {
   using W = Wider<T>;
@@ -23,7 +23,7 @@ CosSin<T> cos_sin(Wider<T> phase) {
   return {both.cos, both.sin};
 }
 
-/// exp(axis * phase) as a quaternion; `half_phase` in rad, `axis` a unit vector.
+/// The quaternion of a rotation about `axis`, a unit vector, by twice `half_phase` (rad).
 template <class T>
 Quaternion<T> turn(const Vec3<T>& axis, Wider<T> half_phase) {
   const CosSin<T> h = cos_sin<T>(half_phase);
@@ -47,7 +47,7 @@ Hyperbolic<T> hyperbolic(T x) {
   return {T(2) * fall / both, x < T(0) ? -tanh : tanh};
 }
 
-/// 1 - (w3 / critical spin)^2 without losing its digits near 1.
+/// 1 - (w3 / critical spin)^2, without loss of digits where it is near 0.
 template <class T>
 Wider<T> subcritical_share(const SymmetricTop<T>& top, T w3) {
   const float128 spin = static_cast<float128>(top.I3) * static_cast<float128>(w3);
@@ -104,7 +104,7 @@ ClosedFormState<T> homoclinic_top(const SymmetricTop<T>& top, T w3, T t_s) {
   const Hyperbolic<T> h = hyperbolic(static_cast<T>(growth * t));
   const CosSin<T> a = cos_sin<T>((azimuth_rate - delta_rate) * t), d = cos_sin<T>(delta_rate * t);
 
-  // (re, im) of the two complex halves of the quaternion and their rates.
+  // Real and imaginary parts of the two complex halves of the quaternion, and their rates.
   const T upper_re = f, upper_im = k * h.tanh, lower = k * h.sech;
   ClosedFormState<T> x;
   x.q_NB = {a.cos * upper_re - a.sin * upper_im, Vec3<T>(lower * d.cos, lower * d.sin, a.sin * upper_re + a.cos * upper_im)};
@@ -131,7 +131,8 @@ ClosedFormState<T> separatrix_free_body(const Vec3<T>& moments, T w2, T t_s) {
   const Hyperbolic<T> h = hyperbolic(static_cast<T>(p * t));
   ClosedFormState<T> x;
   x.w_NB_B = Vec3<T>(static_cast<T>(w * size1) * h.sech, w2 * h.tanh, static_cast<T>(w * size3) * h.sech);
-  // L in the body at t = 0 is m = (m1, 0, m3); k = m x e2 = (-m3, 0, m1); R_0 turns m to z by the turn (1 + m3, 0, -m1, 0).
+  // L in the body at t = 0 is m = (m1, 0, m3); k = m x e2 = (-m3, 0, m1); R_0 takes m to z by the quaternion (1 + m3, 0, -m1,
+  // 0).
   const T m1 = static_cast<T>(A * size1 / B), m3 = static_cast<T>(C * size3 / B);
   const Quaternion<T> R_0 = Quaternion<T>{T(1) + m3, Vec3<T>(T(0), -m1, T(0))}.normalized();
   // cos and sin of gd(x)/2, from tanh(x/2).
@@ -182,7 +183,7 @@ template <class T>
 Vec3<T> resting_axis_L(const SymmetricTop<T>& top, T w3, const Vec3<T>& W_IL_L) {
   const Vec3<T> up = Vec3<T>::UnitZ();
   Vec3<T> n = up;
-  // Each turn gains a factor I1 |W|^2 / |mgl|.
+  // Each iteration reduces the error by a factor I1 |W|^2 / |mgl|.
   for (int k = 0; k < 100; ++k) {
     const T lag = (top.I3 * w3 - top.I1 * W_IL_L.dot(n)) / top.mgl;
     const Vec3<T> direction = up - lag * W_IL_L, next = direction / norm(direction);
@@ -201,7 +202,7 @@ FirstOrder<T> foucault_rate(const SymmetricTop<T>& top, T amplitude, const Vec3<
   return {-W_IL_L[2] * (T(1) - share), up * a * a + level * a * (share + a * a) + size * slow * slow / a};
 }
 
-// T is a type, which parentheses would break.
+// T is a type, so it must not be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define EARTHTOP_INSTANTIATE(T)                                                                     \
   template std::optional<PrecessionRates<T>> steady_precession_rates(const SymmetricTop<T>&, T, T); \

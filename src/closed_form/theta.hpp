@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Theta series of nome q <= exp(-pi) (DLMF 20.2).
+/// Theta series with a nome q <= exp(-pi) (DLMF 20.2).
 ///
-/// For m <= 1/2 the series run on a circle, sin((2n + 1) v) and cos(2 n v) with v = pi x / (2 K). For m > 1/2 Jacobi's
-/// imaginary transformation (DLMF 20.7(viii)) puts them on a hyperbola, sinh((2n + 1) xi) and cosh(2 n xi), |xi| <= ln(1/q)/2.
+/// For m <= 1/2 the terms of the series are circular functions, sin((2n + 1) v) and cos(2 n v) with v = pi x / (2 K). For m >
+/// 1/2 Jacobi's imaginary transformation (DLMF 20.7(viii)) makes them hyperbolic, sinh((2n + 1) xi) and cosh(2 n xi), |xi| <=
+/// ln(1/q)/2.
 #pragma once
 
 #include <type_traits>
@@ -11,15 +12,15 @@
 
 namespace earthtop::elliptic {
 
-/// Terms n = 0, 1, ... of a theta series that count: the n-th is at most exp(-pi (n^2 - n)) of the first, at the end of the
-/// hyperbola.
+/// Number of terms n = 0, 1, ... of a theta series that matter: the n-th is at most exp(-pi (n^2 - n)) times the first, a bound
+/// that is reached at the end of the hyperbolic range.
 template <class T>
 inline constexpr int kThetaTerms = std::is_same_v<T, float128>      ? 6
                                    : std::is_same_v<T, long double> ? 5
                                                                     : 4;
 
-/// The nome of a parameter m <= 1/2, relative error a few eps down to m = 0: Weierstrass's series in
-/// (1 - sqrt k') / (1 + sqrt k') / 2 (Whittaker & Watson 21.8).
+/// The nome of a parameter m <= 1/2, with a relative error of a few eps down to m = 0, by Weierstrass's series in (1 - sqrt k')
+/// / (1 + sqrt k') / 2 (Whittaker & Watson 21.8).
 template <class T>
 T nome(T m, T m1) {
   const T k1 = real::sqrt(m1), root = real::sqrt(k1);
@@ -33,12 +34,13 @@ T nome(T m, T m1) {
   return half + half * (x * (T(2) + x * (T(15) + x * (T(150) + x * series))));
 }
 
-/// What every series of one parameter shares. The nome q is that of m for m <= 1/2 and that of m1 for m > 1/2.
+/// The numbers that all series of one parameter share. The nome q is that of m for m <= 1/2, and that of m1 for m > 1/2.
 template <class T>
 struct Lattice {
   bool hyperbolic = false;
   T q = T(0);                      ///< <= exp(-pi)
-  T rate = T(1);                   ///< argument of the series per argument of Jacobi's functions: pi/(2K), or pi/(2K')
+  T rate = T(1);                   ///< factor from the argument of Jacobi's functions to that of the series: pi/(2K), or
+                                   ///< pi/(2K')
   T K = T(0);                      ///< quarter period; infinite for m1 = 0
   T span = T(0);                   ///< rate * K: pi/2, or ln(1/q)/2
   T square[kThetaTerms<T>];        ///< q^(n^2)
@@ -67,11 +69,10 @@ Lattice<T> lattice(T m, T m1) {
   return l;
 }
 
-/// exp(-2 |xi|), its product with 1/q exp(...), and the sign: a point of the hyperbola in terms that neither overflow nor,
-/// near xi = 0, cancel.
+/// An argument xi of the hyperbolic series, in terms that neither overflow nor, near xi = 0, cancel.
 template <class T>
 struct HyperbolicPoint {
-  T sign;  ///< of xi
+  T sign;  ///< sign of xi
   T E;     ///< exp(-2 |xi|)
   T Q;     ///< q exp(2 |xi|) = exp(2 |xi| - 2 span)
 };

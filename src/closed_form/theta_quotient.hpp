@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Quotients theta(v - i eta)/theta_4(v) of the closed form of the top: where the zero lies, what it does to the phase, and the
+/// Quotients theta(v - i eta)/theta_4(v) in the closed form of the top: where the zero lies, how it affects the phase, and the
 /// coefficients of the numerator's series. `low` quotients vanish below or at v = 0 (theta_1), the others above or at the
-/// half-period (theta_2; theta_4 over the hyperbolic branch's theta_2).
+/// half-period (theta_2; on the hyperbolic branch theta_4 over theta_2).
 #pragma once
 
 #include "closed_form/elliptic.hpp"
@@ -13,17 +13,17 @@ T sign_of(T x) {
   return x < T(0) ? T(-1) : T(1);
 }
 
-/// The place of a theta quotient's zero above the real axis, as an argument eta of the series: exp(-2 eta) on the circular
-/// branch, where 0 <= eta <= ln(1/q)/2; eta itself on the hyperbolic one, where 0 <= eta <= pi/2.
+/// The zero of a theta quotient above the real axis, at the argument eta of the series. On the circular branch 0 <= eta <=
+/// ln(1/q)/2, and exp(-2 eta) is stored; on the hyperbolic branch 0 <= eta <= pi/2, and eta itself is stored.
 template <class W>
 struct Zero {
   W sign;
   W E = W(1), Q = W(0);  ///< exp(-2 eta), q exp(2 eta)
   W eta = W(0);
-  W sin2 = W(0), cos2 = W(1);  ///< of 2 eta, hyperbolic branch
+  W sin2 = W(0), cos2 = W(1);  ///< sine and cosine of 2 eta, hyperbolic branch
 };
 
-/// eta from sn, cn and dn (squared) of the zero's imaginary part in the complementary parameter.
+/// Computes eta from the squares of sn, cn and dn of the zero's imaginary part, with the complementary parameter.
 template <class W>
 Zero<W> make_zero(const elliptic::Lattice<W>& l, W sign, W sn2, W cn2, W dn2) {
   Zero<W> zero;
@@ -32,7 +32,7 @@ Zero<W> make_zero(const elliptic::Lattice<W>& l, W sign, W sn2, W cn2, W dn2) {
     zero.Q = l.q;
     return zero;
   }
-  if (!(cn2 + dn2 > W(0))) {  // only for q = 0, where the zero is infinitely far away
+  if (!(cn2 + dn2 > W(0))) {  // only for q = 0: the zero is infinitely far away
     zero.E = W(0);
     return zero;
   }
@@ -48,8 +48,9 @@ Zero<W> make_zero(const elliptic::Lattice<W>& l, W sign, W sn2, W cn2, W dn2) {
   return zero;
 }
 
-/// The derivative of a quotient's argument by v where it is real or imaginary (u2 for the low one, u1 for the others), as
-/// `whole - missing`: on the circular branch it is 1 - missing, and the ones cancel between two quotients.
+/// The derivative of a quotient's phase with respect to v, taken where the quotient is real or imaginary (at u2 for the low
+/// one, at u1 for the others), as `whole - missing`. On the circular branch it is 1 - missing, and the ones cancel between two
+/// quotients.
 template <class W>
 struct PhaseSlope {
   W whole, missing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The scalar in which a closed form prepares its constants and counts its phases.
+/// The wider scalar type in which a closed form computes its constants and its phases.
 #pragma once
 
 #include "earthtop/frames/rotation.hpp"
@@ -17,7 +17,7 @@ struct WiderScalar<double> {
 };
 }  // namespace detail
 
-/// double -> long double -> float128 -> float128. A phase of 1e9 rad counted in it keeps every digit of T, and squares of the
+/// double -> long double -> float128 -> float128. A phase of 1e9 rad computed in it keeps every digit of T, and squares of the
 /// largest and the smallest doubles neither overflow nor underflow.
 template <class T>
 using Wider = typename detail::WiderScalar<T>::type;
@@ -31,7 +31,7 @@ Quaternion<To> converted(const Quaternion<From>& q) {
   return {static_cast<To>(q.w), converted<To>(q.v)};
 }
 
-/// A phase less the nearest multiple of its period, and whether that multiple is odd.
+/// A phase less the nearest multiple of its period; `odd` tells whether that multiple is odd.
 template <class W>
 struct ReducedPhase {
   W phase;
@@ -40,7 +40,7 @@ struct ReducedPhase {
 template <class W>
 ReducedPhase<W> reduced_phase(W phase, W period) {
   const W turns = real::rint(phase / period);
-  if (turns == W(0)) return {phase, false};  // an infinite period too
+  if (turns == W(0)) return {phase, false};  // also for an infinite period
   return {phase - turns * period, real::rint(turns / W(2)) != turns / W(2)};
 }
 

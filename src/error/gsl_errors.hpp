@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// GSL calls `abort` where something is wrong, unless told otherwise.
+/// Stops GSL from calling `abort` on errors, which is its default.
 #pragma once
 
 #include <gsl/gsl_errno.h>
 
 namespace earthtop {
 
-/// GSL's errors are returned, not fatal, as long as this lives.
+/// While an object of this class lives, GSL functions return their errors instead of aborting.
 class ReturnedGslErrors {
  public:
   ReturnedGslErrors() : before_(gsl_set_error_handler_off()) {}

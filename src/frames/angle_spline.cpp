@@ -16,12 +16,12 @@ void require_sound(const AngleTable& table) {
       throw std::invalid_argument("angle table: finite numbers, times strictly ascending");
 }
 
-/// The spline's slopes at its knots. Continuous second derivatives give, inside,
+/// The slopes s of the spline at its knots. Continuous second derivatives give at the inner knots
 ///   h_i s_(i-1) + 2 (h_(i-1) + h_i) s_i + h_(i-1) s_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)
-/// with the intervals h and the chords' slopes d; a continuous third derivative at the second knot adds
+/// with the intervals h and the slopes d of the chords. A continuous third derivative at the second knot adds
 ///   h_1 s_0 + (h_0 + h_1) s_1 = ((3 h_0 + 2 h_1) h_1 d_0 + h_0^2 d_1) / (h_0 + h_1),
-/// and its mirror image at the last but one [de Boor, chapter IV, equations (7) and (13)]. Elimination needs no pivots: the
-/// first step leaves h_0 + h_1 on the diagonal beside h_0, and from there on the diagonal outweighs its row.
+/// and its mirror image at the last-but-one knot [de Boor, chapter IV, equations (7) and (13)]. The elimination needs no
+/// pivoting: its first step leaves h_0 + h_1 on the diagonal next to h_0, and from there on the matrix is diagonally dominant.
 template <class T>
 std::vector<T> slopes_at_knots(const std::vector<T>& h, const std::vector<T>& d) {
   const std::size_t last = h.size();
@@ -31,7 +31,7 @@ std::vector<T> slopes_at_knots(const std::vector<T>& h, const std::vector<T>& d)
   std::vector<T> diagonal(last + 1), s(last + 1);
   diagonal[0] = h[1];
   s[0] = end_side(h[0], h[1], d[0], d[1]);
-  T above = h[0] + h[1];  // the diagonal, in the row that was done last
+  T above = h[0] + h[1];  // the upper off-diagonal element of the row eliminated last
   for (std::size_t i = 1; i <= last; ++i) {
     const bool inside = i < last;
     const T below = inside ? h[i] : h[last - 1] + h[last - 2];
@@ -47,7 +47,7 @@ std::vector<T> slopes_at_knots(const std::vector<T>& h, const std::vector<T>& d)
   return s;
 }
 
-/// What is no number stays, to be seen.
+/// Updates a maximum of absolute values; a NaN is kept, so that it shows.
 template <class T>
 void follow(T& largest, T value) {
   const T size = real::abs(value);
@@ -79,7 +79,7 @@ T AngleSpline<T>::largest_rate() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
     const T length = end_of(i) - p.start;
-    const T turning = -p.half_acceleration / (T(3) * p.sixth_jerk);  // infinite or no number where the rate has no extremum
+    const T turning = -p.half_acceleration / (T(3) * p.sixth_jerk);  // infinite or NaN if the rate has no extremum
     for (const T u : {T(0), turning, length})
       if (u >= T(0) && u <= length) follow(largest, p.rate + u * (T(2) * p.half_acceleration + u * T(3) * p.sixth_jerk));
   }

@@ -8,7 +8,8 @@ namespace earthtop {
 
 Vec3<double> geocentric_position_L(double latitude_deg, double height_m) {
   const auto [s, c] = sin_cos_degrees(latitude_deg);
-  // Along the normal to the ellipsoid from the axis, where it lies e^2 N s off the centre: no digits lost at any height.
+  // Along the ellipsoid's normal, from the point where it meets the axis, e^2 N s below the centre: no digits are lost at any
+  // height.
   const double f = 1 / kInverseFlatteningWgs84, e2 = f * (2 - f);
   const double N = kEquatorialRadiusWgs84 / real::sqrt(1 - e2 * s * s);
   return {0.0, -e2 * N * s * c, N * (1 - e2 * s * s) + height_m};
@@ -22,7 +23,8 @@ double normal_gravity(double latitude_deg, double height_m) {
 
 namespace {
 
-/// Turns a vector in Earth-centred axes at longitude 0 (x out through the meridian, z along the axis) to East, North, Up.
+/// Transforms a vector from Earth-centred axes at longitude 0 (x outwards in the meridian, z along the axis) to East, North,
+/// Up.
 Vec3<double> to_laboratory(double latitude_deg, double x, double z) {
   const auto [s, c] = sin_cos_degrees(latitude_deg);
   return {0.0, -s * x + c * z, c * x + s * z};

@@ -8,7 +8,7 @@ namespace earthtop {
 Vec3<double> precession_rate_I(const UtcInstant& utc) {
   const double year_s = 365.25 * 86400;
   const Vec3<double> before = mean_axis_I(terrestrial_time(utc, -year_s)), after = mean_axis_I(terrestrial_time(utc, year_s));
-  // n x dn/dt, with n in the middle: normal to n exactly.
+  // n x dn/dt with n at the middle instant: the result is exactly normal to n.
   return mean_axis_I(terrestrial_time(utc)).cross(after - before) / (2 * year_s);
 }
 

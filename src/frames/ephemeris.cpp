@@ -30,7 +30,7 @@ std::optional<UtcInstant> parse_utc(std::string_view text) {
   UtcInstant utc;
   const int verdict =
       eraDtf2d("UTC", whole(0, 4), whole(5, 2), whole(8, 2), whole(11, 2), whole(14, 2), seconds, &utc.day, &utc.fraction);
-  // 1 is a year before UTC was or one whose leap seconds ERFA cannot know: no fault of the date's.
+  // ERFA's code 1 marks a year before UTC existed, or one whose leap seconds ERFA cannot know; the date itself is valid.
   if (verdict != 0 && verdict != 1) return std::nullopt;
   return utc;
 }

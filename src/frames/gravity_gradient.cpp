@@ -7,7 +7,7 @@ namespace earthtop {
 
 namespace {
 
-// J_24's share of the gradient at 12 km depth is e^24 (1 + 24 * 12 km / a) * 24^2, some 1e-25 of the whole.
+// At 12 km depth the term of J_24 contributes e^24 (1 + 24 * 12 km / a) * 24^2, some 1e-25 of the whole gradient.
 constexpr int kHarmonics = 12;  // J_2 to J_24
 constexpr int kDegree = 2 * kHarmonics;
 
@@ -16,7 +16,8 @@ std::array<double, kDegree + 1> zonal_coefficients() {
   const double a = kEquatorialRadiusWgs84, f = 1 / kInverseFlatteningWgs84, b = a * (1 - f);
   const double e2 = f * (2 - f), second_e2 = e2 / ((1 - f) * (1 - f)), second_e = real::sqrt(second_e2);
   const double m = kEarthRateWgs84 * kEarthRateWgs84 * a * a * b / kGravitationalConstantWgs84;
-  // 2 q0 = (1 + 3/e'^2) atan e' - 3/e' as a series: the closed form loses the digits of e'^4 [Heiskanen & Moritz 2-58].
+  // 2 q0 = (1 + 3/e'^2) atan e' - 3/e', summed as a series: the terms of the closed form cancel to a part in e'^4 [Heiskanen &
+  // Moritz 2-58].
   double q0 = 0, power = second_e;
   for (int k = 1; k <= kHarmonics; ++k) {
     power *= -second_e2;
@@ -40,12 +41,13 @@ Mat3<double> normal_gravity_gradient_L(double latitude_deg, double height_m) {
   static const std::array<double, kDegree + 1> C = zonal_coefficients();
   const Vec3<double> up = geocentric_up_L(latitude_deg, height_m);
   const auto [s, c] = sin_cos_degrees(latitude_deg);
-  const double sine = c * up[1] + s * up[2], cosine = c * up[2] - s * up[1];  // of the geocentric latitude
+  const double sine = c * up[1] + s * up[2], cosine = c * up[2] - s * up[1];  // sine and cosine of the geocentric latitude
   const double r = norm(geocentric_position_L(latitude_deg, height_m)), a_over_r = kEquatorialRadiusWgs84 / r;
 
   // With rho the distance from the axis, P_n/r^(n+1) has the derivatives
   //   (d/drho)/rho: -P'_(n+1)   d/dz d/drho: (n+1) cos P'_(n+2)   d/dz d/dz: (n+1)(n+2) P_(n+2),   each by r^-(n+3)
-  // (Legendre polynomials of the geocentric sine), so that no pole is singular. East is the direction along the parallel.
+  // (Legendre polynomials of the sine of the geocentric latitude), so that nothing is singular at a pole. East is the direction
+  // along the parallel.
   double along_parallel = 0, axial_radial = 0, axial = 0;
   double power = 1;
   std::array<double, kDegree + 3> P{1, sine}, slope{0, 1};
@@ -60,9 +62,9 @@ Mat3<double> normal_gravity_gradient_L(double latitude_deg, double height_m) {
     axial_radial += weight * (k + 1) * cosine * slope[n + 2];
     axial += weight * (k + 1) * (k + 2) * P[n + 2];
   }
-  const double radial = -(along_parallel + axial);  // Laplace
+  const double radial = -(along_parallel + axial);  // Laplace's equation
 
-  // From (out of the axis, along the axis) to North = (-s, c) and Up = (c, s).
+  // Transforms (away from the axis, along the axis) to North = (-s, c) and Up = (c, s).
   Mat3<double> G = Mat3<double>::Zero();
   G(0, 0) = along_parallel;
   G(1, 1) = s * s * radial - 2 * s * c * axial_radial + c * c * axial;

@@ -10,8 +10,8 @@
 namespace earthtop {
 
 Vec3<double> differential_attraction(double gm, const Vec3<double>& d, const Vec3<double>& r) {
-  // With q = |d - r|^2/|d|^2 - 1 the difference is -GM/|d - r|^3 (r + f d), f = (1 + q)^(3/2) - 1, written so that a small q
-  // loses nothing [Battin 1999, sec. 8.4].
+  // With q = |d - r|^2/|d|^2 - 1 the difference is -GM/|d - r|^3 (r + f d), f = (1 + q)^(3/2) - 1. f is written so that a small
+  // q loses no digits [Battin 1999, sec. 8.4].
   const double q = r.dot(r - 2 * d) / d.squaredNorm();
   const double root = real::sqrt(1 + q);
   const double f = q * (3 + q * (3 + q)) / (1 + root * root * root);
@@ -34,8 +34,8 @@ Vec3<double> tidal_acceleration_L(const Site& site, const UtcInstant& utc, doubl
 }
 
 ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options) {
-  // The fastest part, of degree 3, turns by 2.4 rad in 3 hours: half a piece is x = 1.2 rad, and the first term left out,
-  // 2 J_13(x) = 2 (x/2)^13 / 13!, is 4e-13 of that part, itself a sixtieth of the tide and less.
+  // The fastest part of the tide, of degree 3, turns by 2.4 rad in 3 hours. Half a piece is therefore x = 1.2 rad, and the
+  // first omitted term, 2 J_13(x) = 2 (x/2)^13 / 13!, is 4e-13 of that part, which is itself at most a sixtieth of the tide.
   constexpr double kPiece_s = 3 * 3600;
   constexpr int kTerms = ChebyshevPieces::kTerms;
   const std::size_t count = static_cast<std::size_t>(real::abs(duration_s) / kPiece_s) + 1;
@@ -44,7 +44,7 @@ ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double dur
   pieces.half_piece_s = kPiece_s / 2;
   pieces.coefficients.assign(count * kTerms, Vec3<double>::Zero());
   // Interpolation at the zeros x_j of T_13: c_n = (2/13) sum_j f(x_j) T_n(x_j), half of it for n = 0.
-  const auto cosine = [](int halves) { return sin_cos_degrees(90.0 * halves / kTerms).cos; };  // of pi/26 * halves
+  const auto cosine = [](int halves) { return sin_cos_degrees(90.0 * halves / kTerms).cos; };  // cosine of pi/26 * halves
   for (std::size_t piece = 0; piece < count; ++piece) {
     Vec3<double>* c = &pieces.coefficients[piece * kTerms];
     for (int j = 0; j < kTerms; ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The body of the applied torques on a motion, for the scalars of applied_motion.cpp and for jets.
+/// Implementation of the applied torques on a motion, for the scalar types of applied_motion.cpp and for jets.
 #pragma once
 
 #include "earthtop/model/applied_motion.hpp"
@@ -21,7 +21,8 @@ struct Carrier {
   }
 };
 
-/// @param see  (u_L of the reference, its change by the Earth's rate over epsilon) -> what the body sees of it
+/// @param see  see(u_L, change_L) gives the body's view of a vector, from its value u_L for the reference and its change by the
+/// Earth's rate over epsilon
 template <class S, class T, class See>
 SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B, const See& see) {
   const AppliedTorques<T>& applied = model.applied;
@@ -34,7 +35,7 @@ SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B
     if (applied.gradient[i].strength != T(0)) seen.gradient_B[i] = see(applied.gradient[i].direction_L, unchanged);
   if (!applied.level_axis) return seen;
   seen.up_P_B = see(carrier.up_P_L, unchanged);
-  // Of W + w_LP in inertial space: the laboratory carries the platform's rate round.
+  // The derivative of W + w_LP in inertial space: the rotating laboratory carries the platform's rate round.
   seen.alpha_IP_B = see(carrier.alpha_LP_L, model.W_IL_L_scaled.cross(carrier.w_LP_L));
   const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
   const Vec3<S> field_B = see(field.reference_L, field.difference_L_scaled);
@@ -43,8 +44,8 @@ SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B
   return seen;
 }
 
-/// [F]'s torques that a scene leaves out, as the applied ones that cancel them: a gimbal reads them. Where nothing is left out
-/// they are zero, but not their derivatives by the weights.
+/// The torques of [F] (torques.hpp) that a scene leaves out, as the applied torques that cancel them; the gimbal needs them. If
+/// nothing is left out they are zero, but their derivatives with respect to the weights are not.
 template <class T>
 Vec3<T> left_out_torque(const Model<T>& model, const Vec3<T>& W_B, const Vec3<T>& W_B_scaled, const Vec3<T>& w_LB_B) {
   return -laboratory_torque<SceneKind::full>(model.weights.complement(), W_B, W_B_scaled, w_LB_B, model.S_BP_B);
@@ -64,7 +65,8 @@ Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, 
   const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) {
     return transposed_times(R_LB, Vec3<T>(u_L + epsilon * change_L));
   };
-  const Vec3<T> W_B = see(Vec3<T>::Zero(), model.W_IL_L_scaled);  // as of the platform: at rest its friction is none
+  const Vec3<T> W_B = see(Vec3<T>::Zero(), model.W_IL_L_scaled);  // computed as for the platform, so that a body at rest feels
+                                                                  // no friction
   auto seen = applied_motion::seen_from_body<T>(model, t, Vec3<T>(w_LB_B + W_B), see);
   if (model.applied.level_axis) seen.other_torque_B += applied_motion::left_out_torque(model, W_B, W_B, w_LB_B);
   return applied_motion::torque_of(model, seen);

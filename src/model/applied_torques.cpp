@@ -10,11 +10,11 @@ namespace earthtop {
 namespace {
 
 constexpr double kTransitionReynolds = 3e5;  ///< Schlichting, Boundary-Layer Theory, ch. V and XXI
-/// Torque on both sides, C rho R^5 w^2 / 2: C = 3.87 Re^(-1/2) laminar, 0.146 Re^(-1/5) turbulent [von Karman, ZAMM 1 (1921);
+/// Torque on both faces, C rho R^5 w^2 / 2: C = 3.87 Re^(-1/2) laminar, 0.146 Re^(-1/5) turbulent [von Karman, ZAMM 1 (1921);
 /// Cochran 1934 for the first number; Schlichting, Boundary-Layer Theory, eqs. (5.56) and (21.30)].
 constexpr double kLaminar = 3.87, kTurbulent = 0.146;
 
-/// c of -c |w|^n w: half of the density times R^5 times the coefficient times (R^2/nu)^(n - 1).
+/// The coefficient c of -c |w|^n w: half the density times R^5 times the number above times (R^2/nu)^(n - 1).
 double disc_coefficient(const AirDragSpec& disc, bool turbulent) {
   const double R = disc.disc_radius_m, reach = R * R / disc.kinematic_viscosity_m2_s;
   const double c = turbulent ? kTurbulent * real::pow(reach, -0.2) : kLaminar / std::sqrt(reach);
@@ -33,9 +33,9 @@ bool is_turbulent(const AirDragSpec& disc, double spin_rad_s) {
 }
 
 std::array<GradientTerm<double>, 2> gradient_terms(const Mat3<double>& gradient_L) {
-  const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(gradient_L);  // ascending
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(gradient_L);  // eigenvalues in ascending order
   const Vec3<double>& k = solver.eigenvalues();
-  // The middle one is taken away from all three: what is left of it turns nothing.
+  // The middle eigenvalue is subtracted from all three: a multiple of the unit tensor exerts no torque.
   return {GradientTerm<double>{k[2] - k[1], solver.eigenvectors().col(2)},
           GradientTerm<double>{k[0] - k[1], solver.eigenvectors().col(0)}};
 }
@@ -54,7 +54,7 @@ namespace {
 
 std::array<GradientTerm<double>, 2> terms_of(const GravityGradientSpec& spec, const Site& site) {
   if (spec.field == GradientField::normal) return gradient_terms(gradient_L(spec, site));
-  // One term, exactly: 3 k u u^T - k 1.
+  // A single term, exactly: 3 k u u^T - k 1.
   if (spec.field == GradientField::given) return {GradientTerm<double>{3 * spec.gm_over_r3_s2, Vec3<double>::UnitZ()}, {}};
   return {GradientTerm<double>{3 * geocentric_gm_over_r3(site.latitude_deg, site.height_m),
                                geocentric_up_L(site.latitude_deg, site.height_m)},
@@ -74,7 +74,8 @@ AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Sit
   if (spec.air_drag) {
     const bool turbulent = is_turbulent(*spec.air_drag, spin_rad_s);
     const T c = real::scale(T(disc_coefficient(*spec.air_drag, turbulent)), -mass_exponent);
-    // Of a rate to the power 3/2 or 9/5: time to the power 1/2 or 1/5 is left over.
+    // The rate enters with the power 3/2 or 9/5, so that beside integer powers the unit of time enters with the power 1/2 or
+    // 1/5.
     const T power = turbulent ? T(1) / T(5) : T(1) / T(2);
     (turbulent ? applied.disc_turbulent : applied.disc_laminar) = c * real::pow(T(2), power * T(time_exponent));
   }

@@ -10,7 +10,7 @@
 namespace earthtop {
 namespace {
 
-/// Mass and moments of a solid about its own centre of mass: across the axis and along it (kg, kg m^2).
+/// Mass and moments of a solid about its own centre of mass, across and along the axis (kg, kg m^2).
 template <class T>
 struct SolidMoments {
   T mass;
@@ -18,7 +18,7 @@ struct SolidMoments {
   T along;
 };
 
-/// Textbook moments of uniform solids, e.g. Goldstein, Classical Mechanics; shells by subtraction of the powers of the radii.
+/// Textbook moments of uniform solids, e.g. Goldstein, Classical Mechanics; for shells by subtraction of powers of the radii.
 template <class T>
 SolidMoments<T> solid_moments(const Solid& solid) {
   const T R = T(solid.radius_m), r = T(solid.inner_radius_m), h = T(solid.length_m), pi = real::pi<T>();
@@ -40,7 +40,7 @@ SolidMoments<T> solid_moments(const Solid& solid) {
       across = T(3) * R * R / T(20) + T(3) * h * h / T(80);
       break;
     case SolidShape::sphere: {
-      // (2/5) (R^5 - r^5)/(R^3 - r^3), both differences divided by R - r, so that a thin shell keeps its digits.
+      // (2/5) (R^5 - r^5)/(R^3 - r^3) with both differences divided by R - r, so that a thin shell keeps its digits.
       const T cubic = R * R + R * r + r * r;
       const T quintic = R * R * R * R + R * R * R * r + R * R * r * r + R * r * r * r + r * r * r * r;
       volume = T(4) * pi * (R - r) * cubic / T(3);
@@ -66,7 +66,7 @@ void fill_from_solids(const std::vector<Solid>& solids, Body<T>& body) {
   body.I_BP_B = Vec3<T>(across, across, along).asDiagonal();
 }
 
-/// Inverse of a symmetric 3x3 tensor by cofactors; of a diagonal one exactly 1/I in every entry.
+/// Inverse of a symmetric 3x3 tensor by cofactors; for a diagonal tensor every diagonal entry is exactly 1/I.
 template <class T>
 Mat3<T> symmetric_inverse(const Mat3<T>& m) {
   if (m(0, 1) == T(0) && m(0, 2) == T(0) && m(1, 2) == T(0))
@@ -122,7 +122,7 @@ std::vector<Diagnostic> body_violations(const BodySpec& spec) {
                           fmt::format("the inertia about the pivot is not positive definite (least principal moment {:.6g} "
                                       "kg m^2, largest {:.6g}); every principal moment about the pivot must be positive",
                                       static_cast<double>(smallest), static_cast<double>(largest))});
-  // The triangle inequality I_i <= I_j + I_k is the second moment about the centre of mass not being negative.
+  // The triangle inequality I_i <= I_j + I_k says that the second moment about the centre of mass is not negative.
   const Matrix I_cm = body.I_BBcm_B();
   const Eigen::SelfAdjointEigenSolver<Matrix> at_cm(I_cm, Eigen::EigenvaluesOnly);
   const auto& I = at_cm.eigenvalues();

@@ -22,7 +22,7 @@ std::string_view to_string(LedgerObserver observer) {
 
 namespace {
 
-/// The observing frame A: its motion in I, and the body's in it.
+/// The observing frame A: its motion relative to I, and the body's motion relative to A.
 template <class T>
 struct ObservingFrame {
   Mat3<T> R_LA = Mat3<T>::Identity();
@@ -56,7 +56,7 @@ ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB
   const PrescribedMotion<T>& turn = model.platform.turn;
   const FrameKinematics<T> LP{Rotation<T>::about(turn.axis, turn.angle(t)), turn.angle_rate(t) * turn.axis,
                               turn.angle_acceleration(t) * turn.axis};
-  const FrameKinematics<T> IL{Rotation<T>(), model.W_IL_L, Vec3<T>::Zero()};  // I in the attitude of L at t
+  const FrameKinematics<T> IL{Rotation<T>(), model.W_IL_L, Vec3<T>::Zero()};  // I with the attitude of L at time t
   const FrameKinematics<T> IP = compose(IL, LP);
   ObservingFrame<T> P;
   P.R_LA = LP.R_AB.matrix();
@@ -78,18 +78,18 @@ ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, c
   return B;
 }
 
-/// What Euler's equation leaves of the Coriolis torque, for a frame that turns at u and a body that turns at w in it.
+/// The Coriolis torque as Euler's equation gives it, for a frame that turns at u and a body that turns at w relative to it.
 template <class T>
 Vec3<T> coriolis_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B, const Vec3<T>& w_B) {
   return times<T>(I_BP_B, w_B.cross(u_B)) - w_B.cross(times(I_BP_B, u_B)) - u_B.cross(times(I_BP_B, w_B));
 }
-/// The same of the centrifugal torque.
+/// The centrifugal torque as Euler's equation gives it.
 template <class T>
 Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
   return times(I_BP_B, u_B).cross(u_B);
 }
 
-/// What each effect beside gravity has in the physical torques, in the order of kAppliedShares. A gimbal answers all others.
+/// The share of each effect in the physical torques, in the order of kAppliedShares. The gimbal reacts to all other torques.
 template <class T>
 std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, T t, const Quaternion<T>& q_LB,
                                                             const Vec3<T>& w_LB_B, const Vec3<T>& applied_B) {
@@ -112,7 +112,7 @@ std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& mode
   return {tide, gradient, friction, gimbal};
 }
 
-/// [F]'s side of the ledger.
+/// The side of the ledger with the torques of [F] (torques.hpp).
 template <class T>
 void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory,
                    const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& applied_B) {
@@ -134,7 +134,7 @@ void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const Observing
   }
 }
 
-/// Euler's side of the ledger.
+/// The side of the ledger with Euler's equation.
 template <class T>
 Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory, const Mat3<T>& R_LB,
                         const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B) {
@@ -177,10 +177,10 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
     for (std::size_t i = 0; i < shares_B.size(); ++i) entry.share_A[i] = times(A.R_AB, shares_B[i]) + Vec3<T>::Zero();
   }
   count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B);
-  // The body is at rest in its own axes at all times: L' is zero and stays so.
+  // The body is always at rest in its own axes: L' is and remains zero.
   if (observer != LedgerObserver::body)
     entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B);
-  // A zero has no sign here: a product with a rate of zero may have left one.
+  // Makes zeros positive: a product with a rate of zero may have given -0.
   for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
     *column += Vec3<T>::Zero();
   entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
@@ -196,7 +196,7 @@ template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128
 void LedgerLargest::include(const LedgerRow<double>& row) {
   const auto follow = [](double& largest, const std::array<double, 3>& column) {
     const double size = real::hypot(column[0], column[1], column[2]);
-    if (!(size <= largest) && !std::isnan(largest)) largest = size;  // what is no number stays, to be seen
+    if (!(size <= largest) && !std::isnan(largest)) largest = size;  // a NaN is kept, so that it shows
   };
   follow(tau_phys, row.tau_phys_A);
   follow(tau_cor, row.tau_cor_A);

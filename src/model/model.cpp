@@ -54,7 +54,7 @@ Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad
   const T rate = units.rate_from_rad_s(T(earth_rate_rad_s));
   const T size = real::abs(rate);
   model.epsilon = size < T(1) && size > T(0) ? size : T(1);
-  // rate / epsilon is -1, 0, 1 or the rate itself: no rounding, however small the rate.
+  // rate / epsilon is -1, 0, 1 or the rate itself: nothing is rounded, however small the rate is.
   model.W_IL_L_scaled = (rate / model.epsilon) * celestial_axis_L<T>(site);
   model.W_IL_L = model.epsilon * model.W_IL_L_scaled;
 

@@ -96,7 +96,7 @@ Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity)
     rate = T(spec.precession_rate_rad_s);
   else if (spec.precession != Precession::none)
     rate = steady_precession_rate(body, release.q_LB, gravity, T(spec.spin_rad_s), spec.precession);
-  // The precession turns about Up; the whole component along axis 3 is spin_rad_s.
+  // The precession is about Up; the component of the rate along axis 3 is in total spin_rad_s.
   const Vec3<T> up_B = rotation_matrix(release.q_LB).row(2).transpose();
   release.w_XB_B = Vec3<T>(rate * up_B[0], rate * up_B[1], T(spec.spin_rad_s));
   return release;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the lines of a panel are called.
+/// The legend of a panel.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace earthtop {
 
-/// Above the panel, so that it never hides a line: right-aligned beside the panel's caption where it fits, else in columns
-/// under it.
+/// Drawn above the panel, so that it never hides a line: right-aligned beside the panel's caption if it fits there, else in
+/// columns below it.
 class Legend {
  public:
-  /// @param panel  outlives the legend
+  /// @param panel  must outlive the legend
   explicit Legend(const Panel& panel);
-  /// What it takes beyond a caption's line (px).
+  /// The height needed in addition to the caption's line (px).
   double height() const;
-  /// @param baseline  of its last line (px)
+  /// @param baseline  y of the baseline of the last row (px)
   void draw(std::string& out, double baseline) const;
 
  private:

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kTop = 102, kPanelGap = 58, kBottom = 62;  // px
 
-/// Grey text and rules follow the reader's scheme; the line colours are legible on both.
+/// The style of a picture. Grey text and rules follow the reader's colour scheme; the line colours are legible on light and
+/// dark.
 constexpr const char* kStyle = R"(<style>
 .et{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;font-size:12px}
 .et text{fill:#374151}.et .et-h{fill:#111827;font-size:16px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
@@ -40,14 +41,14 @@ struct Range {
 
 bool drawable(double value, AxisScale scale) { return std::isfinite(value) && (scale == AxisScale::linear || value > 0); }
 
-/// An axis with its ticks, and the way from data to px.
+/// An axis with its ticks, and the transformation from data to px.
 struct Mapping {
   Ticks axis;
   AxisScale scale = AxisScale::linear;
   double from = 0, to = 1;  ///< px of axis.low and axis.high
 
   double operator()(double value) const {
-    // Halves keep the difference of two huge ends finite.
+    // Halving keeps the difference of two huge ends finite.
     const double share = scale == AxisScale::linear
                              ? (value / 2 - axis.low / 2) / (axis.high / 2 - axis.low / 2)
                              : (real::log10(value) - real::log10(axis.low)) / (real::log10(axis.high) - real::log10(axis.low));
@@ -57,7 +58,7 @@ struct Mapping {
 
 Mapping map_axis(Range range, AxisScale scale, bool tight, int wanted, double from, double to) {
   if (range.empty()) range = scale == AxisScale::linear ? Range{0, 1} : Range{0.1, 1};
-  // Beyond a quarter of the largest double the axis's own arithmetic would overflow.
+  // Beyond a quarter of the largest double the arithmetic of the axis would overflow.
   range.low = std::max(range.low, -4e307);
   range.high = std::min(range.high, 4e307);
   if (scale == AxisScale::linear) return {linear_ticks(range.low, range.high, wanted, tight), scale, from, to};
@@ -77,8 +78,8 @@ std::string caption(const Axis& axis, const Ticks& ticks) {
   return text;
 }
 
-/// The points of one unbroken piece of a line. Where many fall on one column of px, only those that shape the picture are
-/// kept: the first, lowest, highest and last of the column.
+/// The points of one unbroken piece of a line. If many points fall into one column of pixels, only the first, lowest, highest
+/// and last of them are kept, which give the same picture.
 class Piece {
  public:
   void add(double x, double y) {
@@ -96,7 +97,7 @@ class Piece {
   }
   std::string path() {
     flush();
-    return points_ == 1 ? path_ + "h0.01" : path_;  // a lone point shows as its round cap
+    return points_ == 1 ? path_ + "h0.01" : path_;  // a single point shows as a dot because of the round line cap
   }
   double first_x() const { return begin_x_; }
   double last_x() const { return last_.x; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What every part of a picture is drawn with: the page's measures, strokes, markers, text.
+/// The basic elements of all pictures: the page's measures, strokes, markers, text.
 #pragma once
 
 #include <iterator>
@@ -10,7 +10,7 @@
 
 namespace earthtop {
 
-// Lengths in px; one character of the 12 px face takes about 6.4.
+// Lengths in px; one character of the 12 px font is about 6.4 wide.
 inline constexpr double kWidth = 860, kLeft = 74, kRight = 30;
 inline constexpr double kPlotWidth = kWidth - kLeft - kRight;
 inline constexpr double kCharacter = 6.4;
@@ -19,7 +19,7 @@ using Out = std::back_insert_iterator<std::string>;
 
 const char* hex(LineColor color);
 
-/// Attributes beside colour and width: dashes, opacity; empty for a full line.
+/// SVG attributes for a line style in addition to colour and width (dashes, opacity); empty for a solid line.
 const char* stroke_kind(LineStyle style);
 double stroke_width(LineStyle style);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Text that XML can hold.
+/// Text in a form that XML allows.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace earthtop {
 
-/// Escapes markup; what is not a character of XML (control characters, bytes that are not UTF-8) becomes U+FFFD.
+/// Escapes markup. Bytes that are not UTF-8 become U+FFFD, invisible characters (is_unseen) visible escapes such as \u200b.
 std::string escape_xml(std::string_view text);
 
-/// At most `count` characters of UTF-8 text, the last one an ellipsis where something was left out.
+/// At most `count` characters of a UTF-8 text; if it was cut, the last one is an ellipsis.
 std::string shorten(std::string_view text, std::size_t count);
 
-/// How many characters UTF-8 text has.
+/// Number of characters of a UTF-8 text.
 std::size_t character_count(std::string_view text);
 
 }  // namespace earthtop

@@ -25,13 +25,13 @@ std::string with_minus_sign(std::string number) {
   return number;
 }
 
-/// Of 0 and of an infinite value: below that of every double.
+/// The decimal exponent of a value; for 0 and infinite values -330, below that of every double.
 int decade_of(double value) {
   const double decade = std::floor(real::log10(value));
   return std::isfinite(decade) ? static_cast<int>(decade) : -330;
 }
 
-/// mantissa x 10^exponent, correctly rounded, as the literal would be.
+/// mantissa x 10^exponent, correctly rounded like a literal.
 double decimal(double mantissa, int exponent) {
   return exponent < 0 && exponent > -300 ? mantissa / real::power_of_ten(-exponent) : mantissa * real::power_of_ten(exponent);
 }
@@ -57,7 +57,7 @@ Step nice_step(double span, int wanted) {
 Ticks linear_ticks(double low, double high, int wanted, bool tight) {
   double span = high - low;
   const double size = std::max(std::abs(low), std::abs(high));
-  if (!(span > size * 1e-14) || !(span > 1e-290)) {  // a constant: room above and below
+  if (!(span > size * 1e-14) || !(span > 1e-290)) {  // a constant: leave room above and below
     const double room = size > 1e-280 ? size * 0.5 : 0.5;
     low -= room;
     high += room;
@@ -74,7 +74,8 @@ Ticks linear_ticks(double low, double high, int wanted, bool tight) {
   axis.low = tight ? low : first * h;
   axis.high = tight ? high : last * h;
   const double largest = std::max(std::abs(first), std::abs(last)) * h;
-  // Many leading digits that all ticks share become an offset, and thousands a factor; else plain numbers.
+  // Leading digits that all ticks share become an offset if they are many, and large or small powers a factor; otherwise the
+  // labels are plain numbers.
   const double base = largest / h > 5e4 ? first : 0;
   const double written = base != 0 ? (last - first) * h : largest;
   int factor = decade_of(written);

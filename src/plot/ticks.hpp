@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where an axis has its ticks, and how they are written.
+/// The positions and labels of an axis's ticks.
 #pragma once
 
 #include <string>
@@ -15,19 +15,19 @@ struct Tick {
 };
 
 struct Ticks {
-  double low = 0;  ///< the axis's ends, in data units
+  double low = 0;  ///< ends of the axis, in data units
   double high = 1;
   std::vector<Tick> ticks;
-  std::string factor;  ///< e.g. "×10⁻⁶": what the labels are multiplied by; empty for 1
-  std::string offset;  ///< e.g. "+ 45.1234": what is added to the labels; empty for 0
+  std::string factor;  ///< e.g. "×10⁻⁶": factor by which the labels are to be multiplied; empty for 1
+  std::string offset;  ///< e.g. "+ 45.1234": number to be added to the labels; empty for 0
 };
 
 /// Ticks at 1, 2 or 5 times a power of ten.
-/// @param low, high  the data's range, finite, low <= high   @param wanted  about how many
-/// @param tight  the axis ends at the data's ends, not at ticks
+/// @param low, high  range of the data, finite, low <= high   @param wanted  approximate number of ticks
+/// @param tight  let the axis end at the ends of the data, not at ticks
 Ticks linear_ticks(double low, double high, int wanted, bool tight);
 
-/// Ticks at powers of ten; with 2 and 5 where there are few. @param low, high  finite and positive, low <= high
+/// Ticks at powers of ten, and at 2 and 5 times these if there are few.   @param low, high  finite and positive, low <= high
 Ticks logarithmic_ticks(double low, double high, int wanted);
 
 }  // namespace earthtop

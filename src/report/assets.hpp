@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a page's browser needs, compiled in from src/report/assets.
+/// The scripts and styles of a page for the browser, compiled in from src/report/assets.
 #pragma once
 
 #include <string_view>

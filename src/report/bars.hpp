@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Sizes over many decades, side by side.
+/// Bar charts for sizes that differ by many decades.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace earthtop::report {
 
 struct Bar {
   std::string label;
-  double value = 0;       ///< above 0
+  double value = 0;       ///< must be positive
   bool left_out = false;  ///< hatched
 };
 
-/// Horizontal bars on a logarithmic axis, as SVG. @param name  what the names within the document begin with
+/// Horizontal bars on a logarithmic axis, as SVG.   @param name  prefix of the ids within the document
 std::string bars_svg(const std::string& name, const std::string& title, const std::string& unit, const std::vector<Bar>& bars);
 
 }  // namespace earthtop::report

@@ -28,7 +28,7 @@ std::string base64_of_hex(std::string_view hex) {
   return text;
 }
 
-/// Hashes of what stands in the elements that begin with `open`.
+/// Hashes of the contents of all elements that begin with `open`.
 std::string hashes(std::string_view html, std::string_view open, std::string_view close) {
   std::set<std::string> found;
   for (std::size_t at = html.find(open); at != html.npos; at = html.find(open, at)) {

@@ -42,7 +42,7 @@ std::string quantities_table(const Json& pair) {
          "</div>\n";
 }
 
-/// The quantities that kept their differences over time: those that failed first, then those nearest to their tolerance.
+/// The quantities for which differences over time were kept: first those that failed, then those nearest to their tolerance.
 std::vector<const Json*> quantities_to_draw(const Json& pair) {
   constexpr std::size_t kMostCharts = 5;
   std::vector<const Json*> list;
@@ -62,7 +62,7 @@ std::vector<const Json*> quantities_to_draw(const Json& pair) {
   return list;
 }
 
-/// Differences over time against their tolerances.
+/// Charts of the differences over time and their tolerances.
 std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
   std::string html;
   std::size_t count = 0;
@@ -111,7 +111,7 @@ std::string pair_html(const Json& pair, std::size_t number, Page& page) {
 }  // namespace
 
 Report comparison_page(const Json& document) {
-  constexpr std::size_t kMostPairs = 20;  // of which some are drawn: a page is no archive
+  constexpr std::size_t kMostPairs = 20;  // limit, so that the page stays readable; some of these pairs get charts
   const std::string verdict = text_of(document, "verdict");
   Page page("comparison", "Comparison of " + text_of(document, "new") + " with " + text_of(document, "reference"));
   const Json pairs = document.value("pairs", Json::array());
@@ -123,7 +123,7 @@ Report comparison_page(const Json& document) {
                             counts["same"], counts["differs"], counts["refused"], escaped(text_of(document, "profile"))));
   page.verdict(verdict, escaped(verdict));
   std::vector<const Json*> shown;
-  for (const bool wanted : {false, true})  // those that differ first
+  for (const bool wanted : {false, true})  // pairs that differ first
     for (const Json& pair : pairs)
       if ((text_of(pair, "verdict") == "same") == wanted && shown.size() < kMostPairs) shown.push_back(&pair);
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -137,7 +137,7 @@ Report comparison_page(const Json& document) {
 
 namespace {
 
-/// An entry's error of the compared kind, no smaller than what the reference can tell.
+/// An entry's error of the compared kind, but at least the error of the reference.
 double error_of(const Json& entry, const Json& scene) {
   const std::string key = text_of(scene, "compared_error") + "_rad";
   const Json error = entry.value("error", Json()), floor = scene.value(Json::json_pointer("/reference/error"), Json());

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostTableRows = 200;
 
-/// Seven digits are more than a picture shows.
+/// A number with seven digits, which is more than a picture shows.
 Json short_number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return Json::parse(fmt::format("{:.7g}", value));
@@ -30,7 +30,7 @@ std::string name_with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-/// All x values of a figure, ascending, each once.
+/// All x values of a figure, ascending and without repetition.
 std::vector<double> all_x(const Figure& figure) {
   std::set<double> values;
   for (const Panel& panel : figure.panels)
@@ -40,7 +40,7 @@ std::vector<double> all_x(const Figure& figure) {
   return {values.begin(), values.end()};
 }
 
-/// The lines of a figure over common x values; NaN where a line has none.
+/// The values of one line at the common x values of a figure; NaN where the line has none.
 struct Series {
   std::string label, unit;
   std::vector<double> y;
@@ -94,7 +94,7 @@ Json chart_json(const Figure& figure, const std::vector<double>& x, const std::v
   return json;
 }
 
-/// The page's own style has the rules of its pictures.
+/// Removes the style of a picture: the page's own style contains its rules.
 std::string without_style(std::string picture) {
   const std::size_t begin = picture.find("<style>"), end = picture.find("</style>");
   if (begin != picture.npos && end != picture.npos) picture.erase(begin, end + 9 - begin);
@@ -106,7 +106,7 @@ std::string details(const std::string& table) {
          "</div></details>";
 }
 
-/// Data that cannot end their element.
+/// Data as JSON text in which no `<` can end the element that contains it.
 std::string data_text(const Json& data) {
   std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
   safe.reserve(text.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Pieces of a page. Whatever text comes in is escaped here, and nowhere else.
+/// Building blocks of a page. All text is escaped here, and nowhere else.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,32 +15,32 @@ namespace earthtop::report {
 
 using Json = nlohmann::ordered_json;
 
-/// Text between tags or in a quoted attribute.
+/// Escapes text to be put between tags or in a quoted attribute.
 std::string escaped(std::string_view text);
 
-/// A term and what it is; the latter is HTML.
+/// A list of terms and their descriptions; the descriptions are HTML.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 std::string facts_html(const Facts& facts);
 
-/// Cells are HTML; the header's are text.
+/// A table. The cells are HTML; the header's cells are text.
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
-/// "1.14023e-03 rad", the number machine-readable to its last bit.
+/// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit.
 std::string number_html(double value, std::string_view unit, int digits = 7);
 
 class Page {
  public:
   Page(std::string kind, std::string title);
 
-  /// The sentence under the title; HTML.
+  /// Sets the sentence under the title; HTML.
   void headline(std::string html) { headline_ = std::move(html); }
   void verdict(std::string_view word, std::string html);
   void section(std::string_view id, std::string_view title, std::string html);
-  /// A figure with its data as a table, and the same for the crosshair. Its pictures are kept for `--svg`.
+  /// A figure with its data as a table, and the same data for the crosshair. The picture is also kept for `--svg`.
   std::string chart(const std::string& name, Figure figure, std::string_view caption);
-  /// A picture that is no plot, with its own table.
+  /// A picture that is not a plot, with its own table.
   std::string picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table);
-  /// A text to copy.
+  /// A text with a button to copy it.
   static std::string command(std::string_view text);
   Json& data() { return data_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of a measurement held against a scenario: what `compare SCENARIO MEASURED --json` writes.
+// The page of a measurement compared with a scenario, from the document that `compare SCENARIO MEASURED --json` writes.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -25,17 +25,17 @@ using compare::Row;
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kArcseconds = 648000 / std::numbers::pi;
-constexpr double kShownDrift = 0.3;       // rad: as large as it is drawn on the sphere
-constexpr std::size_t kMostArrows = 200;  // times at which torques are computed for the animation
-constexpr double kBudgetSteps = 3e5;      // a second or so: beyond that the ledger's bars are left out
+constexpr double kShownDrift = 0.3;       // size (rad) to which the drift is magnified on the sphere
+constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
+constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
 
 std::size_t column(std::string_view name) { return *compare::trajectory_table().find(name); }
 double value(const Row& row, std::size_t at) { return row.kind[at] == CellKind::number ? row.value[at] : kNoNumber; }
 
-/// A run as the page needs it.
+/// The data of a run that the page needs.
 struct Run {
   Comparand results;
-  std::optional<Scenario> scenario;  ///< none where the summary's text is not one that this version reads
+  std::optional<Scenario> scenario;  ///< none if this version cannot read the scenario in the summary
   std::vector<Row> rows;
   TimeUnit time{"s", 1};
   std::string word(const std::string& pointer) const { return results.word(pointer); }
@@ -57,7 +57,7 @@ std::vector<double> times(const Run& run) {
   return list;
 }
 
-/// The drift that can be trusted last, in a sentence.
+/// A sentence about the last drift that can be trusted.
 std::string headline_of(const Run& run) {
   const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
              at = run.number("/drift/reliable/at_s");
@@ -80,7 +80,7 @@ std::string verdict_of(const Run& run) {
   return text;
 }
 
-/// When the drift passes the threshold asked for, and when motions come to rest.
+/// When the drift passes the requested threshold, and when motions come to rest.
 std::string events_of(const Run& run) {
   const auto time = [](double t_s, const std::optional<double>& bound_s) {
     return number_html(t_s, "s", 16) + (bound_s ? " ± " + number_html(*bound_s, "s", 2) : "");
@@ -146,7 +146,7 @@ Figure parts_figure(const Run& run) {
   return figure;
 }
 
-/// Three numbers a row; the page subtracts the two axes.
+/// Three numbers for each row, the direction of an axis; the page subtracts the two axes.
 Json directions(const std::vector<Row>& rows, std::string_view first) {
   Json list = Json::array();
   const std::size_t at = column(first);
@@ -167,7 +167,7 @@ void append(Json& list, const Vec3<double>& vector) {
   for (int i = 0; i < 3; ++i) list.push_back(Json::parse(fmt::format("{:.4g}", vector[i])));
 }
 
-/// The torques that the laboratory's observer counts, at some of the rows.
+/// The torques that the laboratory observer counts, at some of the rows.
 Json torques_of(const Run& run, const Model<double>& model) {
   Json json = {{"t_s", Json::array()},
                {"gravity_N_m", Json::array()},
@@ -207,7 +207,7 @@ void add_motion(const Run& run, Page& page) {
   data["torques"] = torques_of(run, model);
 }
 
-/// Of apparent gravity about the pivot, at the rows that are shown (N m).
+/// The largest torque of apparent gravity about the pivot over the displayed rows (N m).
 double largest_gravity(const Run& run) {
   const Model<double> model = make_model<double>(*run.scenario);
   const std::size_t axis = column("q_LB_w");

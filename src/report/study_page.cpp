@@ -53,7 +53,7 @@ std::string figures_section(const Json& study) {
   return rows.empty() ? "<p>None stated.</p>\n" : table_html({"figure", "stated", "computed", "tolerance", "", "origin"}, rows);
 }
 
-/// The fitted curve at x; NaN for a kind that is not known.
+/// The value of the fitted curve at x; NaN for an unknown kind of fit.
 double fitted(const Json& fit, double x) {
   const std::string kind = fit.value("kind", "");
   const double a = fit.value("a", NAN), b = fit.value("b", NAN), radians = x * 0.017453292519943295;
@@ -64,7 +64,7 @@ double fitted(const Json& fit, double x) {
   return kind == "power_law" ? a * real::pow(std::abs(x), b) : NAN;
 }
 
-/// Points and the curves through them, where there is one axis.
+/// Points and the fitted curves through them, for a study with one axis.
 std::string curves_section(const Json& study, Page& page) {
   if (study.at("axes").size() != 1 || !study.at("points").is_array()) return "";
   const std::string axis = study.at("axes")[0].value("name", "");
@@ -94,7 +94,7 @@ std::string curves_section(const Json& study, Page& page) {
   return html;
 }
 
-/// Every point for the reader's own cuts through the axes.
+/// All points, from which the reader can choose sections along the axes.
 void add_points(const Json& study, Page& page) {
   Json& data = page.data();
   data["axes"] = Json::array();

@@ -13,7 +13,7 @@ constexpr std::uint64_t kAllUpTo = 1000, kSpans = 250;
 using compare::CellKind;
 using compare::Row;
 
-/// The rows of one span that must be kept.
+/// Selects the rows of one span that must be kept.
 class Span {
  public:
   explicit Span(const std::array<std::size_t, 3>& watched) : watched_(watched) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows enough for a picture, its extremes among them.
+/// Reduces rows to as many as a picture needs, including all extremes.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,12 @@
 
 namespace earthtop::report {
 
-/// Of rows in equally many each: the first and the last one, and those in which one of the values is least or largest.
+/// The rows are divided into spans of equal numbers. The first and the last row of each span are kept, and those where one of
+/// the watched values is smallest or largest.
 inline constexpr const char* kThinningRule =
     "of each of 250 spans the first and last row, and those where an axis drift, azimuth or tilt is least or largest";
 
-/// @param count  how many rows there are; up to a thousand are all kept
+/// @param count  the number of rows; up to a thousand rows are all kept
 std::vector<compare::Row> thinned_rows(compare::RowSource& rows, std::uint64_t count);
 
 }  // namespace earthtop::report

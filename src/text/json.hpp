@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// JSON documents read and written in one place: to compile a reader and a writer takes longer than most of who wants them.
+/// Reads and writes JSON documents in a single source file: compiling the JSON parser and writer takes longer than compiling
+/// most of the files that use them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,15 +9,15 @@
 
 namespace earthtop {
 
-/// @throws nlohmann::ordered_json::parse_error for a text that is no JSON
+/// @throws nlohmann::ordered_json::parse_error for a text that is not JSON
 nlohmann::ordered_json json_of(std::string_view text);
-/// The same for those who ask afterwards: of no JSON the result is discarded (`is_discarded`).
+/// The same without exceptions: for a text that is not JSON the result is discarded (`is_discarded`).
 nlohmann::ordered_json json_or_discarded(std::string_view text);
 
-/// @param indent  spaces a level; below 0 all in one line   @throws nlohmann::ordered_json::type_error for a string that is no
-/// UTF-8
+/// @param indent  spaces for each level; negative for a single line   @throws nlohmann::ordered_json::type_error for a string
+/// that is not UTF-8
 std::string written(const nlohmann::ordered_json& json, int indent = -1);
-/// The same of strings that may be anything: what is no UTF-8 is replaced.
+/// The same for strings that may hold anything: bytes that are not UTF-8 are replaced.
 std::string written_replacing(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace earthtop

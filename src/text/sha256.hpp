@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The fingerprint by which texts and files are told apart.
+/// The hash by which texts and files are identified.
 #pragma once
 
 #include <string>

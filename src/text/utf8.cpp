@@ -64,7 +64,7 @@ bool is_unseen(char32_t code) {
                              {0xFFA0, 0xFFA0}, {0xFFF0, 0xFFFB}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}};
   for (const Span& span : kSpans)
     if (code >= span.first && code <= span.last) return true;
-  return (code & 0xFFFE) == 0xFFFE;  // the last two of each plane are no characters
+  return (code & 0xFFFE) == 0xFFFE;  // the last two code points of each plane are not characters
 }
 
 void append_escape(char32_t code, std::string& out) {
@@ -81,7 +81,8 @@ std::string json_with_escapes(std::string_view document) {
   text.reserve(document.size());
   while (!document.empty()) {
     const auto [code, length] = first_character(document);
-    // Line ends and spaces between values are ASCII; within strings a document has no ASCII control but DEL.
+    // Line ends and spaces between values are ASCII, and within its strings a JSON document has no ASCII control character
+    // except DEL.
     if (length > 0 && code >= 0x7F && is_unseen(code))
       append_escape(code, text);
     else

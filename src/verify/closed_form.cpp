@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows against the closed forms of the whole motion in 113 bits, and the table of the others.
+// Compares rows with the closed forms of the whole motion, computed in 113 bits; and the table of all closed forms.
 #include <functional>
 #include <limits>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Q = float128;
 
-/// The rotating motion, or the reference, in closed form.
+/// The closed form of the rotating motion, or of the reference.
 class Exact {
  public:
   Exact(const Scenario& scenario, bool rotating)
@@ -47,7 +47,7 @@ double attitude_error(const RunResult& result, bool rotating, double until_s) {
   return error;
 }
 
-/// The axis alone: after 1e9 turns no double knows the spin angle.
+/// The error of the axis alone: after 1e9 turns a double cannot hold the spin angle accurately.
 double axis_error(const RunResult& result, double until_s) {
   const Exact exact(result.scenario, true);
   double error = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two runs, or the two motions of one, of which one follows from the other by a symmetry.
+// Criteria that compare two runs, or the two motions of one run, where a symmetry gives one from the other.
 #include <cmath>
 #include <limits>
 
@@ -23,7 +23,8 @@ double difference(const std::array<double, N>& a, const std::array<double, N>& b
 }
 std::optional<double> negative(const std::optional<double>& a) { return a ? std::optional(-*a) : std::nullopt; }
 
-/// Drifts that the run and a mirrored one agree in, and those whose sign the mirror turns; absolute.
+/// The absolute difference of the drifts of two runs. For a mirrored run, azimuth and spin drift are compared with opposite
+/// sign.
 double drift_difference(const DriftRow& a, const DriftRow& b, bool mirrored) {
   double error = worse(difference(a.drift_axis_rad, b.drift_axis_rad), difference(a.drift_tilt_rad, b.drift_tilt_rad));
   error = worse(error, difference(a.drift_attitude_rad, b.drift_attitude_rad));
@@ -40,7 +41,7 @@ struct Pair {
   const RunResult& b;
 };
 
-/// The largest error of all rows that both runs have.
+/// The largest error over the rows of both runs.
 template <class Error>
 double over_rows(const Pair& pair, double until_s, Error error_of) {
   if (pair.a.rows.size() != pair.b.rows.size()) throw NotJudged("the two runs have not the same rows");
@@ -50,17 +51,17 @@ double over_rows(const Pair& pair, double until_s, Error error_of) {
   return error;
 }
 
-/// Attitudes and drifts as they are (rad).
+/// Attitudes, axes and drifts of the two runs are the same (rad).
 double same(const Pair& pair, double until_s) {
   return over_rows(pair, until_s, [](const DriftRow& a, const DriftRow& b) {
     const double attitudes = worse(difference(a.q_LB, b.q_LB), difference(a.ref_q_LB, b.ref_q_LB));
     return worse(attitudes, worse(axis_difference(a, b), drift_difference(a, b, false)));
   });
 }
-/// The axes, whatever the body does about them (rad).
+/// The axes are the same, however the body turns about them (rad).
 double same_axis(const Pair& pair, double until_s) { return over_rows(pair, until_s, axis_difference); }
 
-/// Drifts of axis, azimuth and tilt relative to the largest.
+/// The drifts of axis, azimuth and tilt are the same; relative to the largest axis drift.
 double same_drift(const Pair& pair, double until_s) {
   const double error = over_rows(pair, until_s, [](const DriftRow& a, const DriftRow& b) {
     return worse(worse(difference(a.drift_axis_rad, b.drift_axis_rad), difference(a.drift_tilt_rad, b.drift_tilt_rad)),
@@ -76,7 +77,7 @@ double mirrored_north_south(const Pair& pair, double until_s) {
   });
 }
 
-/// Drift over the size of the Earth's rate, of axis and attitude, relative to the largest.
+/// The drifts of axis and attitude are proportional to the Earth's rate; relative to the largest axis drift.
 double proportional(const Pair& pair, double until_s) {
   const double A = std::abs(pair.a.scenario.rotation_rate_rad_s), B = std::abs(pair.b.scenario.rotation_rate_rad_s);
   double largest = 0;
@@ -88,7 +89,7 @@ double proportional(const Pair& pair, double until_s) {
   return error / largest;
 }
 
-/// With every rate turned back at the end, the Earth's too, the top returns to its release (rad, and rates over their size).
+/// If at the end all rates are reversed, also the Earth's, the top returns to its release (rad; rates relative to their size).
 double reversed_in_time(const RunResult& forth, const Watch& watch) {
   Scenario back = forth.scenario;
   const DriftRow &start = forth.rows.front(), &end = forth.rows.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that must be 0 in all their bits.
+// Numbers that must be exactly 0, in all their bits.
 #include <cmath>
 
 #include "scenario/rules.hpp"
@@ -20,12 +20,12 @@ int nonzero_drifts(const DriftRow& row) {
 int nonzero_axis_drifts(const DriftRow& row) {
   return (row.drift_axis_rad != 0) + (row.drift_tilt_rad != 0) + (row.drift_azimuth_rad.value_or(0) != 0);
 }
-/// A vertical axis has no azimuth.
+/// Counts deviations of the reference axis from the vertical; a vertical axis has no azimuth.
 int nonzero_reference_tilts(const DriftRow& row) {
   return (row.ref_axis_L[0] != 0) + (row.ref_axis_L[1] != 0) + row.drift_azimuth_rad.has_value();
 }
 
-/// The scene by every method, in every observer's equations, that it and its precision allow.
+/// The scene with every method, and in every observer's equations, that the scene and its precision allow.
 std::vector<Scenario> by_all_methods(const Scenario& scenario) {
   std::vector<Scenario> scenes;
   for (const Method method : scenario::kMethods)

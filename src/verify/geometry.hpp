@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows as rotations and vectors.
+/// Converts the arrays of rows to quaternions and vectors.
 #pragma once
 
 #include "earthtop/drift/drift.hpp"
@@ -17,7 +17,7 @@ Vec3<T> vector(const std::array<double, 3>& v) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 
-/// The angle between two attitudes (rad); the norms do not matter, nor the signs.
+/// The angle between two attitudes (rad); norms and signs do not matter.
 template <class T>
 double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
   const Quaternion<T> d = p.conjugate() * q;

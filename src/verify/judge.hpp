@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One function for each kind of criterion: the error, in the unit of the criterion. @throws NotJudged, ScenarioError
+/// One function for each kind of criterion. It returns the error, in the unit of the criterion.   @throws NotJudged,
+/// ScenarioError
 #pragma once
 
 #include "verify/runs.hpp"
@@ -10,14 +11,14 @@ double value_error(const CriterionSpec& criterion, Runs& runs);
 double invariant_error(const CriterionSpec& criterion, Runs& runs);
 double closed_form_error(const CriterionSpec& criterion, Runs& runs);
 double equivalence_error(const CriterionSpec& criterion, Runs& runs);
-/// Numbers that are not 0 in all their bits.
+/// The number of values that are not exactly 0.
 double exactly_zero_error(const CriterionSpec& criterion, Runs& runs);
 double order_error(const CriterionSpec& criterion, Runs& runs);
-/// What it costs, in the seconds of `estimated_seconds`.
+/// Its cost, in the seconds of `estimated_seconds`.
 double order_work(const CriterionSpec& criterion, const Runs& runs);
-/// How far the time from which the verdict holds is outside of the range allowed (s); 0 within.
+/// How far the time from which the verdict holds lies outside the allowed range (s); 0 inside.
 double verdict_error(const CriterionSpec& criterion, Runs& runs);
-/// 0 where the scene is refused, else 1.
+/// 0 if the scene is refused, else 1.
 double refused_error(const CriterionSpec& criterion, Runs& runs);
 
 }  // namespace earthtop::verify_detail

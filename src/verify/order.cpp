@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the error of a fixed-step method depends on its step.
+// The dependence of the error of a fixed-step method on its step.
 #include <algorithm>
 #include <cmath>
 
@@ -12,23 +12,24 @@
 namespace earthtop::verify_detail {
 namespace {
 
-/// Steps from row to row that the scene's own step makes. @throws NotJudged where it has none
+/// The number of steps from row to row with the scene's own step.   @throws NotJudged if the scene gives no step
 long fewest_parts(const Scenario& scenario) {
   if (!scenario.numerics.step_s) throw NotJudged("the scene gives no step");
   return std::lround(std::ceil(scenario.output_step_s / *scenario.numerics.step_s));
 }
 
-constexpr double kFiner = 1.01;  // from one of a resonance's steps to the next, over two octaves
+constexpr double kFiner = 1.01;  // ratio of successive step counts in a search for resonances, over two octaves
 
-/// Steps from row to row, of all trajectories of a criterion together.
+/// Number of steps from row to row, summed over all trajectories of a criterion.
 double steps_of(const CriterionSpec& criterion, double fewest) {
   return fewest * (criterion.quantity == "step_resonance" ? (4 - 1) / (kFiner - 1) : 1 + 2);
 }
 
-/// Errors of one scene's rotating motion by its method at many steps, against a series at its finest tolerance.
+/// Errors of a scene's rotating motion with its method at various steps, relative to a Taylor series solution at its finest
+/// tolerance.
 class StepErrors {
  public:
-  /// @param work  steps from row to row of all that will be asked for
+  /// @param work  number of steps from row to row, summed over all trajectories that will be requested
   StepErrors(const Scenario& scenario, const Watch& watch, double work)
       : scenario_(scenario), problem_(make_problem<double>(scenario)), parts_(watch, work) {
     Scenario fine = scenario;
@@ -38,7 +39,7 @@ class StepErrors {
     fine.numerics = method_choice(fine).options;
     reference_ = trajectory(fine.numerics, 1);
   }
-  /// The largest angle between the attitudes at the rows. @param parts  steps from row to row
+  /// The largest angle between the attitudes at the rows (rad).   @param parts  steps from row to row
   double at(long parts) {
     IntegrationOptions options = scenario_.numerics;
     options.step_s = scenario_.output_step_s / static_cast<double>(parts);
@@ -64,7 +65,8 @@ class StepErrors {
   std::vector<MotionSample<double>> reference_;
 };
 
-/// The largest error over the median, each over the power law of its octave, in the worst of two octaves.
+/// The largest error over the median error, after division by the power law fitted in its octave; the larger value of two
+/// octaves.
 double resonance(StepErrors& errors, double parts) {
   double worst = 0;
   for (int octave = 0; octave < 2; ++octave) {
@@ -90,7 +92,7 @@ double resonance(StepErrors& errors, double parts) {
 double order_work(const CriterionSpec& criterion, const Runs& runs) {
   const Scenario scenario = runs.scenario(criterion.set);
   if (!scenario.numerics.step_s) return 0;
-  // Of one motion, where the estimate is of two integrations of two motions and their deviation.
+  // The work is for one motion, whereas the estimate is for two integrations of two motions and their deviation.
   constexpr double kOfEstimate = 0.15;
   const auto fewest = static_cast<double>(fewest_parts(scenario));
   return kOfEstimate * estimated_seconds(scenario) * steps_of(criterion, fewest) / fewest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The runs behind a scenario's criteria: one of each scene, however many criteria ask for it.
+/// The runs behind a scenario's criteria: each changed scene is run only once, however many criteria need it.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace earthtop::verify_detail {
 
-/// Nothing can be judged, and why: a run that broke off, a scene for which the formula is not made.
+/// Thrown if a criterion cannot be judged, with the reason: e.g. a run ended early, or the formula does not apply to the scene.
 class NotJudged : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,26 +22,26 @@ class Runs {
  public:
   explicit Runs(ScenarioSource source) : source_(std::move(source)) {}
 
-  /// @throws ScenarioError where the changed scene is not valid
+  /// @throws ScenarioError if the changed scene is not valid
   Scenario scenario(const Changes& changes = {}) const;
-  /// @throws NotJudged where the run does not complete; ScenarioError
+  /// @throws NotJudged if the run does not complete; ScenarioError
   const RunResult& run(const Changes& changes = {});
   bool has_run(const Changes& changes) const { return done_.contains(changes); }
 
-  /// Who watches what is run from now on.
+  /// Sets the watch of the following runs.
   void set_watch(const Watch& watch) { watch_ = watch, share_ = 0; }
   const Watch& watch() const { return watch_; }
-  /// For the next run: most of what is left of it.
+  /// The watch for the next run: it gets most of the remaining part of `watch_`.
   Watch next_watch();
 
  private:
   ScenarioSource source_;
   std::map<Changes, RunResult> done_;
   Watch watch_;
-  double share_ = 0;  // of `watch_`, begun
+  double share_ = 0;  // part of `watch_` that has been given away
 };
 
-/// A run to its end. @throws NotJudged
+/// Runs a scenario to its end.   @throws NotJudged if it does not get there
 RunResult completed_run(const Scenario& scenario, const Watch& watch);
 
 }  // namespace earthtop::verify_detail

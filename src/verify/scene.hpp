@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the closed forms take of a judged scene.
+/// The data of a judged scene that the closed forms need.
 #pragma once
 
 #include "earthtop/closed_form/state.hpp"
@@ -8,7 +8,7 @@
 
 namespace earthtop::verify_detail {
 
-/// The symmetric top of a scene. @throws NotJudged where it is none about body axis 3
+/// The symmetric top of a scene.   @throws NotJudged if the body is not symmetric about body axis 3
 SymmetricTop<double> symmetric_top(const Scenario& scenario);
 /// The release as the scene gives it.
 Release<double> release_of(const Scenario& scenario);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions near the vertical: what the linear equations say of them, exactly.
+// Exact consequences of the linear equations for motions near the vertical.
 #include <cmath>
 
 #include "earthtop/closed_form/special_cases.hpp"
@@ -10,7 +10,7 @@
 namespace earthtop::verify_detail {
 namespace {
 
-/// Direction of the plane of swing over rows [from, to): the long axis of the second moments about their mean (rad).
+/// Direction of the plane of swing over the rows [from, to): the major axis of the second moments about their mean (rad).
 double swing_plane(const std::vector<DriftRow>& rows, std::size_t from, std::size_t to) {
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   const double n = static_cast<double>(to - from);
@@ -24,8 +24,8 @@ double swing_plane(const std::vector<DriftRow>& rows, std::size_t from, std::siz
 
 }  // namespace
 
-// The squared tilt is a e^(2gt) + b e^(-2gt) + c, so its differences d over equal times h obey
-// d[k+1] + d[k-1] = 2 cosh(2 g h) d[k]: no fit of three unknowns, and no time to wait for the growing part.
+// The squared tilt is a e^(2gt) + b e^(-2gt) + c. Its differences d over equal times h therefore obey d[k+1] + d[k-1] = 2
+// cosh(2 g h) d[k]: three unknowns need not be fitted, and the growing part need not dominate first.
 double growth_rate_error(const RunResult& result) {
   std::vector<double> d;
   for (std::size_t i = 1; i < result.rows.size(); ++i) {
@@ -39,7 +39,7 @@ double growth_rate_error(const RunResult& result) {
   return std::abs(computed / theory - 1);
 }
 
-// The planes of swing of the first and the last sixth of the run, which whole numbers of swings should fill.
+// Compares the planes of swing of the first and the last sixth of the run; each sixth should hold a whole number of swings.
 double foucault_rate_error(const RunResult& result) {
   const Scenario& scenario = result.scenario;
   const auto rate =
@@ -51,7 +51,7 @@ double foucault_rate_error(const RunResult& result) {
   return std::abs(computed / rate.value - 1);
 }
 
-// Released there, at rest, it stays.
+// An axis that is released at rest at its place of rest stays there.
 double resting_axis_error(const RunResult& result) {
   const Vec3<double> W_L = earth_rate_L(result.scenario);
   const auto release = release_of(result.scenario);
@@ -63,8 +63,8 @@ double resting_axis_error(const RunResult& result) {
   return error / real::hypot(rest[0], rest[1]);
 }
 
-// The axis goes round its place of rest: under the window sin^4 the mean of that turning is zero if the run is a whole number,
-// three or more, of turns long, and as good as zero if it is long.
+// The axis circles its place of rest. With the window sin^4 the mean of this circling is zero if the run is a whole number of
+// turns long (at least three), and nearly zero if the run is long.
 double mean_lean_error(const RunResult& result) {
   const Vec3<double> rest =
       resting_axis_L(symmetric_top(result.scenario), release_of(result.scenario).w_XB_B[2], earth_rate_L(result.scenario));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that elementary functions give.
+// Motions that are given by elementary functions.
 #include <algorithm>
 #include <cmath>
 
@@ -20,8 +20,8 @@ double balanced_axis_error(const RunResult& result) {
   return error;
 }
 
-// The axis goes round Up at the rate that the release asks for; at a pole it does so in inertial space, and the laboratory
-// turns below. Elsewhere it is the reference that does.
+// The axis goes round Up at the rate that the release asks for. At a pole it does so in inertial space while the laboratory
+// turns below it; elsewhere only the reference does so.
 double steady_precession_error(const RunResult& result) {
   const Scenario& scenario = result.scenario;
   const auto release = release_of(scenario);
@@ -40,7 +40,7 @@ double steady_precession_error(const RunResult& result) {
   return error;
 }
 
-// cos(tilt) = 1 - 2 k^2 sech^2(g t): released at the lowest point of the motion that tends to the vertical.
+// cos(tilt) = 1 - 2 k^2 sech^2(g t): the top is released at the lowest point of the motion that tends to the vertical.
 double homoclinic_tilt_error(const RunResult& result, double until_s) {
   const SymmetricTop<double> top = symmetric_top(result.scenario);
   const double w3 = release_of(result.scenario).w_XB_B[2], f = w3 / critical_spin(top), g = upright_growth_rate(top, w3);
@@ -53,7 +53,7 @@ double homoclinic_tilt_error(const RunResult& result, double until_s) {
   return error;
 }
 
-// The rate goes from axis 2 forward to axis 2 backward, never to return: tanh and sech.
+// The rate goes once from one end of axis 2 to the other, as tanh, while its other components vary as sech.
 double separatrix_rates_error(const RunResult& result, double until_s) {
   const auto body = make_body<double>(result.scenario.body);
   if (!body.p_PBcm_B.isZero(0)) throw NotJudged("the formula is for a body without torque");
@@ -72,7 +72,8 @@ double separatrix_rates_error(const RunResult& result, double until_s) {
 }
 
 // Released at rest at cos(tilt) = u0, the axis falls to L - sqrt(L^2 - 2 L u0 + 1), L = (I3 w3)^2 / (4 I1 mgl), and rises to
-// its cusp again. Extremes are the vertices of parabolas through three rows: (row step x nutation rate)^4 of the swing away.
+// its cusp again. The extremes are taken as vertices of parabolas through three rows, with an error of (row step x nutation
+// rate)^4 of the swing.
 double cusp_tilts_error(const RunResult& result) {
   const SymmetricTop<double> top = symmetric_top(result.scenario);
   const double momentum = top.I3 * release_of(result.scenario).w_XB_B[2], L = momentum * momentum / (4 * top.I1 * top.mgl);

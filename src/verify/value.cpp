@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers known from elsewhere.
+// Values known from other sources.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ double figure(const RunResult& result, std::string_view quantity, double t_s) {
   throw NotJudged(fmt::format("this run has no {} at t = {} s", quantity, t_s));
 }
 
-/// The numbers of a quantity: the columns of a vector.
+/// The numbers that a quantity consists of: one, or the columns of a vector or quaternion.
 std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
   if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
   if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run says of the worth of its own drift.
+// The run's verdict on the reliability of its own drift.
 #include <fmt/core.h>
 
 #include <algorithm>

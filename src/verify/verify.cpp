@@ -40,7 +40,7 @@ const Kind& kind_of(const CriterionSpec& criterion) {
   throw std::logic_error("a criterion of no kind");
 }
 
-/// About as many methods as a scene is run by where all of them must give exactly the same.
+/// Approximate number of runs of a scene when all methods must give exactly zero.
 constexpr double kMethodsHeld = 8;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -58,7 +58,7 @@ void judge(const CriterionSpec& criterion, Runs& runs, VerificationRow& row) {
   row.seconds = processor_seconds() - start;
 }
 
-/// Of each criterion: of a run that several ask for the first one has it all.
+/// The work of each criterion. A run that several criteria share is counted for the first of them.
 std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Runs& runs, const VerificationOptions& options) {
   std::vector<double> all;
   std::set<Changes> known;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Speed against error: methods, tolerances and precisions on one scenario, timed side by side, their errors taken against a
-/// certified reference.
+/// Benchmarks of speed against error: methods, tolerances and precisions on one scenario, timed side by side. Their errors are
+/// taken relative to a certified reference.
 ///
-/// Seconds are processor time of the integration alone, on one thread. Repetitions are interleaved: what disturbs the machine
-/// disturbs every contender, and ratios can be trusted where seconds cannot.
+/// Seconds are processor time of the integration alone, on one thread. The repetitions of all contenders are interleaved, so
+/// that a disturbance of the machine affects every contender: ratios can be trusted even if seconds cannot.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@
 
 namespace earthtop {
 
-/// What a contender computes: the rotating motion by itself (a symmetric top's axis alone, or the attitude), or both motions
-/// and their deviation as a run does.
+/// What a contender computes: the rotating motion alone (of a symmetric top only the axis, or the whole attitude), or both
+/// motions and their deviation as a run does.
 enum class Workload { axis, motion, drift };
 std::string_view to_string(Workload workload);
 
@@ -27,43 +27,43 @@ struct Contender {
   Workload workload = Workload::drift;
   IntegrationOptions options;
   Precision precision = Precision::bits53;
-  std::optional<Peer> peer = std::nullopt;  ///< another library's method; of the options only the tolerance is read
-  bool is_auto = false;                     ///< what `auto` takes for this scene
+  std::optional<Peer> peer = std::nullopt;  ///< another library's method; only the tolerance of the options is used
+  bool is_auto = false;                     ///< whether this is what `auto` chooses for this scene
 };
 /// E.g. "rkf78", "splitting aba864", "gsl_rk8pd".
 std::string method_name(const Contender& contender);
-/// Whose equations, in which variables: e.g. "reduced, laboratory"; "difference of two" of a peer's drift.
+/// The equations and their variables, e.g. "reduced, laboratory"; for a peer's drift "difference of two".
 std::string equations_name(const Contender& contender);
-/// The tolerance or the step.
+/// The tolerance or the step as text.
 std::string setting_name(const Contender& contender);
 /// E.g. "rkf78 1e-12, reduced, laboratory".
 std::string describe(const Contender& contender);
 
-/// The largest errors over all checkpoints (rad); none where the workload does not have the quantity.
+/// The largest errors over all checkpoints (rad); none if the workload does not compute the quantity.
 struct BenchErrors {
   double axis = 0;                 ///< angle between the two body axes 3
   std::optional<double> attitude;  ///< angle between the two attitudes
-  std::optional<double> drift;     ///< of the axis drift
+  std::optional<double> drift;     ///< error of the axis drift
 };
 
-/// What is known, or what a contender said, at a checkpoint.
+/// The attitude and drift at a checkpoint, from the reference or from a contender.
 struct Checkpoint {
   Quaternion<float128> q_LB;
   std::optional<float128> drift_axis;  ///< rad
 };
 
-/// The rotating motion and its drift at the checkpoints. The witness comes from other equations by another method, or from a
-/// closed form; the error stated is three times the largest distance between the two.
+/// The rotating motion and its drift at the checkpoints. The witness is computed from other equations by another method, or
+/// from a closed form. The stated error is three times the largest distance between source and witness.
 struct CertifiedReference {
   std::vector<Checkpoint> checkpoints;
-  std::string source, witness;  ///< in words: what the checkpoints come from, and what was held against them
+  std::string source, witness;  ///< in words: the origin of the checkpoints, and what they were compared with
   BenchErrors error;
 };
 
 struct BenchEntry {
   Contender contender;
-  /// Of an entry that did not complete there are no errors; `interrupted`: it took more than the seconds allowed or, without a
-  /// repetition, was not begun because it did so at a coarser tolerance.
+  /// `interrupted`: the entry took longer than allowed, or (without a repetition) was not begun because it took too long at a
+  /// coarser tolerance. There are no errors unless the entry was completed.
   RunStatus status = RunStatus::completed;
   BenchErrors errors;
   double seconds = 0;  ///< median of the repetitions
@@ -71,64 +71,64 @@ struct BenchEntry {
   int repetitions = 0;
   StepCounters counters;
 };
-/// "completed", "too_slow", "not_tried", or the outcome's name.
+/// "completed", "too_slow", "not_tried", or the name of the status.
 std::string_view outcome(const BenchEntry& entry);
 
-/// Which of an entry's errors.
+/// Selects one of an entry's errors.
 enum class ErrorKind { axis, attitude, drift };
 std::string_view to_string(ErrorKind kind);
 
 struct BenchOptions {
-  std::optional<ErrorKind> compared;  ///< if left out, that of the workload; where there is no drift to err in, the attitude's
+  std::optional<ErrorKind> compared;  ///< default: the workload's; the attitude's if there is no drift
   int repetitions = 5;
-  double least_seconds = 5e-3;     ///< a repetition runs a contender again and again until this much time is measured
-  double most_seconds = 1;         ///< of one contender: its first call is stopped there, and its repetitions together
-  std::size_t checkpoints = 60;    ///< equal parts of the duration, where errors are taken
-  double reference_seconds = 1e9;  ///< where 113 bits would take longer by estimate, the reference is of 64
-  /// Told what is about to be computed: the reference, contender k of n, repetition k of n. May be empty.
+  double least_seconds = 5e-3;     ///< within one repetition a contender is run again and again until this time has passed
+  double most_seconds = 1;         ///< for one contender: limit of its first call, and of its repetitions together
+  std::size_t checkpoints = 60;    ///< number of equal parts of the duration, at whose ends errors are taken
+  double reference_seconds = 1e9;  ///< if a reference of 113 bits is estimated to take longer, one of 64 bits is used
+  /// Called with a description of what is computed next: the reference, contender k of n, repetition k of n. May be empty.
   std::function<void(const std::string&)> progress;
 };
 
 struct BenchReport {
   std::string scenario, title;
   double duration_s = 0;
-  Workload workload = Workload::drift;  ///< of the first contender
+  Workload workload = Workload::drift;  ///< workload of the first contender
   BenchOptions options;
   CertifiedReference reference;
-  double largest_drift = 0;               ///< of the axis, over the checkpoints (rad)
-  ErrorKind compared = ErrorKind::drift;  ///< what fronts, costs and pictures are of
-  std::vector<BenchEntry> entries;        ///< as the contenders stood
+  double largest_drift = 0;               ///< largest axis drift over the checkpoints (rad)
+  ErrorKind compared = ErrorKind::drift;  ///< the error used in Pareto fronts, costs and figures
+  std::vector<BenchEntry> entries;        ///< in the order of the contenders
 };
 
-/// Every method at several tolerances and precisions in every form that the scene has, and the peers where it is plain; what
-/// `auto` takes is marked, and added where no other contender is the same.
+/// Every method at several tolerances and precisions, in every form that the scene has; also the peers if the scene is plain.
+/// The choice of `auto` is marked, and added if no other contender is the same.
 std::vector<Contender> standard_contenders(const Scenario& scenario, Workload workload);
 
-/// Integrates the scenario in 113 bits at 1e-20 by extrapolation of the general model, or in 64 bits at 1e-17 by the method
-/// that is cheapest there. The witness is the closed form where both motions have one; else another method in another
-/// observer's variables, of the other form where the scene has two.
-/// @param times_s  checkpoints, from 0   @param precision  bits113 or bits64
-/// @throws std::runtime_error where an integration does not complete
+/// Integrates the scenario in 113 bits at a tolerance of 1e-20 by extrapolation of the general model, or in 64 bits at 1e-17 by
+/// the method that is cheapest there. The witness is the closed form if both motions have one; otherwise another method in
+/// another observer's variables, in the other form if the scene has two.
+/// @param times_s  checkpoints, beginning with 0 (s)   @param precision  bits113 or bits64
+/// @throws std::runtime_error if an integration is not completed
 CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s,
                                        Precision precision = Precision::bits113);
 
-/// What the reference will take on one core (s), within a factor of a few.
+/// The estimated time for the reference on one core (s), within a factor of a few.
 double estimated_reference_seconds(const Scenario& scenario, Precision precision);
 
-/// The scenario as long as it may be for a reference of 64 bits within the seconds given.
+/// The scenario, shortened if necessary so that a reference of 64 bits takes no longer than the given time (s).
 Scenario shortened_for_reference(const Scenario& scenario, double reference_seconds);
 
-/// @throws ScenarioError for a scene that cannot be run; std::runtime_error where the reference cannot be had;
-/// std::invalid_argument for a contender that this scene does not have.
+/// @throws ScenarioError for a scene that cannot be run; std::runtime_error if the reference cannot be computed;
+/// std::invalid_argument for a contender that does not fit the scene
 BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options = {});
 
-/// Where on the line of these entries, in the logarithms of error and cost, the error is met: seconds and evaluations.
-/// None where no two neighbouring entries (in the order of their cost) lie on either side of it.
+/// The cost at which these entries reach the given error: seconds and evaluations, interpolated linearly in the logarithms of
+/// error and cost. None if no two neighbouring entries (in the order of their cost) enclose the error.
 struct CostAtError {
   double seconds = 0;
   double evaluations = 0;
 };
-/// @param error_of  which of the errors
+/// @param error_of  selects one of the errors
 std::optional<CostAtError> cost_at_error(std::span<const BenchEntry> entries, double (*error_of)(const BenchErrors&),
                                          double error);
 

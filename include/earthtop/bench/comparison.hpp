@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a bench report says: the Pareto front, the cost at equal error, and the documents made of them.
+/// Evaluation of a benchmark report: the Pareto front, the cost at equal error, and the documents made of them.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace earthtop {
 
-/// The error of an entry that completed, no smaller than what the reference can tell. None where it has no such error.
+/// The error of a completed entry, but at least the error of the reference. None if the entry has no such error.
 std::optional<double> error_of(const BenchEntry& entry, const CertifiedReference& reference, ErrorKind kind);
 
-/// Which entries no other beats: none is as fast and as exact, and better in one of the two.
+/// For each entry, whether it is on the Pareto front: no other entry is at least as fast and as exact, and better in one of the
+/// two.
 std::vector<bool> pareto_front(const BenchReport& report, ErrorKind kind);
 
-/// Entries that differ in nothing but the tolerance, or the step.
+/// Entries that differ only in tolerance or step.
 struct BenchFamily {
   Contender first;
   std::vector<std::size_t> entries;
@@ -26,7 +27,8 @@ std::vector<BenchFamily> families(const BenchReport& report);
 /// The errors at which costs are compared (rad).
 inline constexpr std::array<double, 3> kEqualErrors = {1e-6, 1e-9, 1e-12};
 
-/// What it costs a family to reach an error (s): between two of its entries, or at most the cheapest that is better already.
+/// What it costs a family to reach an error (s): interpolated between two of its entries, or else (`at_most`) the cost of the
+/// cheapest entry that is more exact.
 struct FamilyCost {
   double seconds = 0;
   bool at_most = false;
@@ -36,20 +38,20 @@ std::optional<FamilyCost> family_cost(const BenchReport& report, const BenchFami
 /// E.g. "AMD EPYC, 2 cores", from /proc/cpuinfo.
 std::string processor_description();
 
-/// One header line and one line an entry; seconds, rad; the errors as computed, empty where there are none.
+/// One header line and one line for each entry; seconds and rad; the errors as computed, empty if there are none.
 std::string bench_csv(const BenchReport& report);
 
 /// All reports as one JSON document with a final newline.
 std::string bench_json(std::span<const BenchReport> reports);
 
-/// Error against processor time, both logarithmic: a line a family, the Pareto front under them.
+/// Error against processor time, both logarithmic: one line for each family, with the Pareto front drawn under them.
 Figure bench_figure(const BenchReport& report);
 
-/// Whether NAME.csv and NAME.svg of these scenarios may be written to `dir`, which need not exist.
-/// @param force  overwrite what is there   @throws ScenarioError, WriteError
+/// Checks whether NAME.csv and NAME.svg of these scenarios may be written to `dir`, which need not exist.
+/// @param force  overwrite existing files   @throws ScenarioError, WriteError
 void check_bench_directory(const std::filesystem::path& dir, std::span<const std::string> scenarios, bool force);
 
-/// Writes them, all or none. @throws as check_bench_directory, which it calls; WriteError
+/// Writes the files of all reports, or none.   @throws as check_bench_directory, which it calls; WriteError
 void write_bench(std::span<const BenchReport> reports, const std::filesystem::path& dir, bool force);
 
 }  // namespace earthtop

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Integrators of other libraries, as far as they are compiled in: what a motion costs without earthtop's own methods.
+/// Integrators of other libraries ("peers"), as far as they are compiled in: for comparing costs with earthtop's own methods.
 ///
-/// Each integrates the seven variables of any body in its own axes (Euler's equation, the rotation of q / |q|), the same
-/// right-hand side that earthtop's methods take there; the drift is the difference of two such motions.
+/// Each peer integrates the seven variables of any body in body axes (Euler's equation, and the quaternion with rotations of q
+/// / |q|), with the same right-hand side as earthtop's methods for these variables. The drift is the difference of two such
+/// motions.
 #pragma once
 
 #include <string>
@@ -19,15 +20,15 @@ namespace earthtop {
 enum class Peer { gsl_rk8pd, gsl_msadams, cvode_adams, arkode_erk };
 std::string_view to_string(Peer peer);
 
-/// Those that this program has; SUNDIALS' where its headers and libraries were found at configuration.
+/// The peers that this program contains; those of SUNDIALS if its headers and libraries were found at configuration.
 std::vector<Peer> peers_built();
 
 /// E.g. "GSL 2.7.1 odeiv2, SUNDIALS 6.4.1 CVODE and ARKODE".
 std::string peers_description();
 
-/// The rotating motion at the output times, which the steps of Runge-Kutta methods land on.
+/// The rotating motion at the output times; Runge-Kutta methods end steps exactly at these times.
 /// @param problem  a plain scene: no platform, all torques   @param tolerance  relative and absolute, in natural units
-/// @param watch  may end it early with RunStatus::interrupted
+/// @param watch  may stop the integration, with RunStatus::interrupted
 /// @throws std::invalid_argument for a scene that is not plain, and for a peer that is not compiled in
 MotionTrajectory<double> integrate_with_peer(Peer peer, const MotionProblem<double>& problem, double tolerance,
                                              const Watch& watch = {});

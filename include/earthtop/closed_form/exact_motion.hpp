@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which models have their whole motion in closed form, and that motion in inertial axes: the free body and the heavy
-/// symmetric top, one interface over both.
+/// Decides whether the whole motion of a model has a closed form, and gives that motion in inertial axes: one interface to the
+/// free body and the heavy symmetric top.
 #pragma once
 
 #include <variant>
@@ -18,16 +18,16 @@ extern template ExactKind exact_kind(const Model<double>&);
 extern template ExactKind exact_kind(const Model<long double>&);
 extern template ExactKind exact_kind(const Model<float128>&);
 
-/// What of a model the motion depends on, in the model's units.
+/// The parameters of a model on which its motion depends, in the model's units.
 template <class T>
 struct ExactBody {
   ExactKind kind = ExactKind::free_body;
   Mat3<T> I_BP_B;          ///< inertia about the pivot
   Mat3<T> I_BP_B_inverse;  ///< its inverse
   int axis = -1;           ///< the body axis of symmetry, -1 if there is none
-  SymmetricTop<T> top;     ///< of a symmetric top
+  SymmetricTop<T> top;     ///< only for ExactKind::symmetric_top
 
-  /// The same numbers in another scalar.
+  /// The same parameters in another scalar type.
   template <class To>
   ExactBody<To> as() const {
     ExactBody<To> body;
@@ -42,15 +42,15 @@ struct ExactBody {
     return body;
   }
 };
-/// @throws std::logic_error for a model without a closed form.
+/// @throws std::logic_error for a model without a closed form
 template <class T>
 ExactBody<T> exact_body(const Model<T>& model);
 extern template ExactBody<double> exact_body(const Model<double>&);
 extern template ExactBody<long double> exact_body(const Model<long double>&);
 extern template ExactBody<float128> exact_body(const Model<float128>&);
 
-/// The motion in the axes N that the laboratory has at t = 0 and that do not turn. On the Earth of any rate the laboratory
-/// sees it by `seen_from_laboratory` (special_cases.hpp), if the *inertial* rate at the start is given here.
+/// The motion in the inertial axes N that coincide with the laboratory's at t = 0. `seen_from_laboratory` (special_cases.hpp)
+/// converts it to a laboratory that rotates at any rate, provided that the *inertial* rate at the start is given here.
 template <class T>
 class ExactMotion {
  public:
@@ -59,17 +59,17 @@ class ExactMotion {
 
   ClosedFormState<T> at(T t) const;
 
-  /// The attitude without the spin about body axis 3 where that is the axis of symmetry, as it is otherwise: what has to be
-  /// followed to know a quaternion's sign.
+  /// The attitude with the spin about body axis 3 removed if that is the axis of symmetry, else the attitude itself. It turns
+  /// slowly enough to be followed in steps when the sign of the quaternion must stay continuous.
   Quaternion<T> despun(const Quaternion<T>& q_NB, T t) const;
-  /// Bound on the rate at which `despun` and body axis 3 turn.
+  /// Upper bound of the rate at which `despun` and body axis 3 turn.
   T turn_rate() const { return turn_rate_; }
 
  private:
   std::variant<FreeBody<T>, LagrangeTop<T>> motion_;
-  Quaternion<T> q_BP_;  ///< P the axes in which axis 3 is the one of symmetry
+  Quaternion<T> q_BP_;  ///< P are axes whose axis 3 is the axis of symmetry
   int axis_;
-  T spin_ = T(0);  ///< about body axis 3, of a top that is symmetric about it
+  T spin_ = T(0);  ///< rate about body axis 3, if the top is symmetric about it; else 0
   T turn_rate_ = T(0);
 };
 

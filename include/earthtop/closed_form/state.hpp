@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a closed form gives at an instant, and the symmetric top it is given for.
+/// The result of a closed form at one instant, and the parameters of a symmetric top.
 #pragma once
 
 #include "earthtop/frames/rotation.hpp"
 
 namespace earthtop {
 
-/// The whole motion at one instant, in the axes N of the laboratory (East, North, Up), which do not turn here.
+/// The whole motion at one instant, in inertial axes N that coincide with the laboratory's (East, North, Up) at t = 0.
 template <class T>
 struct ClosedFormState {
   Quaternion<T> q_NB;                ///< of unit norm; either sign
   Vec3<T> w_NB_B = Vec3<T>::Zero();  ///< rad/s
-  T attitude_error = T(0);           ///< error statement: bound on the angle between q_NB and the exact motion (rad)
+  T attitude_error = T(0);           ///< stated error: bound on the angle between q_NB and the exact motion (rad)
   T rate_error = T(0);               ///< bound on the error of w_NB_B (rad/s)
 };
 

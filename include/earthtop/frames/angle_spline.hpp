@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A turn that a table gives: the not-a-knot cubic spline through angles at times.
+/// A rotation angle as a smooth function of time, given by a table: the not-a-knot cubic spline through angles at given times.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace earthtop {
 
-/// The piecewise cubic through a table with two continuous derivatives, and at the second time and the last but one a third:
-/// so it is the cubic polynomial itself where the angles lie on one [de Boor, A Practical Guide to Splines, chapter IV].
-/// Between samples of a smooth turn, h apart, its angle is in error by O(h^4), its rate by O(h^3), its acceleration by O(h^2).
-/// Outside the table the first and the last piece go on.
+/// The piecewise cubic through the points of a table. Its first two derivatives are continuous, at the second and the
+/// last-but-one time also the third: if the angles lie on a cubic polynomial, the spline is that polynomial [de Boor, A
+/// Practical Guide to Splines, chapter IV]. Between samples of a smooth motion with spacing h the error of the angle is O(h^4),
+/// of the rate O(h^3), of the acceleration O(h^2). Outside the table the first and the last cubic are continued.
 template <class T>
 class AngleSpline {
  public:
-  /// @throws std::invalid_argument for a table that is not as AngleTable says, or holds what is no finite number.
+  /// @throws std::invalid_argument for a table that breaks the conditions of AngleTable, or with a number that is not finite
   explicit AngleSpline(const AngleTable& table);
 
   T angle(T t) const {
@@ -35,19 +35,19 @@ class AngleSpline {
     return T(2) * p.half_acceleration + T(6) * (t - p.start) * p.sixth_jerk;
   }
 
-  /// The largest absolute values within the table.
+  /// The largest absolute values of rate and acceleration within the table.
   T largest_rate() const;
   T largest_acceleration() const;
-  /// The times at which its third derivative jumps.
+  /// The times at which the third derivative jumps.
   std::vector<T> joints() const;
   /// Whether every angle is zero.
   bool is_zero() const;
 
-  /// The same turn with times in units of 2^time_exponent s: no digit changes.
+  /// The same function of time with times in units of 2^time_exponent s: exact, no digit changes.
   AngleSpline in_time_units(int time_exponent) const;
 
  private:
-  /// angle + u (rate + u (half_acceleration + u sixth_jerk)) with u = t - start, up to the next piece's start.
+  /// The angle is angle + u (rate + u (half_acceleration + u sixth_jerk)) with u = t - start, until the next piece starts.
   struct Piece {
     T start, angle, rate, half_acceleration, sixth_jerk;
   };

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A turn as a table gives it.
+/// A rotation given as a table of angles.
 #pragma once
 
 #include <vector>
 
 namespace earthtop {
 
-/// Angles at times, as measured.
+/// Measured angles at given times.
 struct AngleTable {
-  std::vector<double> t_s;        ///< strictly ascending, at least four
+  std::vector<double> t_s;        ///< strictly ascending; at least four
   std::vector<double> angle_rad;  ///< one for each time
 };
 

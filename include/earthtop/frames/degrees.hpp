@@ -6,7 +6,8 @@
 
 namespace earthtop {
 
-/// Sine and cosine of an angle in degrees; exact at every multiple of 90 degrees, so that a pole has no northward rate.
+/// Sine and cosine of an angle in degrees; exact at every multiple of 90 degrees, so that e.g. at a pole the Earth's rotation
+/// has no northward component at all.
 template <class T>
 SinCos<T> sin_cos_degrees(T degrees) {
   T r = real::fmod(degrees, T(360));  // exact

@@ -8,32 +8,32 @@
 
 namespace earthtop {
 
-/// The site seen from the Earth's centre, in axes East, North, Up (m): no East component.
+/// Position of the site relative to the Earth's centre, in axes East, North, Up (m); its East component is zero.
 Vec3<double> geocentric_position_L(double latitude_deg, double height_m);
 
 /// Gravitation alone (no centrifugal part) of the WGS 84 ellipsoid, in laboratory axes East, North, Up (m/s^2).
 Vec3<double> gravitation_L(double latitude_deg, double height_m);
 
-/// The centrifugal acceleration W x (W x r) with its sign turned, at the site, in laboratory axes (m/s^2): gravitation_L +
-/// this = normal gravity along -Up. It is inside `Site::gravity_m_s2` already and is counted nowhere else.
+/// Minus the centrifugal term W x (W x r) at the site, in laboratory axes (m/s^2): gravitation_L plus this is normal gravity
+/// along -Up. `Site::gravity_m_s2` already contains it, and it is added nowhere else.
 Vec3<double> centrifugal_acceleration_L(double latitude_deg, double height_m);
 
-/// Apparent gravity in laboratory axes: g along -Up, since apparent gravity is what defines Up (m/s^2).
+/// Apparent gravity in laboratory axes (m/s^2): g along -Up, because the direction of apparent gravity defines Up.
 template <class T>
 Vec3<T> apparent_gravity_L(const Site& site) {
   return Vec3<T>(T(0), T(0), -T(site.gravity_m_s2));
 }
 
-/// The direction of the Earth's rotation axis in laboratory axes where pole or plumb line depart from the ellipsoid's.
-/// [earth_orientation.hpp]
+/// The direction of the Earth's rotation axis in laboratory axes (unit vector) for a site whose pole or plumb line departs from
+/// the ellipsoid's [earth_orientation.hpp].
 template <class T>
 Vec3<T> departing_celestial_axis_L(const Site& site);
 extern template Vec3<double> departing_celestial_axis_L(const Site&);
 extern template Vec3<long double> departing_celestial_axis_L(const Site&);
 extern template Vec3<float128> departing_celestial_axis_L(const Site&);
 
-/// The direction of the Earth's rotation axis in laboratory axes: (0, cos phi, sin phi), exact at the poles and the equator,
-/// but for a departing pole or plumb line.
+/// The direction of the Earth's rotation axis in laboratory axes (unit vector): (0, cos phi, sin phi), exact at the poles and
+/// the equator, unless the site has a departing pole or plumb line.
 template <class T>
 Vec3<T> celestial_axis_L(const Site& site) {
   if (!site.follows_ellipsoid()) return departing_celestial_axis_L<T>(site);
@@ -41,7 +41,8 @@ Vec3<T> celestial_axis_L(const Site& site) {
   return Vec3<T>(T(0), phi.cos, phi.sin);
 }
 
-/// R_EL: East, North, Up at the site, in Earth-centred Earth-fixed axes (z along the rotation axis).
+/// R_EL: attitude of the laboratory axes (East, North, Up at the site) in Earth-centred Earth-fixed axes (z along the rotation
+/// axis).
 template <class T>
 Rotation<T> laboratory_attitude(const Site& site) {
   // E -> L: turn about z by longitude + 90 deg brings x to East, then about East by 90 deg - latitude brings z to Up.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The layered frame stack: an ordered list of frames, each moving relative to its parent, composed to attitudes, angular
-/// velocities and angular accelerations between any two of them, in the axes of any third.
+/// A stack of frames: an ordered list of frames, each moving relative to its parent. It yields attitude, angular velocity and
+/// angular acceleration between any two of them, in the axes of any third.
 #pragma once
 
 #include <functional>
@@ -19,11 +19,11 @@ template <class T>
 struct FrameKinematics {
   Rotation<T> R_AB;
   Vec3<T> w_AB_A = Vec3<T>::Zero();      ///< angular velocity of B relative to A, in A axes (rad/s)
-  Vec3<T> alpha_AB_A = Vec3<T>::Zero();  ///< its derivative taken in A, in A axes (rad/s^2)
+  Vec3<T> alpha_AB_A = Vec3<T>::Zero();  ///< time derivative of w_AB taken in A, in A axes (rad/s^2)
 };
 
 /// Composes A -> B with B -> C:  w_AC = w_AB + w_BC,  alpha_AC = alpha_AB + alpha_BC + w_AB x w_BC.
-/// The cross term is the derivative of w_BC carried round by B [physics of a rotating parent; Poisson's formula].
+/// The cross term is the change of w_BC because B carries it round [Poisson's formula].
 template <class T>
 FrameKinematics<T> compose(const FrameKinematics<T>& AB, const FrameKinematics<T>& BC) {
   const Mat3<T> R_AB = AB.R_AB.matrix();
@@ -32,7 +32,7 @@ FrameKinematics<T> compose(const FrameKinematics<T>& AB, const FrameKinematics<T
   return {AB.R_AB * BC.R_AB, AB.w_AB_A + w_BC_A, AB.alpha_AB_A + alpha_BC_A + AB.w_AB_A.cross(w_BC_A)};
 }
 
-/// The same motion read the other way: how A moves as seen from B.
+/// The inverse motion: how A moves as seen from B.
 template <class T>
 FrameKinematics<T> inverse(const FrameKinematics<T>& AB) {
   const Mat3<T> R_BA = AB.R_AB.inverse().matrix();
@@ -47,19 +47,19 @@ class FrameStack {
   /// The motion of a layer relative to its parent at time t (s).
   using Motion = std::function<FrameKinematics<T>(T t)>;
 
-  /// @param root the name of the outermost frame.
+  /// @param root  name of the outermost frame
   explicit FrameStack(char root) {
     layers_.push_back({root, [](T) { return FrameKinematics<T>(); }});
   }
 
-  /// Adds a frame inside the innermost one. @throws std::invalid_argument if the name is taken.
+  /// Adds a frame inside the innermost one.   @throws std::invalid_argument if the name is taken
   FrameStack& add(char name, Motion motion) {
     for (const Layer& layer : layers_)
       if (layer.name == name) throw std::invalid_argument(std::string("frame name used twice: ") + name);
     layers_.push_back({name, std::move(motion)});
     return *this;
   }
-  /// A layer that stands still relative to its parent.
+  /// Adds a frame that is at rest relative to its parent.
   FrameStack& add(char name, const Rotation<T>& R_parent) {
     return add(name, [R_parent](T) {
       FrameKinematics<T> k;
@@ -67,7 +67,7 @@ class FrameStack {
       return k;
     });
   }
-  /// A layer that turns about a fixed axis of its parent, and is parallel to it at angle 0.
+  /// Adds a frame that turns about a fixed axis of its parent and is parallel to the parent at angle 0.
   FrameStack& add(char name, const PrescribedMotion<T>& motion) {
     return add(name, [motion](T t) {
       return FrameKinematics<T>{Rotation<T>::about(motion.axis, motion.angle(t)), motion.angle_rate(t) * motion.axis,
@@ -75,8 +75,8 @@ class FrameStack {
     });
   }
 
-  /// How frame `b` moves as seen from frame `a` at time t: R_ab, w_ab and alpha_ab in a's axes, the derivative taken in a.
-  /// Either may be the outer one. @throws std::invalid_argument for a name that is not in the stack.
+  /// How frame `b` moves as seen from frame `a` at time t: R_ab, and w_ab and alpha_ab in a's axes, the derivative taken in a.
+  /// Either one may be the outer frame.   @throws std::invalid_argument for a name that is not in the stack
   FrameKinematics<T> kinematics(char a, char b, T t) const {
     const std::size_t ia = index(a), ib = index(b);
     if (ia > ib) return inverse(kinematics(b, a, t));
@@ -85,11 +85,11 @@ class FrameStack {
     return k;
   }
   Rotation<T> attitude(char a, char b, T t) const { return kinematics(a, b, t).R_AB; }
-  /// w of b relative to a, in the axes of `expressed_in` (rad/s).
+  /// Angular velocity of b relative to a, in the axes of `expressed_in` (rad/s).
   Vec3<T> angular_velocity(char a, char b, char expressed_in, T t) const {
     return attitude(expressed_in, a, t) * kinematics(a, b, t).w_AB_A;
   }
-  /// The derivative, taken in a, of w of b relative to a, in the axes of `expressed_in` (rad/s^2).
+  /// Time derivative, taken in a, of the angular velocity of b relative to a, in the axes of `expressed_in` (rad/s^2).
   Vec3<T> angular_acceleration(char a, char b, char expressed_in, T t) const {
     return attitude(expressed_in, a, t) * kinematics(a, b, t).alpha_AB_A;
   }
@@ -107,7 +107,7 @@ class FrameStack {
   std::vector<Layer> layers_;
 };
 
-/// I, E, L (and P, if a platform is given) for a laboratory on an Earth that turns at `rate` (rad/s).
+/// The frames I, E, L (and P, if a platform is given) for a laboratory on an Earth that turns at `rate` (rad/s).
 template <class T>
 FrameStack<T> earth_laboratory_stack(const Site& site, T rate, const PrescribedMotion<T>* platform = nullptr) {
   PrescribedMotion<T> earth;

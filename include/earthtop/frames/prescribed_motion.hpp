@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A prescribed turn about a fixed axis: the motion of a platform, of the Earth, or of any layer of a frame stack.
+/// A prescribed rotation about a fixed axis: the motion of a platform, of the Earth, or of any layer of a frame stack.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,18 @@
 namespace earthtop {
 
 /// angle(t) = angle0 + rate t + acceleration t^2 / 2 + amplitude sin(2 pi frequency t + phase) + table(t), about `axis`.
-/// Constant rate, ramp, harmonic and table are this with the other terms zero; a layer at rest has all of them zero.
+/// Each kind of motion (constant rate, ramp, harmonic, table) leaves the terms of the others zero; for a layer at rest all are
+/// zero.
 template <class T>
 struct PrescribedMotion {
-  Vec3<T> axis = Vec3<T>::UnitZ();                        ///< unit vector, the same in the parent and in the layer
+  Vec3<T> axis = Vec3<T>::UnitZ();                        ///< unit vector; the same components in the parent and in the layer
   T angle0 = T(0);                                        ///< rad
   T rate = T(0);                                          ///< rad/s
   T acceleration = T(0);                                  ///< rad/s^2
   T amplitude = T(0);                                     ///< rad
   T frequency = T(0);                                     ///< Hz
   T phase = T(0);                                         ///< rad
-  std::shared_ptr<const AngleSpline<T>> table = nullptr;  ///< none: zero
+  std::shared_ptr<const AngleSpline<T>> table = nullptr;  ///< null if there is no table
 
   T angle(T t) const {
     const T formula = angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t));

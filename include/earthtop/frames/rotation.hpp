@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rotations: quaternions for the states, `Rotation` for everything that composes frames.
+/// Rotations: `Quaternion` for the integrated states, `Rotation` for composing frames.
 ///
-/// R_AB takes components in B to components in A: v_A = R_AB v_B, and R_AC = R_AB R_BC.
+/// R_AB takes components in B to components in A:  v_A = R_AB v_B,  R_AC = R_AB R_BC.
 #pragma once
 
 #include "earthtop/vectors.hpp"
 
 namespace earthtop {
 
-/// A quaternion w + v, not necessarily of unit norm. q_AB turns components in B into components in A.
+/// A quaternion w + v, not necessarily of unit norm. q_AB takes components in B to components in A.
 template <class T>
 struct Quaternion {
   T w = T(1);
@@ -25,7 +25,7 @@ struct Quaternion {
   }
 };
 
-/// The rotation matrix of q / |q|. The norm is divided out, so that a drifting norm never scales a torque.
+/// The rotation matrix of q / |q|. Dividing by the norm keeps a norm that drifts from scaling a torque.
 template <class T>
 Mat3<T> rotation_matrix(const Quaternion<T>& q) {
   const T s = T(2) / q.squared_norm();
@@ -38,7 +38,8 @@ Mat3<T> rotation_matrix(const Quaternion<T>& q) {
   return R;
 }
 
-/// The unit quaternion of a rotation matrix, of either sign: from its largest component, so that no digits are lost.
+/// The unit quaternion of a rotation matrix, of either sign. It is built from its largest component, so that no digits are
+/// lost.
 template <class T>
 Quaternion<T> quaternion_of(const Mat3<T>& R) {
   const T trace = R.trace();
@@ -58,11 +59,11 @@ Quaternion<T> quaternion_of(const Mat3<T>& R) {
   return q.normalized();
 }
 
-/// The quaternion of the turn by rate x t about a coordinate axis (0, 1, 2). The product is formed and reduced with twice the
-/// digits of T: a spin of 1e6 rad/s for an hour is as exact as its rate and its time.
+/// The quaternion of a rotation by rate * t about a coordinate axis (0, 1, 2). The product is formed and reduced with twice the
+/// digits of T: even a spin of 1e6 rad/s for an hour is as exact as the given rate and time.
 template <class T>
 Quaternion<T> steady_turn(int axis, T rate, T t) {
-  // Half the angle, less whole turns of 2 pi; k * 2 pi in two parts, of which the greater cancels without rounding.
+  // The half angle less whole turns of 2 pi; k * 2 pi is split in two parts, of which the larger cancels without rounding.
   const T half = rate / T(2), product = half * t, rest = real::fma(half, t, T(-product));
   const T k = real::round(T(product / (T(2) * real::pi<T>())));
   const T high = k * (T(2) * real::pi<T>()), low = real::fma(k, T(T(2) * real::pi<T>()), T(-high));
@@ -74,28 +75,28 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
   return q;
 }
 
-/// (R(e) - 1) u / epsilon for e = (w, epsilon y), |e| divided out: 2 w y x u + 2 epsilon y x (y x u), over |e|^2.
+/// (R(e) - 1) u / epsilon for the quaternion e = (w, epsilon y) of any norm:  (2 w y x u + 2 epsilon y x (y x u)) / |e|^2.
 template <class T>
 Vec3<T> turn_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
   const Vec3<T> yu = y.cross(u);
   const T s = T(2) / (w * w + epsilon * epsilon * y.dot(y));
   return s * (w * yu + epsilon * y.cross(yu));
 }
-/// (R(e)^T - 1) u / epsilon.
+/// (R(e)^T - 1) u / epsilon for the same e.
 template <class T>
 Vec3<T> turn_back_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
   return turn_minus_one_scaled(w, Vec3<T>(-y), epsilon, u);
 }
 
-/// An attitude R_AB, held as a unit quaternion.
+/// An attitude R_AB, stored as a unit quaternion.
 template <class T>
 class Rotation {
  public:
   Rotation() = default;
-  /// @param q_AB any non-zero quaternion; normalised here.
+  /// @param q_AB  any non-zero quaternion; normalised here
   explicit Rotation(const Quaternion<T>& q_AB) : q_AB_(q_AB.normalized()) {}
 
-  /// The rotation by |v| rad about v: exp([v]x). Exact to round-off at any angle, small ones included.
+  /// The rotation by |v| rad about v: exp([v]x). Accurate to round-off at every angle, however small.
   static Rotation exp(const Vec3<T>& v) {
     const T angle = norm(v);
     if (!(angle > T(0))) return Rotation();
@@ -107,7 +108,7 @@ class Rotation {
     const SinCos<T> half = real::sin_cos(T(angle / T(2)));
     return Rotation(Quaternion<T>{half.cos, half.sin * axis});
   }
-  /// The rotation vector v with exp(v) = *this, 0 <= |v| <= pi; no acos, so small angles keep all digits.
+  /// The rotation vector v with exp(v) = *this, 0 <= |v| <= pi. It does not use acos, so that small angles keep all digits.
   Vec3<T> log() const {
     const T sine = norm(q_AB_.v);
     if (!(sine > T(0))) return Vec3<T>::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The laboratory's place on the Earth as a scenario gives it, and the Earth's constants with their sources.
+/// The laboratory's position on the Earth as a scenario gives it, and the Earth's constants with their sources.
 #pragma once
 
 namespace earthtop {
@@ -17,16 +17,17 @@ struct PolarMotion {
   double y_arcsec = 0;
 };
 
-/// The plumb line's zenith less the ellipsoid's normal: xi towards North, eta towards East (arcsec), each the angle between the
-/// normal and the zenith's projection onto that vertical plane. Astronomical latitude = geodetic + xi, astronomical longitude =
-/// geodetic + eta / cos(latitude) to first order [Heiskanen & Moritz, ch. 2].
+/// Deflection of the vertical: the zenith of the plumb line relative to the ellipsoid's normal, xi towards North and eta
+/// towards East (arcsec), each the angle between the normal and the projection of the zenith onto that vertical plane. To first
+/// order astronomical latitude = geodetic latitude + xi, astronomical longitude = geodetic longitude + eta / cos(latitude)
+/// [Heiskanen & Moritz, ch. 2].
 struct VerticalDeflection {
   double north_arcsec = 0;
   double east_arcsec = 0;
 };
 
-/// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity
-/// (m/s^2); and how the Earth's pole and the plumb line depart from the ellipsoid's.
+/// The laboratory's site: geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity (m/s^2), and
+/// how the Earth's pole and the plumb line depart from the ellipsoid's.
 struct Site {
   double latitude_deg = 0;
   double longitude_deg = 0;
@@ -34,14 +35,14 @@ struct Site {
   double gravity_m_s2 = 0;
   PolarMotion pole = {};
   VerticalDeflection deflection = {};
-  /// Whether the pole is the ellipsoid's and Up its normal.
+  /// Whether the pole is the ellipsoid's axis and Up is the ellipsoid's normal.
   bool follows_ellipsoid() const {
     return pole.x_arcsec == 0 && pole.y_arcsec == 0 && deflection.north_arcsec == 0 && deflection.east_arcsec == 0;
   }
 };
 
-/// Normal gravity of WGS 84 at a geodetic latitude (deg) and height (m): what a plumb line and a gravimeter feel,
-/// centrifugal part included (m/s^2). [GeographicLib::NormalGravity]
+/// Normal gravity of WGS 84 at a geodetic latitude (deg) and height (m), centrifugal part included (m/s^2): the model value of
+/// what a plumb line and a gravimeter measure. [GeographicLib::NormalGravity]
 double normal_gravity(double latitude_deg, double height_m);
 
 }  // namespace earthtop

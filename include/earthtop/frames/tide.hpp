@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The attraction of the Moon and the Sun at the site, less that on the Earth as a whole.
+/// The tidal acceleration: the attraction of the Moon and the Sun at the site, less their attraction of the Earth as a whole.
 #pragma once
 
 #include <memory>
@@ -17,42 +17,44 @@ inline constexpr double kGravitationalConstantSun = 1.32712440041279419e20;
 
 /// The tidal acceleration at the site in geodetic East, North, Up (m/s^2), `seconds_later` after `utc`:
 ///   a = GM [ (d - r)/|d - r|^3 - d/|d|^3 ],  d: body, r: site, both from the Earth's centre,
-/// summed over the bodies. Good to some 1e-4 of its size: the Moon's abridged theory, UT1 = UTC. It has a mean value, the
-/// permanent tide, which normal gravity lacks and measured gravity, by the usual convention ("zero tide"), holds only in part.
+/// summed over the bodies. Relative accuracy about 1e-4, limited by an abridged theory of the Moon and by taking UT1 = UTC. It
+/// has a mean value, the permanent tide. Normal gravity does not contain the permanent tide; measured gravity, by the usual
+/// convention ("zero tide"), contains only part of it.
 Vec3<double> tidal_acceleration_L(const Site& site, const UtcInstant& utc, double seconds_later = 0,
                                   const TideOptions& options = {});
 
-/// The tide of one body of a given constant GM at d, at the place r, both from the Earth's centre in any axes (m/s^2). No
-/// digits are lost however far the body is.
+/// The tidal acceleration at the place r due to one body with gravitational constant `gm` (m^3/s^2) at d; r and d from the
+/// Earth's centre in any common axes (m). No digits are lost however far the body is. (m/s^2)
 Vec3<double> differential_attraction(double gm, const Vec3<double>& d, const Vec3<double>& r);
 
-/// A function of time in pieces of equal length, each a sum of Chebyshev polynomials of the piece's own time in [-1, 1].
+/// A function of time in pieces of equal length; on each piece a sum of Chebyshev polynomials in the piece's own time, scaled
+/// to [-1, 1].
 struct ChebyshevPieces {
   static constexpr int kTerms = 13;
   double begin_s = 0;
   double half_piece_s = 1;
-  std::vector<Vec3<double>> coefficients;  ///< kTerms a piece, the constant first
+  std::vector<Vec3<double>> coefficients;  ///< kTerms for each piece, the constant term first
 };
 
-/// tidal_acceleration_L as pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0]); to 1e-13 of its size, less the
-/// rounding of the Moon's place, a few 1e-12.
+/// tidal_acceleration_L in pieces of 3 hours that cover [0, duration_s] (or [duration_s, 0] if negative). The relative error is
+/// 1e-13, apart from the rounding of the Moon's position, a few 1e-12.
 ChebyshevPieces tidal_pieces(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options);
 
-/// A small acceleration of the laboratory as a function of time, for the hot loops: nothing, the Moon's and the Sun's tide, or
-/// a harmonic of given amplitude. Copies share the coefficients.
+/// A small acceleration of the laboratory as a function of time, fast enough for the inner loops: zero, the tide of Moon and
+/// Sun, or a harmonic oscillation of given amplitude. Copies share the coefficients.
 template <class T>
 class TideSeries {
  public:
-  /// Nothing: zero at all times.
+  /// Zero at all times.
   TideSeries() = default;
-  /// The tide from `utc` on (t = 0). Beyond [0, duration_s] the next piece is continued, which is good for some minutes.
+  /// The tide, with t = 0 at `utc`. Outside [0, duration_s] the nearest piece is continued, which is good for some minutes.
   static TideSeries of_bodies(const Site& site, const UtcInstant& utc, double duration_s, const TideOptions& options = {}) {
     TideSeries series;
     if (!options.moon && !options.sun) return series;
     series.pieces_ = std::make_shared<const ChebyshevPieces>(tidal_pieces(site, utc, duration_s, options));
     return series;
   }
-  /// amplitude_L sin(2 pi frequency t + phase).   @param amplitude_L  m/s^2, laboratory axes
+  /// amplitude_L sin(2 pi frequency t + phase).   @param amplitude_L  in laboratory axes (m/s^2)
   static TideSeries harmonic(const Vec3<T>& amplitude_L, T frequency_Hz, T phase_rad) {
     TideSeries series;
     series.amplitude_L_ = amplitude_L;
@@ -63,14 +65,14 @@ class TideSeries {
 
   bool empty() const { return !pieces_ && is_zero(amplitude_L_); }
 
-  /// The same in units of time of 2^time_exponent s: t and the result (m per unit squared) are in the new unit. Exact.
+  /// The same with times in units of 2^time_exponent s: t and the result (m per squared unit) are in the new unit. Exact.
   TideSeries scaled(int time_exponent) const {
     TideSeries series = *this;
     series.unit_s_ = real::scale(unit_s_, time_exponent);
     return series;
   }
 
-  /// At time t, in laboratory axes; (m/s^2) for t in s.
+  /// The acceleration at time t, in laboratory axes: in m/s^2 for t in s.
   Vec3<T> acceleration_L(T t) const {
     const T t_s = t * unit_s_;
     Vec3<T> a = Vec3<T>::Zero();
@@ -82,11 +84,11 @@ class TideSeries {
  private:
   static bool is_zero(const Vec3<T>& v) { return v[0] == T(0) && v[1] == T(0) && v[2] == T(0); }
 
-  /// Clenshaw's recurrence, bracketed so that a step waits for one product and one sum of the step before.
+  /// Clenshaw's recurrence, bracketed so that each step waits for only one product and one sum of the step before.
   static Vec3<T> value(const ChebyshevPieces& pieces, T t_s) {
     const T halves = (t_s - T(pieces.begin_s)) / T(pieces.half_piece_s);
     const int last = static_cast<int>(pieces.coefficients.size()) / ChebyshevPieces::kTerms - 1;
-    // Compared before it is made an int: no time, and no NaN, is out of range.
+    // Compared before the conversion to int: so no time, not even NaN, gives an index out of range.
     const int piece = !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
     const T x = halves - T(2 * piece + 1);
     const Vec3<double>* c = &pieces.coefficients[static_cast<std::size_t>(piece) * ChebyshevPieces::kTerms];

@@ -6,9 +6,9 @@
 
 namespace earthtop {
 
-/// Which bodies, and how the Earth answers. A rigid Earth has both factors 1. On the elastic Earth a gravimeter feels the
-/// vertical part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the horizontal part times the
-/// tilt factor, about 0.69 [Melchior 1983; for degree 2, oceans left out].
+/// Which bodies raise the tide, and how the Earth responds. For a rigid Earth both factors are 1. On the elastic Earth a
+/// gravimeter measures the vertical part times the gravimetric factor, about 1.16, and a plumb line fixed to the ground the
+/// horizontal part times the tilt factor, about 0.69 [Melchior 1983; for degree 2, without oceans].
 struct TideOptions {
   bool moon = true;
   bool sun = true;
@@ -16,11 +16,11 @@ struct TideOptions {
   double tilt_factor = 1;
 };
 
-/// A tide: of Moon and Sun from the scene's start on, or harmonic, of a given amplitude.
+/// A tide: either that of Moon and Sun from the scenario's start on, or a harmonic oscillation of given amplitude.
 struct TideSpec {
   bool given = false;
-  TideOptions options;                               ///< of Moon and Sun
-  std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< of a given one: East, North, Up
+  TideOptions options;                               ///< for the tide of Moon and Sun
+  std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< for the harmonic tide: East, North, Up
   double frequency_hz = 0;
   double phase_deg = 0;
 };

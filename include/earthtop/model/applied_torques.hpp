@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The torques beside gravity and the Earth's: gravity gradient, friction, air, and a gimbal that holds the axis level. Each is
-/// off unless a scene asks for it. Every formula is a template on its scalar: with T it is the torque on one motion, with
-/// Paired<T> those on both predictions and their difference without cancellation. All in body axes B, about the pivot (N m).
+/// The applied torques, which act in addition to gravity and the torques of the Earth's rotation: gravity gradient, friction,
+/// air drag, and a gimbal that holds the axis level. Each is off unless a scene asks for it. Every formula is a template on its
+/// scalar: with T it gives the torque on one motion; with Paired<T> it gives the torques on both predictions and their
+/// difference without cancellation. All in body axes B, about the pivot (N m).
 ///
 /// - gravity gradient: integral r x (Gamma r) dm = sum k_i u_i x (Theta u_i), where Gamma = sum k_i u_i u_i^T + const 1
 /// - viscous: -k w_PB, Stokes friction, isotropic
 /// - quadratic: -c |w_PB| w_PB, drag, isotropic
 /// - disc in air: -c sqrt|w3| w3 laminar, -c |w3|^(4/5) w3 turbulent, along axis 3 [von Karman 1921]
 /// - Coulomb pivot: -T w_PB / |w_PB|, dry friction, isotropic
-/// - gimbal: lambda z x n, so that the axis n stays across z (Up of P); d'Alembert, lambda from the constraint
+/// - gimbal: lambda z x n, which keeps the axis n normal to z (Up of P); lambda follows from the constraint (d'Alembert)
 ///
-/// w_PB is the body's rate relative to the platform, or to the laboratory where there is none.
+/// w_PB is the body's rate relative to the platform, or relative to the laboratory if there is no platform.
 #pragma once
 
 #include <array>
@@ -28,7 +29,7 @@ struct GradientTerm {
   Vec3<T> direction_L = Vec3<T>::UnitZ();
 };
 
-/// The numbers the torques are made of.
+/// The coefficients of the applied torques.
 template <class T>
 struct AppliedTorques {
   bool any = false;
@@ -45,16 +46,16 @@ struct AppliedTorques {
 
 /// Reynolds number R^2 |w| / nu of a disc.
 double disc_reynolds_number(const AirDragSpec& disc, double spin_rad_s);
-/// Whether a disc's flow is turbulent, at this spin where that decides.
+/// Whether a disc's flow is turbulent. With DiscFlow::automatic the Reynolds number at this spin decides.
 bool is_turbulent(const AirDragSpec& disc, double spin_rad_s);
 
-/// k_1 u_1 u_1^T + k_2 u_2 u_2^T, which differs from the symmetric tensor by a multiple of the unit tensor, which turns
-/// nothing.
+/// k_1 u_1 u_1^T + k_2 u_2 u_2^T equal to the symmetric tensor up to a multiple of the unit tensor, which exerts no torque.
 std::array<GradientTerm<double>, 2> gradient_terms(const Mat3<double>& gradient_L);
-/// The gradient tensor that a specification means at a site (1/s^2).
+/// The gradient tensor that a specification gives at a site (1/s^2).
 Mat3<double> gradient_L(const GravityGradientSpec& spec, const Site& site);
 
-/// @param spin_rad_s  at release: decides which formula the air takes   @param mass_exponent, time_exponent  see NaturalUnits
+/// @param spin_rad_s  spin at release; decides between laminar and turbulent air drag   @param mass_exponent, time_exponent
+/// see NaturalUnits
 template <class T>
 AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s, int mass_exponent,
                                        int time_exponent);
@@ -62,7 +63,7 @@ extern template AppliedTorques<double> make_applied_torques(const AppliedTorques
 extern template AppliedTorques<long double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 extern template AppliedTorques<float128> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 
-/// m v for a matrix of T and a vector of any scalar over T.
+/// m v for a matrix of T and a vector of any scalar type that T converts to.
 template <class T, class S>
 Vec3<S> mixed_times(const Mat3<T>& m, const Vec3<S>& v) {
   Vec3<S> product;
@@ -70,18 +71,18 @@ Vec3<S> mixed_times(const Mat3<T>& m, const Vec3<S>& v) {
   return product;
 }
 
-/// What the torques read of a motion, in body axes.
+/// What the torques depend on in a motion, in body axes.
 template <class S>
 struct SeenFromBody {
   Vec3<S> w_IB_B = Vec3<S>::Zero();      ///< inertial rate of the body
-  Vec3<S> w_IP_B = Vec3<S>::Zero();      ///< of the platform, or of the laboratory
-  Vec3<S> alpha_IP_B = Vec3<S>::Zero();  ///< derivative of the latter in inertial space; read by a gimbal only
-  Vec3<S> up_P_B = Vec3<S>::UnitZ();     ///< the platform's axis 3
-  std::array<Vec3<S>, 2> gradient_B = {Vec3<S>::Zero(), Vec3<S>::Zero()};  ///< directions of the gradient's terms
-  Vec3<S> other_torque_B = Vec3<S>::Zero();  ///< gravity's, and of what is left out; read by a gimbal only
+  Vec3<S> w_IP_B = Vec3<S>::Zero();      ///< inertial rate of the platform, or of the laboratory if there is none
+  Vec3<S> alpha_IP_B = Vec3<S>::Zero();  ///< derivative of w_IP in inertial space; used by the gimbal only
+  Vec3<S> up_P_B = Vec3<S>::UnitZ();     ///< axis 3 of the platform
+  std::array<Vec3<S>, 2> gradient_B = {Vec3<S>::Zero(), Vec3<S>::Zero()};  ///< directions of the terms of the gradient tensor
+  Vec3<S> other_torque_B = Vec3<S>::Zero();  ///< torque of gravity and of omitted effects; used by the gimbal only
 };
 
-/// 3 k u x (Theta u) where Gamma = k (3 u u^T - 1): the strength of the term is 3 k.
+/// The torque 3 k u x (Theta u) of the gradient tensor k (3 u u^T - 1): the strength of its term is 3 k.
 template <class T, class S>
 Vec3<S> gravity_gradient_torque(const GradientTerm<T>& term, const Mat3<T>& I_BP_B, const Vec3<S>& direction_B) {
   return S(term.strength) * direction_B.cross(mixed_times(I_BP_B, direction_B));
@@ -105,11 +106,12 @@ Vec3<S> friction_torque(const AppliedTorques<T>& applied, const Vec3<S>& w_PB_B)
   return torque;
 }
 
-/// The gimbal's damping, and what holds the axis level: with z = Up of P, h = z x e3 and g = z.e3, the constraint g = 0 and its
-/// derivative -w_PB.h = 0 stay met when lambda h is added to the torques on the body,
+/// The gimbal: its damping, and the constraint torque that holds the axis level. With z = Up of P, h = z x e3 and g = z.e3, the
+/// constraint g = 0 and its derivative -w_PB.h = 0 remain satisfied if lambda h is added to the torques on the body, with
 ///   lambda h.Theta^-1 h = h.(dw_IP/dt) - w_PB.dh/dt - h.Theta^-1 (Theta w x w + tau) - 2 b w_PB.h + b^2 g ,
-/// dw_IP/dt = R_BI alpha_IP + w_IP x w_IB and dh/dt = (z x w_PB) x e3 in body axes. The last two terms pull back what rounding
-/// leaves of the constraint, at the rate b of 1/8 per unit of time; they are zero where it is met.
+/// dw_IP/dt = R_BI alpha_IP + w_IP x w_IB and dh/dt = (z x w_PB) x e3 in body axes. The last two terms of the first equation
+/// remove violations of the constraint that come from rounding, at the rate b = 1/8 per unit of time; they are zero while it is
+/// satisfied.
 template <class T, class S>
 Vec3<S> gimbal_torque(const AppliedTorques<T>& applied, const Mat3<T>& I_BP_B, const Mat3<T>& I_BP_B_inverse,
                       const SeenFromBody<S>& seen, const Vec3<S>& free_torque_B) {
@@ -129,7 +131,7 @@ Vec3<S> gimbal_torque(const AppliedTorques<T>& applied, const Mat3<T>& I_BP_B, c
   return damping + lambda * h;
 }
 
-/// All of them.
+/// The sum of all applied torques.
 template <class T, class S>
 Vec3<S> applied_torque(const AppliedTorques<T>& applied, const Mat3<T>& I_BP_B, const Mat3<T>& I_BP_B_inverse,
                        const SeenFromBody<S>& seen) {

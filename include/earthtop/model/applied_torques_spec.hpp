@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The torques beside gravity and the Earth's as a scenario gives them; their formulas are in applied_torques.hpp.
+/// The applied torques (those besides gravity and the Earth's rotation) as a scenario gives them; their formulas are in
+/// applied_torques.hpp.
 #pragma once
 
 #include <optional>
 
 namespace earthtop {
 
-/// Boundary layer on a rotating disc: laminar below a Reynolds number of 3e5, turbulent above; automatic decides at release.
+/// Boundary layer on a rotating disc: laminar below a Reynolds number of 3e5, turbulent above. `automatic` decides by the spin
+/// at release.
 enum class DiscFlow { automatic, laminar, turbulent };
 
-/// A disc that turns in still air, both sides wetted, edge not counted. Air at 20 deg C and 101325 Pa if not given.
+/// A disc that turns in still air: both faces count, the edge does not. The defaults are air at 20 deg C and 101325 Pa.
 struct AirDragSpec {
   double disc_radius_m = 0;
   double density_kg_m3 = 1.204;
@@ -17,20 +19,20 @@ struct AirDragSpec {
   DiscFlow flow = DiscFlow::automatic;
 };
 
-/// The Earth's gravity gradient: the radial term about the geocentric vertical, the whole tensor of the normal field, or a
+/// The Earth's gravity gradient: only the radial term about the geocentric vertical, the whole tensor of the normal field, or a
 /// radial term of given strength about Up.
 enum class GradientField { radial, normal, given };
 struct GravityGradientSpec {
   GradientField field = GradientField::radial;
-  double gm_over_r3_s2 = 0;  ///< of a given one
+  double gm_over_r3_s2 = 0;  ///< for GradientField::given
 };
 
-/// Holds body axis 3 level on the platform; it turns freely about Up but for damping.
+/// A gimbal that holds body axis 3 level on the platform; the axis turns freely about Up, apart from damping.
 struct GimbalSpec {
   double damping_N_m_s = 0;
 };
 
-/// The torques as a scenario gives them; 0 and none: off.
+/// The applied torques as a scenario gives them; zero or absent means off.
 struct AppliedTorquesSpec {
   double viscous_N_m_s = 0;
   double quadratic_N_m_s2 = 0;

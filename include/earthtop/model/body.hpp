@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The top as a rigid body on a fixed pivot: mass, centre of mass and inertia, given or built from solids, and the rules
-/// that make it physical.
+/// The top as a rigid body on a fixed pivot: mass, centre of mass and inertia, given or computed from solids, and the
+/// conditions for a physically possible body.
 #pragma once
 
 #include <vector>
@@ -11,20 +11,21 @@
 
 namespace earthtop {
 
-/// A rigid body on its pivot; every tensor about the pivot P, in body axes B.
+/// A rigid body on its pivot; all tensors are about the pivot P, in body axes B.
 template <class T>
 struct Body {
   T mass = T(0);                             ///< kg
   Vec3<T> p_PBcm_B = Vec3<T>::Zero();        ///< pivot to centre of mass (m)
   Mat3<T> I_BP_B = Mat3<T>::Zero();          ///< inertia tensor Theta (kg m^2)
   Mat3<T> S_BP_B = Mat3<T>::Zero();          ///< second moment, integral r r^T dm = (tr Theta / 2) 1 - Theta (kg m^2)
-  Mat3<T> I_BP_B_inverse = Mat3<T>::Zero();  ///< 1/(kg m^2)
+  Mat3<T> I_BP_B_inverse = Mat3<T>::Zero();  ///< inverse of I_BP_B (1/(kg m^2))
 
   /// Inertia about the centre of mass (kg m^2).
   Mat3<T> I_BBcm_B() const;
 };
 
-/// m (r^2 1 - r r^T): what moving the reference point by r adds to an inertia tensor about the centre of mass (Steiner).
+/// m (r^2 1 - r r^T): the term that is added to an inertia tensor about the centre of mass when the reference point is moved by
+/// r (Steiner).
 template <class T>
 Mat3<T> point_mass_inertia(T mass, const Vec3<T>& r) {
   return mass * (r.dot(r) * Mat3<T>::Identity() - r * r.transpose());
@@ -35,16 +36,16 @@ Mat3<T> Body<T>::I_BBcm_B() const {
   return I_BP_B - point_mass_inertia(mass, p_PBcm_B);
 }
 
-/// The body of a specification, in any precision: the given doubles are exact.
+/// The body that a specification describes, in any precision: the given doubles are taken as exact.
 template <class T>
 Body<T> make_body(const BodySpec& spec);
 extern template Body<double> make_body(const BodySpec&);
 extern template Body<long double> make_body(const BodySpec&);
 extern template Body<float128> make_body(const BodySpec&);
 
-/// What makes a body unphysical, one sentence each with a JSON pointer below /body: the pivot tensor must be positive
-/// definite; about the centre of mass the moments obey the triangle inequality, equality (flat bodies, rods, points)
-/// included. Slack: 32 eps of the largest pivot moment.
+/// The reasons why a body is unphysical, each one sentence with a JSON pointer below /body. Conditions: the inertia tensor
+/// about the pivot is positive definite; the moments about the centre of mass satisfy the triangle inequality, where equality
+/// (flat bodies, rods, points) is allowed. Tolerance: 32 eps of the largest pivot moment.
 std::vector<Diagnostic> body_violations(const BodySpec& spec);
 
 /// The body axis (0, 1, 2) about which a body is a symmetric top: the two other principal moments are exactly equal,

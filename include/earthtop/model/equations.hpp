@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The equations of motion in three observers' own variables. The non-rotating prediction is the same equations without
-/// the Earth's rate (`kEarth` false, or no non-inertial torque).
+/// The equations of motion, each in the variables of one of three observers. The non-rotating prediction uses the same
+/// equations without the Earth's rate (`kEarth` false, or zero non-inertial torque).
 ///
 /// | observer             | attitude | rate variable                        | equation                                   |
 /// | rotating laboratory  | q_LB     | L'_L = Theta w_LB in laboratory axes | dL'/dt = tau_Cor + tau_cent + tau_phys [F]  |
 /// | body axes            | q_LB     | w_IB in body axes                    | Theta dw/dt = (Theta w) x w + tau_phys     |
 /// | inertial axes        | q_NB     | L in axes N                          | dL/dt = tau_phys                           |
 ///
-/// N is the inertial frame parallel to L at t = 0. Every rotation is that of q / |q|.
+/// N is the inertial frame that is parallel to L at t = 0; [F] is cited in torques.hpp. Rotation matrices are always those of q
+/// / |q|.
 #pragma once
 
 #include "earthtop/model/model.hpp"
 
 namespace earthtop {
 
-/// Attitude and rate variable of one motion, or their time derivatives; which variable is the observer's matter.
+/// Attitude and rate variable of one motion, or their time derivatives. The observer decides which rate variable it is (see the
+/// table).
 template <class T>
 struct Motion {
   Quaternion<T> q;
@@ -35,13 +37,14 @@ Quaternion<T> attitude_rate_from_outer(const Quaternion<T>& q_AB, const Vec3<T>&
   return {-q_AB.v.dot(h), q_AB.w * h + h.cross(q_AB.v)};
 }
 
-/// Theta^-1 L with everything in the outer axes A: R Theta^-1 R^T L.
+/// The rate Theta^-1 L with everything in the outer axes A: R Theta^-1 R^T L.
 template <class T>
 Vec3<T> rate_from_momentum(const Model<T>& model, const Mat3<T>& R_AB, const Vec3<T>& L_A) {
   return times(R_AB, times(model.I_BP_B_inverse, transposed_times(R_AB, L_A)));
 }
 
-/// [F]'s torques on the body in laboratory axes, weighed, from the velocity moment J and the second moment in L axes.
+/// The torques of [F] on the body in laboratory axes, with the scene's weights, from the velocity moment J and the second
+/// moment in L axes.
 template <SceneKind K, class T>
 Vec3<T> non_inertial_torque(const Model<T>& model, const Motion<T>& rotating) {
   const Mat3<T> R_LB = rotation_matrix(rotating.q);
@@ -50,8 +53,8 @@ Vec3<T> non_inertial_torque(const Model<T>& model, const Motion<T>& rotating) {
   return laboratory_torque<K>(model.weights, model.W_IL_L, model.W_IL_L, w_LB_L, S_BP_L);
 }
 
-/// Rotating laboratory axes, [F]: dL'/dt = tau_Cor + tau_cent + tau_phys.
-/// @param torque_L  the non-inertial torques; zero in a laboratory that does not turn.
+/// The equation in rotating laboratory axes [F]: dL'/dt = tau_Cor + tau_cent + tau_phys.
+/// @param torque_L  the non-inertial torques; zero in a laboratory that does not rotate
 template <class T>
 Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Vec3<T>& torque_L) {
   const Mat3<T> R_LB = rotation_matrix(x.q);
@@ -59,7 +62,8 @@ Motion<T> laboratory_equation(const Model<T>& model, const Motion<T>& x, const V
   return {attitude_rate_from_outer(x.q, w_LB_L), field_torque(times(R_LB, model.mass_moment_B), field_L) + torque_L};
 }
 
-/// Body axes, Euler. Torques that the scene leaves out in the laboratory are subtracted as applied ones.
+/// Euler's equation in body axes. It contains all non-inertial effects, so torques that the scene leaves out in the laboratory
+/// are subtracted as applied torques.
 template <bool kEarth, SceneKind K, class T>
 Motion<T> body_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L) {
   const Mat3<T> R_LB = rotation_matrix(x.q);
@@ -76,8 +80,8 @@ Motion<T> body_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>
   return {attitude_rate_from_body(x.q, w_LB_B), times<T>(model.I_BP_B_inverse, L_B.cross(w_IB_B) + torque_B)};
 }
 
-/// q_NL(t): the laboratory turned by W t since the release, as (cos, sin / epsilon): the vector part over epsilon keeps its
-/// digits at every rate.
+/// q_NL(t), the rotation of the laboratory by W t since the release, as (cos, sin / epsilon): dividing the vector part by
+/// epsilon keeps its digits at every Earth rate.
 template <class T>
 struct LaboratoryTurn {
   T w;
@@ -92,7 +96,7 @@ LaboratoryTurn<T> laboratory_turn(const Model<T>& model, T t) {
   return {half.cos, (half.sin / (model.epsilon * rate_scaled)) * model.W_IL_L_scaled};
 }
 
-/// Inertial axes N. @param R_NL  the laboratory's attitude at this time; gravity turns with it.
+/// The equation in inertial axes N.   @param R_NL  attitude of the laboratory at this time; gravity turns with it
 template <bool kEarth, SceneKind K, class T>
 Motion<T> inertial_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>& field_L, const Mat3<T>& R_NL) {
   const Mat3<T> R_NB = rotation_matrix(x.q);

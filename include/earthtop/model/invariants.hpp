@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the exact motion on a uniformly rotating Earth conserves. Energy is not among it.
+/// The quantity that the exact motion on a uniformly rotating Earth conserves, the Jacobi integral. Energy is not conserved.
 #pragma once
 
 #include "earthtop/model/model.hpp"
 
 namespace earthtop {
 
-/// Jacobi integral T(w_IB) + V - L.W (J), with the size of its terms; W and the pivot at rest in the laboratory.
+/// The Jacobi integral T(w_IB) + V - L.W (J), with the size of its terms. It is conserved if W is constant and the pivot is at
+/// rest in the laboratory.
 /// @param w_LB_B  rate relative to the laboratory (rad/s)
 template <class T>
 struct JacobiIntegral {

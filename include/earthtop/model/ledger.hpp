@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The torque ledger: every torque that an observer counts, beside the change of the angular momentum that it sees.
+/// The torque ledger: every torque that an observer counts, next to the rate of change of the angular momentum that he sees.
 #pragma once
 
 #include <array>
@@ -9,20 +9,21 @@
 
 namespace earthtop {
 
-/// One instant's torques about the pivot (N m), in the axes of the observing frame A.
+/// The torques about the pivot at one instant (N m), in the axes of the observing frame A.
 template <class T>
 struct LedgerEntry {
-  Vec3<T> tau_phys_A = Vec3<T>::Zero();   ///< apparent gravity, what a driven pivot does, and the applied torques
+  Vec3<T> tau_phys_A = Vec3<T>::Zero();   ///< apparent gravity, the effect of a driven pivot, and the applied torques
   Vec3<T> tau_cor_A = Vec3<T>::Zero();    ///< Coriolis
   Vec3<T> tau_trans_A = Vec3<T>::Zero();  ///< transverse
   Vec3<T> tau_cent_A = Vec3<T>::Zero();   ///< centrifugal
   Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of L' = Theta w_AB
-  Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques less dL_dt_A: round-off
+  Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques minus dL_dt_A: round-off
   std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
-                                                        Vec3<T>::Zero()};  ///< of tau_phys_A, in the order of kAppliedShares
+                                                        Vec3<T>::Zero()};  ///< parts of tau_phys_A, in the order of
+                                                                           ///< kAppliedShares
 };
 
-/// The row of an entry.
+/// The entry as a result stores it.
 template <class T>
 LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
   const auto plain = [](const Vec3<T>& v) { return std::array<T, 3>{v[0], v[1], v[2]}; };
@@ -32,15 +33,15 @@ LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
   return row;
 }
 
-/// The ledger of one state. The two sides of it have nothing but the state in common:
+/// The ledger of one state. Its two sides are computed independently from the state:
 ///   torques   [F]'s tensor forms, from the second moment S and the velocity moment J in A axes
-///   dL'/dt    Euler's equation in body axes for w_IB, less the turn of A, with the inertia tensor Theta:
+///   dL'/dt    Euler's equation in body axes for w_IB, less the rotation of A, with the inertia tensor Theta:
 ///             with w = w_AB = w_IB - u and u = w_IA,  (dL'/dt)_A = Theta dw_IB/dt - Theta du/dt + w x Theta w,
 ///             where dw_IB/dt is Euler's and du/dt = R_BA alpha_IA - w x u is taken in B. What grows with the square of the
 ///             spin cancels between the terms, and is left out here:
 ///             tau_phys + [Theta (w x u) - w x Theta u - u x Theta w] - u x Theta u - Theta alpha_IA
-/// A torque that the scene switches off is missing in the laboratory; the other observers see its negative as an applied
-/// torque, among the physical ones.
+/// A torque that the scene switches off is missing for the laboratory observer. The other observers see it, with opposite sign,
+/// as an applied torque among the physical ones.
 /// @param model  in SI units   @param t  time since the release (s)   @param w_LB_B  rate relative to the laboratory (rad/s)
 template <class T>
 LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The spinning top in its laboratory, as numbers the equations of motion read: nothing here is looked up or decided twice.
+/// The spinning top in its laboratory, as the numbers that the equations of motion need: everything is decided and computed in
+/// advance.
 #pragma once
 
 #include "earthtop/frames/tide.hpp"
@@ -11,11 +12,12 @@
 
 namespace earthtop {
 
-/// What a scene needs, decided once and compiled in: `plain` has all three non-inertial torques and a pivot at rest in the
-/// laboratory; `full` weighs each torque, lets a platform carry the pivot, and applies further torques.
+/// Two kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
+/// at rest in the laboratory. `full`: each torque has a weight, a platform may carry the pivot, and further torques may be
+/// applied.
 enum class SceneKind { plain, full };
 
-/// The share of each of [F]'s torques that acts: 1, or 0 where a scene leaves it out.
+/// The weight of each of the torques of [F] (torques.hpp): 1, or 0 if the scene leaves it out.
 template <class T>
 struct TorqueWeights {
   T coriolis = T(1);
@@ -25,7 +27,7 @@ struct TorqueWeights {
 };
 
 /// Body, gravity and Earth rate. The Earth's rate is W = epsilon * W_scaled with epsilon = min(|Omega|, 1 rad per unit of
-/// time), so that deviations divided by epsilon stay of ordinary size for every rate down to 1e-300 rad/s.
+/// time): deviations divided by epsilon keep an ordinary magnitude for every Earth rate down to 1e-300 rad/s.
 template <class T>
 struct Model {
   Mat3<T> I_BP_B;          ///< inertia about the pivot
@@ -39,12 +41,12 @@ struct Model {
   TorqueWeights<T> weights;
   Platform<T> platform;
   AppliedTorques<T> applied;
-  TideSeries<T> tide;  ///< what the Moon and the Sun add to apparent gravity
+  TideSeries<T> tide;  ///< tide of the Moon and the Sun, added to apparent gravity
   SceneKind kind = SceneKind::plain;
 };
 
-/// The same model measured in other units: masses in units of 2^mass_exponent kg, times in units of 2^time_exponent s.
-/// Powers of two change no digit, and leave every rate and moment near 1, where one tolerance serves all components.
+/// Units of the model: masses in 2^mass_exponent kg, times in 2^time_exponent s. Powers of two change no digit. They bring all
+/// rates and moments near 1, so that one tolerance suits all components.
 struct NaturalUnits {
   int mass_exponent = 0;
   int time_exponent = 0;
@@ -66,11 +68,12 @@ struct NaturalUnits {
   }
 };
 
-/// Units in which the largest pivot moment and the fastest rate of the scene (spin, pendulum, Earth, platform) lie in [1/2, 1).
+/// Units in which the largest pivot moment and the fastest rate of the scene (spin, pendulum, Earth or platform) lie in [1/2,
+/// 1).
 NaturalUnits natural_units(const Body<double>& body, const Release<double>& release, double gravity_m_s2,
                            double earth_rate_rad_s, const Platform<double>* platform);
 
-/// @param earth_rate_rad_s  Omega, any finite value   @param platform  null for a pivot at rest in the laboratory.
+/// @param earth_rate_rad_s  Omega, any finite value   @param platform  null for a pivot at rest in the laboratory
 template <class T>
 Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad_s, const TorqueWeights<T>& weights,
                     const Platform<T>* platform, const NaturalUnits& units = {});
@@ -81,12 +84,12 @@ extern template Model<long double> make_model(const Body<long double>&, const Si
 extern template Model<float128> make_model(const Body<float128>&, const Site&, double, const TorqueWeights<float128>&,
                                            const Platform<float128>*, const NaturalUnits&);
 
-/// The acceleration field at the pivot, in L axes: apparent gravity and its tide less the pivot's acceleration.
+/// The acceleration field at the pivot, in L axes: apparent gravity and tide minus the acceleration of the pivot.
 template <class T>
 struct PivotField {
   Vec3<T> rotating_L;           ///< on the rotating Earth
   Vec3<T> reference_L;          ///< in the non-rotating prediction
-  Vec3<T> difference_L_scaled;  ///< (rotating - reference) / epsilon, formed without subtracting the two
+  Vec3<T> difference_L_scaled;  ///< (rotating - reference) / epsilon, computed without subtracting the two
 };
 
 template <SceneKind K, class T>
@@ -101,9 +104,10 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
   }
 }
 
-/// [F]'s Coriolis and centrifugal torques of the laboratory, weighed, in the axes A that all arguments share. Linear in
-/// W_A_scaled: with W_A_scaled = W_A it is the torque, with W_A / epsilon the torque over epsilon. The transverse torque is
-/// absent because the Earth turns uniformly: the laboratory has no angular acceleration.
+/// The Coriolis and centrifugal torques of [F] (torques.hpp) in the laboratory, with their weights, in the axes A that all
+/// arguments share. They are linear in W_A_scaled: with W_A_scaled = W_A the result is the torque, with W_A / epsilon it is the
+/// torque over epsilon. There is no transverse torque because the Earth rotates uniformly: the laboratory has no angular
+/// acceleration.
 /// @param w_LB_A  the body's rate relative to the laboratory   @param S_BP_A  second moment about the pivot
 template <SceneKind K, class T>
 Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled, const Vec3<T>& w_LB_A,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// A number in both predictions at once: its value in the non-rotating reference, its value in the rotating motion, and their
-/// difference over epsilon (see Model), which arithmetic carries along without ever subtracting the two. A formula written for
-/// any scalar gives, with this one, its own cancellation-free difference. With both values equal it is the formula's derivative
-/// along the differences: x -> x + epsilon dx for an epsilon of no size.
+/// difference over epsilon (see Model). Arithmetic carries the difference along without ever subtracting the two values. A
+/// formula written for any scalar type thus yields its own difference without cancellation. If both values are equal, `diff` is
+/// the directional derivative of the formula along the differences of its arguments.
 #pragma once
 
 #include "earthtop/vectors.hpp"
@@ -45,9 +45,9 @@ template <class T>
 Paired<T> abs(const Paired<T>& x) {
   const T a = abs(x.ref), b = abs(x.rot);
   if (!(x.ref * x.rot < T(0))) return {a, b, x.ref + x.rot < T(0) ? -x.diff : x.diff};
-  return {a, b, x.diff * ((b - a) / (x.rot - x.ref))};  // of unlike signs: nothing cancels below
+  return {a, b, x.diff * ((b - a) / (x.rot - x.ref))};  // signs differ: the denominator does not cancel
 }
-/// x^(1/5) of a number that is not negative.
+/// x^(1/5) for x >= 0; 0 for negative x.
 template <class T>
 T fifth_root(const T& x) {
   return x > T(0) ? pow(x, T(1) / T(5)) : T(0);
@@ -61,7 +61,7 @@ Paired<T> fifth_root(const Paired<T>& x) {
 
 }  // namespace real
 
-/// Whether a size is not zero, of a motion, or of both.
+/// Whether a size is above zero; for a Paired size, in both motions.
 template <class T>
 bool is_above_zero(const T& size) {
   return size > T(0);

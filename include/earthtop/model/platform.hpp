@@ -7,30 +7,31 @@
 
 namespace earthtop {
 
-/// The platform's turn relative to L, and where it carries the pivot.
+/// The platform's rotation relative to L, and the position of the pivot on it.
 template <class T>
 struct Platform {
   PrescribedMotion<T> turn;
-  Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< m
+  Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< from L's origin, in P axes (m)
 };
 
-/// @throws std::invalid_argument for the motion `table` without a sound table.
+/// @throws std::invalid_argument for PlatformMotion::table with a missing or invalid table
 template <class T>
 Platform<T> make_platform(const PlatformSpec& spec);
 extern template Platform<double> make_platform(const PlatformSpec&);
 extern template Platform<long double> make_platform(const PlatformSpec&);
 extern template Platform<float128> make_platform(const PlatformSpec&);
 
-/// The pivot's acceleration relative to L's origin beyond apparent gravity, in L axes (m/s^2), split into what the
-/// non-rotating laboratory has (alpha x d + w x (w x d) with w, alpha of P in L) and what the Earth's rate W adds
-/// (2 W x (w x d) + W x (W x d)).
+/// The acceleration of the pivot relative to L's origin, without apparent gravity, in L axes (m/s^2), in two parts: what a
+/// non-rotating laboratory has, alpha x d + w x (w x d) with w, alpha of P in L; and what the Earth's rate W adds, 2 W x (w x
+/// d) + W x (W x d).
 template <class T>
 struct PivotAcceleration {
   Vec3<T> of_platform_L;
   Vec3<T> of_earth_rate_L;
 };
 
-/// @param W_IL_L  the Earth's rate (rad/s)   @param W_IL_L_scaled  the same, or scaled: the Earth's part is linear in it.
+/// @param W_IL_L  the Earth's rate (rad/s)   @param W_IL_L_scaled  the same, or scaled: the part of the Earth's rate is linear
+/// in it
 template <class T>
 PivotAcceleration<T> pivot_acceleration(const Platform<T>& platform, const Vec3<T>& W_IL_L, const Vec3<T>& W_IL_L_scaled, T t) {
   const Mat3<T> R_LP = Rotation<T>::about(platform.turn.axis, platform.turn.angle(t)).matrix();

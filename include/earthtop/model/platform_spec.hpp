@@ -12,19 +12,19 @@ namespace earthtop {
 
 enum class PlatformMotion { constant, ramp, harmonic, table };
 
-/// A platform as a scenario gives it. P is parallel to L at angle 0.
+/// A platform as a scenario gives it. P is parallel to L when the angle is 0.
 struct PlatformSpec {
   PlatformMotion motion = PlatformMotion::constant;
-  std::array<double, 3> axis = {0, 0, 1};  ///< in L; any length
+  std::array<double, 3> axis = {0, 0, 1};  ///< in L; of any length but zero
   double rate_rad_s = 0;
   double acceleration_rad_s2 = 0;
   double amplitude_rad = 0;
   double frequency_hz = 0;
   double phase_deg = 0;
   std::array<double, 3> pivot_offset_m = {0, 0, 0};   ///< in P
-  std::shared_ptr<const AngleTable> table = nullptr;  ///< of the motion `table`; copies share it
-  std::string file = {};                              ///< where it was read from, as the scenario names it
-  std::string file_sha256 = {};                       ///< of that file's bytes
+  std::shared_ptr<const AngleTable> table = nullptr;  ///< for PlatformMotion::table; copies share it
+  std::string file = {};                              ///< file of the table, as the scenario names it
+  std::string file_sha256 = {};                       ///< hash of that file's bytes
 };
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How the top is released: attitude and rates in the laboratory, turned into initial conditions.
+/// How the top is released: attitude and rates in the laboratory, converted to initial conditions.
 #pragma once
 
 #include "earthtop/frames/earth.hpp"
@@ -8,7 +8,7 @@
 
 namespace earthtop {
 
-/// Attitude and rates at release: q_LB and the rate of the body in the frame X that the matching rule names.
+/// Attitude and rates at release: q_LB, and the body's rate relative to the frame X that the matching rule names.
 template <class T>
 struct Release {
   Quaternion<T> q_LB;
@@ -16,17 +16,19 @@ struct Release {
   RatesRelativeTo X = RatesRelativeTo::laboratory;
 };
 
-/// R_LB = Rz(90 deg - azimuth) Ry(tilt) Rz(spin angle): the axis leans by `tilt` toward the compass azimuth. Degree-exact.
+/// R_LB = Rz(90 deg - azimuth) Ry(tilt) Rz(spin angle): the axis leans by `tilt` toward the compass azimuth. Exact at multiples
+/// of 90 degrees.
 template <class T>
 Quaternion<T> release_attitude(double tilt_deg, double azimuth_deg, double spin_angle_deg);
 
-/// The steady precession rate (rad/s, counterclockwise about Up) of the non-rotating symmetric top with the whole rate
-/// w3 along its axis:  I1 cos(tilt) v^2 - I3 w3 v + m g l = 0; the slow root without dividing by cos(tilt).
-/// @throws ScenarioError where no steady rate exists, with the reason.
+/// The steady precession rate v (rad/s, counterclockwise about Up) of the non-rotating symmetric top whose angular velocity has
+/// the component w3 along the axis:  I1 cos(tilt) v^2 - I3 w3 v + m g l = 0. The slow root is computed without dividing by
+/// cos(tilt).
+/// @throws ScenarioError with the reason if there is no steady rate
 template <class T>
 T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravity, T w3, Precession which);
 
-/// @throws ScenarioError for a steady precession that does not exist.
+/// @throws ScenarioError if the steady precession asked for does not exist
 template <class T>
 Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity);
 extern template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);

@@ -7,12 +7,13 @@
 
 namespace earthtop {
 
-/// The frame whose rates are given, and the matching rule: both predictions start from the same rates of this kind.
+/// The frame relative to which the rates are given. It also sets the matching rule: both predictions start with equal rates
+/// relative to this frame.
 enum class RatesRelativeTo { laboratory, inertial };
 enum class Precession { none, steady_slow, steady_fast, given };
 
-/// A release as a scenario gives it. Quaternion (w, x, y, z), where given, replaces the three angles; the body rates, where
-/// given, replace spin and precession.
+/// A release as a scenario gives it. If given, the quaternion (w, x, y, z) replaces the three angles, and the body rates
+/// replace spin and precession.
 struct ReleaseSpec {
   double tilt_deg = 0;
   double azimuth_deg = 0;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The non-inertial torques of [F] = Fariborz, "Non-inertial torques and the Euler equation", in his tensor form, for any
-/// observing frame A whose origin is the pivot, and the physical torque of a uniform field.
+/// The non-inertial torques of [F] = Fariborz, "Non-inertial torques and the Euler equation", in the tensor form of that paper,
+/// for any observing frame A whose origin is the pivot; and the physical torque of a uniform field.
 ///
-/// Sign convention of [F]: his I_mn = -integral x_m x_n dm for all m, n is minus the second moment S. His
-/// J_mn = integral x_m xdot_n dm is the velocity moment. Neither is an inertia tensor.
+/// Sign convention of [F]: I_mn = -integral x_m x_n dm for all m, n is minus the second moment S, and J_mn = integral x_m
+/// xdot_n dm is the velocity moment. Neither is an inertia tensor.
 #pragma once
 
 #include "earthtop/vectors.hpp"
 
 namespace earthtop {
 
-/// Velocity moment J_mn = integral x_m xdot_n dm of a rigid body that turns at w_AB in the observing frame A:
-/// xdot = w x x gives J = -S [w]x, without trace (kg m^2/s).
+/// Velocity moment J_mn = integral x_m xdot_n dm of a rigid body that turns at the rate w_AB in the observing frame A: xdot = w
+/// x x gives J = -S [w]x, whose trace is zero (kg m^2/s).
 /// @param S_BP_A  second moment about the pivot (kg m^2)   @param w_AB_A  rate of the body in A (rad/s)
 template <class T>
 Mat3<T> velocity_moment(const Mat3<T>& S_BP_A, const Vec3<T>& w_AB_A) {
@@ -30,7 +30,7 @@ Vec3<T> coriolis_torque(const Vec3<T>& w_IA_A, const Mat3<T>& velocity_moment_A)
   return T(-2) * ((J(0, 0) + J(1, 1) + J(2, 2)) * w_IA_A - transposed_times(J, w_IA_A));
 }
 
-/// Transverse torque about the pivot seen in the frame A with angular acceleration:
+/// Transverse torque (also called Euler torque) about the pivot, seen in a frame A that has an angular acceleration:
 ///   tau_k = sum_m ( wdot_k I_mm - wdot_m I_mk ),  I = -S                                 [F, eq. (transverse)]
 /// @param alpha_IA_A  frame acceleration (rad/s^2)   @param S_BP_A  second moment about the pivot (kg m^2)
 /// @returns (N m), expressed in A; -Theta alpha.
@@ -42,7 +42,7 @@ Vec3<T> transverse_torque(const Vec3<T>& alpha_IA_A, const Mat3<T>& S_BP_A) {
 
 /// Centrifugal torque about the pivot seen in the rotating frame A:
 ///   tau_k = sum_mjn eps_kmj w_j w_n I_mn,  I = -S                                        [F, eq. (centrifugal)]
-/// which is w x (S w). It is bilinear in the rate: the second argument lets a scaled rate take one of the two places.
+/// which is w x (S w). It is bilinear in the rate: the second argument allows a scaled rate in one of the two places.
 /// @param w_IA_A, w_IA_A_scaled  frame rate (rad/s)   @param S_BP_A  second moment about the pivot (kg m^2)
 /// @returns (N m), expressed in A.
 template <class T>
@@ -54,8 +54,8 @@ Vec3<T> centrifugal_torque(const Vec3<T>& w_IA_A, const Mat3<T>& S_BP_A) {
   return centrifugal_torque(w_IA_A, w_IA_A, S_BP_A);
 }
 
-/// Torque about the pivot of a uniform acceleration field f (apparent gravity, a driven pivot): m r_cm x f (N m).
-/// @param mass_moment_B  m r_cm (kg m), in the axes of f (m/s^2).
+/// Torque about the pivot (N m) of a uniform acceleration field f (apparent gravity, a driven pivot): m r_cm x f.
+/// @param mass_moment_B  m r_cm (kg m)   @param field_B  f, in the same axes (m/s^2)
 template <class T>
 Vec3<T> field_torque(const Vec3<T>& mass_moment_B, const Vec3<T>& field_B) {
   return mass_moment_B.cross(field_B);

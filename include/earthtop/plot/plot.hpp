@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Line plots as SVG: panels under one another that share x. Self-contained (no scripts, fonts or links), and the same
-/// figure gives the same bytes.
+/// Line plots as SVG: panels below one another with a common x axis. A document is self-contained (no scripts, fonts or links),
+/// and the same figure always gives the same bytes.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ enum class LineStyle {
   filled,  ///< a thin line with a tint down to the panel's floor
   thin,
   dotted,
-  broad,  ///< faint and wide, to lie under others
+  broad,  ///< faint and wide, to be drawn beneath other lines
 };
 enum class Marker { none, circle, square, triangle, diamond };
 enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
@@ -28,7 +28,7 @@ struct Axis {
 
 /// A line through (x, y). A point that is not finite, or not positive on a logarithmic axis, breaks it.
 struct Line {
-  std::string label;  ///< in the legend; none if empty
+  std::string label;  ///< shown in the legend; no entry if empty
   std::vector<double> x;
   std::vector<double> y;
   LineColor color = LineColor::blue;
@@ -47,10 +47,10 @@ struct Figure {
   std::string subtitle;
   Axis x;
   std::vector<Panel> panels;
-  std::string id = "et";  ///< what the names within the document begin with: pictures of one page need different ones
+  std::string id = "et";  ///< prefix of the ids within the document: several pictures on one page need different ones
 };
 
-/// Where a figure's x axis lies in its picture (px), and what its ends are.
+/// Position of a figure's x axis in its picture (px), and the values at its ends.
 struct PlotFrame {
   double width = 0, left = 0, right = 0;
   double x_low = 0, x_high = 1;
@@ -58,7 +58,7 @@ struct PlotFrame {
 };
 PlotFrame frame_of(const Figure& figure);
 
-/// The figure as one SVG document. Any text is allowed in labels; what XML cannot hold is replaced.
+/// The figure as one SVG document. Labels may contain any text; characters that XML does not allow are replaced.
 std::string svg(const Figure& figure);
 
 }  // namespace earthtop

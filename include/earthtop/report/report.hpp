@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One self-contained HTML page of a run, a study, a comparison or a bench: for eyes, offline, and for paper.
+/// Makes one self-contained HTML page of a run, a study, a comparison or a benchmark, to be read offline or printed.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@ namespace earthtop {
 
 struct Report {
   std::string html;
-  std::vector<std::pair<std::string, std::string>> pictures;  ///< the page's figures by themselves: name, SVG
+  std::vector<std::pair<std::string, std::string>> pictures;  ///< the figures of the page as separate files: name, SVG
 };
 
-/// @param what  results of a run, a study (its directory or store), or a document that `compare --json` or `bench --json` wrote
-/// @throws ScenarioError for what is none of these, or is damaged; ReadError
+/// @param what  results of a run, a study (its directory or store), or a document written by `compare --json` or `bench --json`
+/// @throws ScenarioError if `what` is none of these, or is damaged; ReadError
 Report make_report(const std::filesystem::path& what);
 
-/// Where a report is put unless said otherwise: report.html in a directory, else the document's name with .html.
+/// The default file of a report: report.html in a directory, otherwise the document's name with the extension .html.
 std::filesystem::path report_file(const std::filesystem::path& what);
 
 }  // namespace earthtop

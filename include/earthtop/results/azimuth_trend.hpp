@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where a trend of the azimuth drift means something.
+/// Decides where a trend of the azimuth drift is meaningful.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,9 @@
 
 namespace earthtop {
 
-/// Whether the compass azimuths of two axes tell where these stand to each other: neither is nearer to the vertical than the
-/// two are apart. Nearer to it an azimuth goes round by up to half a turn while the axes hardly move.
+/// Whether the compass azimuths of two axes describe how the axes stand to each other: both axes are at least as far from the
+/// vertical as they are from each other. Closer to the vertical, an azimuth can change by up to half a turn while the axis
+/// hardly moves.
 /// @param axis_L, ref_axis_L  unit vectors (East, North, Up)   @param apart_rad  angle between them
 template <class Vector>
 bool azimuths_tell(const Vector& axis_L, const Vector& ref_axis_L, double apart_rad) {

@@ -11,20 +11,20 @@
 
 namespace earthtop {
 
-/// What was built, from what, and how.
+/// The program's version, its source, and how it was built.
 struct BuildInfo {
   std::string version;
-  std::string commit;  ///< of the source when it was configured, "-dirty" if it was changed; "unknown" outside git
+  std::string commit;  ///< commit of the source at configuration, with "-dirty" if it was changed; "unknown" outside git
   std::string compiler;
   std::string flags;
-  std::vector<std::pair<std::string, std::string>> libraries;  ///< name, version of the headers
+  std::vector<std::pair<std::string, std::string>> libraries;  ///< name and version of the headers
 };
 const BuildInfo& build_info();
 
-/// SHA-256 of the canonical scenario: equal for two runs that compute the same thing.
+/// SHA-256 of the canonical scenario: equal for two scenarios that compute the same thing.
 std::string scenario_sha256(const Scenario& scenario);
 
-/// A number that the result depends on.
+/// A constant that the result depends on.
 struct Constant {
   std::string name;
   double value = 0;
@@ -32,7 +32,7 @@ struct Constant {
   std::string source;
 };
 
-/// The Earth's rate and the apparent gravity, given or by default; the WGS 84 ellipsoid where that default was taken.
+/// The Earth's rate and the apparent gravity, given or default; also the WGS 84 ellipsoid if gravity is its default.
 std::vector<Constant> constants_used(const Scenario& scenario);
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The result files of a run: trajectory.csv, torques.csv where a ledger was asked for, drift.svg, timing.json, summary.json.
+/// The result files of a run: trajectory.csv, torques.csv if a ledger was requested, drift.svg, timing.json, summary.json.
 #pragma once
 
 #include <filesystem>
@@ -14,64 +14,67 @@
 
 namespace earthtop {
 
-/// One header line and one line for each row; shortest numbers that read back to the same bits (of float128 34 digits; times
-/// are doubles in every precision), in SI units and rad. A value that is absent or not finite is an empty field.
+/// The rows as CSV: one header line and one line for each row, in SI units and rad. Numbers are the shortest that read back to
+/// the same bits (float128: 34 digits; times are doubles in every precision). A value that is absent or not finite is an empty
+/// field.
 std::string trajectory_csv(const RunResult& result);
 
-/// The ledger's columns in its observer's axes (N m), written like the trajectory; the header alone if there is no ledger.
+/// The columns of the ledger in its observer's axes (N m), written like the trajectory; only the header if there is no ledger.
 std::string torques_csv(const RunResult& result);
 
-/// The drift's main numbers (rad) with all digits of the run's precision: 34 of float128.
+/// The main numbers of the drift (rad) with all digits of the run's precision (34 for float128).
 struct DriftDigits {
   std::string axis_final_rad, axis_max_rad, attitude_final_rad, spin_final_rad;
 };
-/// None for a run in double, and for one without rows.
+/// None for a run in double precision and for a run without rows.
 std::optional<DriftDigits> drift_digits(const RunResult& result);
 
-/// Everything about a run but its rows and its wall time, as JSON with a final newline. The same result gives the same
-/// bytes, on any host and at any time; a number that is not finite is null.
+/// Everything about a run except its rows and its wall time, as JSON with a final newline. The same result always gives the
+/// same bytes, on any host and at any time; a number that is not finite is null.
 std::string summary_json(const RunResult& result);
 
-/// The effect budget of a scenario, and what `run` would take for it, as JSON with a final newline.
+/// The effect budget of a scenario, and the effects that `run` would choose from it, as JSON with a final newline.
 std::string budget_json(const Budget& budget, const Scenario& scenario);
 
-/// The matching rule in words: what is equal at release in both predictions.
+/// The matching rule in words: which quantities both predictions have in common at release.
 std::string matching_rule(const Scenario& scenario);
 
-/// What no two runs share: wall seconds, date (UTC) and host, as JSON with a final newline.
+/// The wall time (s), date (UTC) and host of a run, which differ from run to run, as JSON with a final newline.
 std::string timing_json(const RunResult& result);
 
-/// The drift over time: the angle between the two axes with its error bound, and its azimuth and tilt parts.
+/// The figure of the drift over time: the angle between the two axes with its error bound, and its azimuth and tilt parts.
 Figure drift_figure(const RunResult& result);
 
-/// Whether `scenario`'s results may be written to `dir`, which need not exist; asked before a run, so that nothing is
-/// computed in vain. @param force  overwrite the results of another scenario, too.
-/// @throws ScenarioError where `dir` cannot be a directory, or holds another scenario's results or a file of the same name
-/// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
+/// Checks whether the results of `scenario` may be written to `dir`, which need not exist. To be called before a run, so that
+/// nothing is computed in vain.
+/// @param force  overwrite also the results of another scenario
+/// @throws ScenarioError if `dir` cannot be a directory, or holds another scenario's results, or a file with the name of a
+/// result that is not known to be one; WriteError if `dir` cannot be written to
 void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
 
-/// The watch asked to stop before the first file was in place: nothing has changed.
+/// Thrown if the watch asked to stop before the first file was in place: no file has been changed.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Writes trajectory.csv, torques.csv if there is a ledger, drift.svg, timing.json and summary.json; makes `dir`. A torques.csv
-/// of older results that these do not have is removed. Every file is complete on disk under a temporary name before anything
-/// changes: after a failure the old results are intact, and no temporary and no empty directory are left. While files are
-/// replaced there is no summary.json: where it is, the others belong to it, even if the program is killed. Where a result is a
-/// link, the link is replaced and what it leads to is left alone.
-/// @param watch  may stop it until the first file is in place, and sees how far it is
-/// @throws as check_output_directory, which it calls; WriteError; Interrupted.
+/// Writes trajectory.csv, torques.csv if there is a ledger, drift.svg, timing.json and summary.json; creates `dir`. If these
+/// results have no ledger, an older torques.csv is removed. All files are first written completely to disk under temporary
+/// names: after a failure the old results are intact, and no temporary file and no empty directory is left. While files are
+/// being replaced there is no summary.json; if there is one, the other files belong to it, even if the program is killed. If a
+/// result is a link, the link is replaced and its target is left alone.
+/// @param watch  may stop the writing until the first file is in place, and is told its progress
+/// @throws as check_output_directory, which it calls; WriteError; Interrupted
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
-/// What that costs, roughly, in the seconds of `estimated_seconds`.
+/// The approximate cost of writing, in the seconds of `estimated_seconds`.
 double writing_work(const Scenario& scenario);
 
-/// Writes one file, making its directory; the old one stays until the new one is whole. @throws WriteError, Interrupted
+/// Writes one file and creates its directory; an old file stays until the new one is complete.   @throws WriteError,
+/// Interrupted
 void write_file(const std::filesystem::path& file, std::string_view content);
 
-/// Removes the temporaries of a `write_results` that is under way, for a program about to end; safe in a signal handler.
-/// @returns false, and does nothing, in the moment in which files are put in place
+/// Removes the temporary files of a `write_results` in progress, for a program that is about to end; safe in a signal handler.
+/// @returns false, without doing anything, at the moment when the files are put in place
 bool discard_temporaries() noexcept;
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A scenario's criteria, judged: each is knowledge that owes nothing to the run it is held against.
+/// Judges the criteria of a scenario. Each criterion is knowledge that is independent of the run that is compared with it.
 #pragma once
 
 #include <functional>
@@ -12,34 +12,35 @@ namespace earthtop {
 
 enum class VerificationOutcome { passed, failed, skipped };
 
-/// One criterion of one scenario.
+/// The result of one criterion of one scenario.
 struct VerificationRow {
-  std::string name;       ///< of the scenario
-  std::string criterion;  ///< in words
-  std::string why;        ///< where value and tolerance come from
+  std::string name;       ///< name of the scenario
+  std::string criterion;  ///< the criterion in words
+  std::string why;        ///< the source of value and tolerance
   VerificationOutcome outcome = VerificationOutcome::passed;
-  double error = 0;    ///< unit of the criterion; infinite where nothing could be judged
+  double error = 0;    ///< in the unit of the criterion; infinite if nothing could be judged
   double bound = 0;    ///< the largest error that passes
-  double seconds = 0;  ///< processor time; of a run that several rows use the first one has it
-  std::string remark;  ///< why nothing could be judged, or it was skipped
+  double seconds = 0;  ///< processor time; a run that several rows share is counted in the first one
+  std::string remark;  ///< why nothing could be judged, or why it was skipped
 };
 
 struct VerificationOptions {
-  bool slow = false;  ///< judge criteria, too, that take over a minute
-  Watch watch;        ///< may stop it, and sees how far it is
+  bool slow = false;  ///< judge also criteria that take more than a minute
+  Watch watch;        ///< may stop the verification, and is told its progress
 };
 
 /// A criterion in words: kind, quantity, times and changes.
 std::string criterion_text(const CriterionSpec& criterion);
 
-/// The scenario, and its criteria's scenes examined. @throws ScenarioError where one of them is not valid, or there is no
-/// criterion; it says which
+/// The scenario, after a check of all scenes that its criteria make.   @throws ScenarioError if one of them is not valid (it
+/// says which), or if there is no criterion
 Scenario parse_verifiable(const ScenarioSource& source);
 
-/// What that costs, roughly, in the seconds of `estimated_seconds`. @throws ScenarioError as parse_verifiable
+/// The approximate cost of the verification, in the seconds of `estimated_seconds`.   @throws ScenarioError as parse_verifiable
 double verification_work(const ScenarioSource& source, const VerificationOptions& options);
 
-/// Judges the criteria in their order, each row told as soon as it is known. After an interrupt there are no more.
+/// Judges the criteria in their order and calls `tell` with each row as soon as it is known. After the watch has asked to stop
+/// no further row is told.
 /// @throws ScenarioError as parse_verifiable
 void verify(const ScenarioSource& source, const VerificationOptions& options,
             const std::function<void(const VerificationRow&)>& tell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values under the pointer on the static charts, and the explorer of a study.
+// Shows the values under the pointer on the static charts, and runs the explorer of a study.
 
 function startCharts(charts) {
   for (const figure of document.querySelectorAll("figure.chart")) {
@@ -9,7 +9,7 @@ function startCharts(charts) {
   }
 }
 
-/** The index in `list` whose place is nearest to `where`. */
+/** The index k in `list` for which place(k) is nearest to `where`. */
 function nearest(list, place, where) {
   return list.reduce((best, _, k) => (Math.abs(place(k) - where) < Math.abs(place(best) - where) ? k : best), 0);
 }
@@ -58,10 +58,10 @@ function startChart(figure, picture, chart) {
   });
 }
 
-/** Dark to light at an even rate, as the eye sees it (OKLCH): so it reads in grey, and in every colour vision. */
+/** A colour from dark to light, perceived as even steps (OKLCH), so that it is readable in grey and by the colour-blind. */
 function shade(u) { return `oklch(${0.27 + 0.66 * u} ${0.06 + 0.28 * u * (1 - u)} ${285 - 185 * u})`; }
 
-/** A scale is logarithmic when all values are positive and span more than two decades, if `wanted` allows it. */
+/** The scale is logarithmic if `wanted` allows it, all values are positive, and they span more than two decades. */
 function makeScale(values, wanted = true) {
   const known = values.filter(isNumber);
   const low = known.reduce((a, b) => Math.min(a, b), Infinity), high = known.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -79,7 +79,7 @@ function makeScale(values, wanted = true) {
   return { log, of, ticks, empty: known.length === 0 };
 }
 
-/** The explorer: the first two axes span the picture (one axis: a line), every further one has a slider. */
+/** The explorer: the first two axes of the study span the picture (a single axis: a line); each further one has a slider. */
 function startStudy(data) {
   const room = byId("explorer");
   const axes = data.axes ?? [], quantities = data.quantities ?? [], points = data.points ?? [];
@@ -181,7 +181,7 @@ function startStudy(data) {
       const value = valueAt(i, j), [l, t] = [x(i) - w / 2, y(j) - h / 2];
       if (isNumber(value)) {
         pen.fillStyle = shade(scale.of(value));
-        // A little over the edge: no seams.
+        // Slightly larger than the cell, so that no seams show.
         pen.fillRect(l, t, w + 0.6, h + 0.6);
       } else {
         pen.strokeStyle = kPalette.muted;

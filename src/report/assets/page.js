@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all parts share, and the start of every part that the page has. Functions are hoisted over the joined files, so
-// the others can use these.
+// Functions that all parts share, and the start of every part that the page has. The files are joined into one script,
+// and its functions are hoisted, so that the other files can use these.
 
-/** What to draw again when the colours change. */
+/** Functions that redraw something, called when the colours change. */
 const kRedraws = [];
 
 /** The colours of page.css as plain strings, read once per change of theme. */
@@ -16,7 +16,7 @@ function readPalette() {
 
 function byId(id) { return document.getElementById(id); }
 
-/** Text from the data is hostile: textContent alone. */
+/** Text from the data may be hostile, so it is only ever set as textContent. */
 function element(tag, className = "", text = "") {
   const made = document.createElement(tag);
   if (className) made.className = className;
@@ -44,15 +44,15 @@ function format(value, digits = 6) {
 
 function clamp(value, low, high) { return Math.min(high, Math.max(low, value)); }
 
-/** Down to 1, 2 or 5 times a power of ten. */
+/** Rounds down to 1, 2 or 5 times a power of ten. */
 function roundDown(value) {
   const decade = 10 ** Math.floor(Math.log10(value));
   const lead = value / decade;
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
 }
 
-/** Gives the canvas the screen's own pixels, now and at every change, and draws. More than two per CSS pixel cost time
- *  and show nothing. */
+/** Gives the canvas the resolution of the screen and draws, at once and at every change of size. More than two pixels
+ *  per CSS pixel would cost time and show no more. */
 function watch(canvas, draw) {
   const resize = () => {
     canvas.ratio = Math.min(2, window.devicePixelRatio || 1);
@@ -64,7 +64,7 @@ function watch(canvas, draw) {
   kRedraws.push(resize);
 }
 
-/** A pen in CSS pixels on the emptied canvas; null while the canvas is not shown. */
+/** Clears the canvas and returns a drawing context in CSS pixels; null while the canvas is not shown. */
 function penOf(canvas) {
   const pen = canvas.width && canvas.height ? canvas.getContext("2d") : null;
   if (!pen) return null;
@@ -81,7 +81,7 @@ function trace(pen, points) {
   for (const [x, y] of points) pen.lineTo(x, y);
 }
 
-/** Rings stand for the prediction, dots for the motion: told apart without their colours. */
+/** Draws a ring for the prediction or a dot for the motion, which can be told apart without their colours. */
 function spot(pen, [x, y], radius, colour, ringWidth = 0) {
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
@@ -97,7 +97,7 @@ function startTheme() {
   readPalette();
 }
 
-/** Where the browser keeps the clipboard from a page on disk, the text is at least selected. */
+/** Starts the copy buttons. If the browser denies a page on disk the clipboard, the text is at least selected. */
 function startCopying() {
   for (const button of document.querySelectorAll("button.copy")) {
     const source = button.previousElementSibling, name = button.textContent;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors, the camera, tracks of the axis over time, the unit sphere. Laboratory axes throughout: East, North, Up.
+// Vectors, the camera, tracks of the axis over time, the unit sphere. All in laboratory axes: East, North, Up.
 
 const kRadian = Math.PI / 180;
 const kHome = { azimuth_deg: -25, elevation_deg: 25, zoom: 1 };
 
-/** Azimuth 0 looks at the laboratory from the South, East to the right; the elevation lifts the eye. Up stays up. */
+/** At azimuth 0 the laboratory is seen from the South, with East to the right. The elevation raises the eye; Up stays up. */
 const kView = { ...kHome };
 const kViewers = [];
 
-/** The moment that both canvases show; null, without an animation, is the last row. */
+/** The time that both canvases show; null (without an animation) stands for the last row. */
 const kScene = { time: null, playing: false, followers: [] };
 
 const kDashes = {
@@ -22,16 +22,17 @@ function combine(a, p, b, q) { return [a * p[0] + b * q[0], a * p[1] + b * q[1],
 function times(a, p) { return [a * p[0], a * p[1], a * p[2]]; }
 function size(a) { return Math.hypot(a[0], a[1], a[2]); }
 
-/** null for the zero vector and for missing numbers. */
+/** The unit vector along a; null for the zero vector and if numbers are missing. */
 function normalise(a) {
   const length = a && a.length === 3 && a.every(isNumber) ? size(a) : 0;
   return length > 0 ? times(1 / length, a) : null;
 }
 
-/** By the cross product: the arc cosine loses half the digits of a small angle. */
+/** Uses the cross product, because the arc cosine loses half the digits of a small angle. */
 function angleBetween(a, b) { return Math.atan2(size(cross(a, b)), dot(a, b)); }
 
-/** The camera's right, up and toward-the-eye in laboratory axes; (right . p, up . p) is the orthographic picture. */
+/** The camera's directions right, up and towards the eye in laboratory axes; (right . p, up . p) is the orthographic
+ *  projection of p. */
 function camera() {
   const a = kView.azimuth_deg * kRadian, e = kView.elevation_deg * kRadian;
   return {
@@ -50,7 +51,7 @@ function turn(azimuth_deg, elevation_deg, factor = 1) {
 
 function makeTurnable(canvas) {
   canvas.tabIndex = 0;
-  // The steps are taken from the positions: movementX is in other units, or zero, in some browsers.
+  // Movements are differences of positions, because movementX is in other units, or zero, in some browsers.
   let x = 0, y = 0;
   const place = (event) => { [x, y] = [event.clientX, event.clientY]; };
   canvas.addEventListener("pointerdown", (event) => {
@@ -75,8 +76,8 @@ function makeTurnable(canvas) {
   });
 }
 
-/** A unit vector over time. Between rows a cubic through the four nearest, put back on the sphere; where neighbours stand
- *  more than 60 degrees apart a cubic would invent loops, and the great circle is taken. */
+/** A unit vector over time. Between rows it is a cubic through the four nearest rows, projected onto the sphere; if
+ *  neighbouring rows are more than 60 degrees apart, where a cubic could make loops, it is the great circle. */
 function makeTrack(moments, numbers) {
   const count = Math.min(moments?.length ?? 0, Math.floor((numbers?.length ?? 0) / 3));
   const rows = Array.from({ length: count }, (_, i) => normalise(numbers.slice(3 * i, 3 * i + 3)));
@@ -91,7 +92,7 @@ function makeTrack(moments, numbers) {
     const p = rows[i], q = rows[i + 1];
     if (!(step > 0)) return p;
     const u = clamp((time - moments[i]) / step, 0, 1), v = 1 - u;
-    // Next to a missing row nothing is made up.
+    // Next to a missing row nothing is interpolated.
     if (!p || !q) return u === 0 ? p : u === 1 ? q : null;
     if (dot(p, q) < 0.5) {
       const angle = angleBetween(p, q);
@@ -104,7 +105,7 @@ function makeTrack(moments, numbers) {
   return { count, at, moments, first: moments?.[0] ?? 0, last: moments?.[count - 1] ?? 0 };
 }
 
-/** The last row not after `time` that has a row after it. */
+/** The last row that is not later than `time` and has a row after it. */
 function rowBefore(moments, time, count) {
   let low = 0, high = count - 1;
   while (high - low > 1) {
@@ -119,7 +120,7 @@ function magnified(ref, axis, magnification) {
   return normalise(combine(1 - magnification, ref, magnification, axis));
 }
 
-/** Directions at every row and, of `wanted` moments, as many between as that leaves. */
+/** Directions at every row and at times between the rows, about `wanted` in all (one to eight for each interval). */
 function samplePath(track, direction, wanted = 4000) {
   const between = clamp(Math.round(wanted / Math.max(1, track.count)), 1, 8);
   const path = [];
@@ -160,9 +161,9 @@ function startSphere(data) {
   const axis = makeTrack(data.t_s, data.axis_L), ref = makeTrack(data.t_s, data.ref_axis_L);
   const factor = isNumber(data.magnification) ? data.magnification : 1;
   const drawn = (time) => magnified(ref.at(time), axis.at(time), factor);
-  // The prediction last: where the two coincide its dashes lie on the motion's line.
+  // The prediction is drawn last: where the two coincide, its dashes lie on the motion's line.
   const paths = [["axis", samplePath(axis, drawn), drawn], ["ref", samplePath(ref, ref.at), ref.at]];
-  // Many turns would fill a band: then the whole path is pale and the latest turn, roughly, stands out.
+  // Many turns would fill a band. The path is then drawn pale, and only about its latest turn strongly.
   let length = 0;
   paths[1][1].forEach((p, i, all) => { if (p && all[i - 1]) length += angleBetween(p, all[i - 1]); });
   const recent = Math.min(1, 2.5 / length), paleness = clamp(5 / length, 0.22, 1);
@@ -172,7 +173,7 @@ function startSphere(data) {
   const now = () => kScene.time ?? ref.last;
   let telling = 0;
 
-  /** Zooming keeps the prediction's last point where it is on the screen: that is where there is something to see. */
+  /** Zooming keeps the prediction's last point in its place on the screen, because the drift is visible there. */
   const frame = (width, height) => {
     const { right, up, eye } = camera(), focus = ref.at(ref.last) ?? [0, 0, 0], away = 1 - 1 / kView.zoom;
     const scale = 0.4 * Math.min(width, height) * kView.zoom;
@@ -202,7 +203,8 @@ function startSphere(data) {
     pen.globalAlpha = 1;
   };
 
-  /** All that changes only with the camera goes to a canvas of its own: the animation then costs two dots a frame. */
+  /** Draws everything that changes only with the camera to a separate canvas, so that each frame of the animation draws
+   *  only two dots. */
   const drawStill = () => {
     still.width = canvas.width;
     still.height = canvas.height;
@@ -256,7 +258,7 @@ function startSphere(data) {
       `the horizon, zoom ${format(kView.zoom, 3)}. At ${format(now(), 5)} s the two axes stand ` +
       `${p && q ? `${format(angleBetween(p, q), 4)} rad` : "an unknown angle"} apart.`;
   };
-  // A reader is told where eye and motion have come to rest, not every step.
+  // A screen reader is told the state only after eye and motion have come to rest, not at every step.
   const tellSoon = () => {
     clearTimeout(telling);
     telling = setTimeout(tell, 400);

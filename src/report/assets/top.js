@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The animated top, the prediction's axis as its ghost, and the vectors that act. The unit of length is the stem.
+// The animated top, the axis of the prediction next to it, and the vectors that act. The unit of length is the stem.
 
 const kDisc = { height: 0.58, radius: 0.4, thickness: 0.09 };
 const kTorques = { gravity: "gravity", coriolis: "Coriolis", transverse: "transverse", centrifugal: "centrifugal" };
 
-/** East and North, turned as the shortest way takes Up to the axis: unlike the line of nodes, these do not whirl when
- *  the axis passes the vertical. */
+/** East and North, rotated by the smallest rotation that takes Up to the axis: unlike the line of nodes, they do not
+ *  whirl when the axis passes the vertical. */
 function across(axis) {
   const [x, y, z] = axis;
   if (z < -0.999999) return [[1, 0, 0], [0, -1, 0]];
@@ -13,7 +13,7 @@ function across(axis) {
   return [[1 - x * x * f, -x * y * f, -x], [-x * y * f, 1 - y * y * f, -y]];
 }
 
-/** The torques over time, each with the power of ten that brings it near the largest of all. */
+/** The torques over time, each with the power of ten that makes it comparable with the largest one. */
 function readTorques(torques) {
   const moments = torques?.t_s ?? [];
   const all = Object.keys(kTorques).map((name) => {
@@ -68,7 +68,8 @@ function paintTop(pen, put, eye, scene) {
     const barb = (side) => [x - head * (ux - side * uy), y - head * (uy + side * ux)];
     trace(pen, [[x + 2 * ux, y + 2 * uy], barb(0.45), barb(-0.45)]);
     pen.fill();
-    // Beyond the tip, on the side the arrow points to, so that labels seldom meet; steep ones leave the right to "Up".
+    // Labels stand beyond the tip, on the side to which the arrow points, so that they seldom overlap; those of steep arrows
+    // stand to the left, because "Up" stands to the right.
     pen.textAlign = ux < 0.2 ? "right" : "left";
     write(text, x + 7 * ux + (ux < 0.2 ? -5 : 5), y + 14 * uy);
     pen.textAlign = "left";
@@ -104,7 +105,7 @@ function paintTop(pen, put, eye, scene) {
     const stem = (from, to) => line(from, to, "metal-dark", 6);
     const [near, far] = faceUp ? [high, low] : [low, high];
     if (faceUp) stem(origin, low); else stem(high, axis);
-    // The rim: the far face, and the band between the outermost points that the eye sees of both.
+    // The rim of the disc: the far face, and the band between the outermost visible points of both faces.
     const edge = times(kDisc.radius, normalise(cross(axis, eye)) ?? origin);
     pen.fillStyle = kPalette["metal-dark"];
     ring(far, p, q, kDisc.radius);
@@ -135,7 +136,7 @@ function paintTop(pen, put, eye, scene) {
 function startTop(data) {
   const canvas = byId("top");
   if (!canvas) return;
-  // For a control that the page leaves out an unseen one stands in.
+  // A control that the page does not have is replaced by one that is not shown.
   const control = (id, tag) => byId(id) ?? element(tag);
   const play = control("play", "button"), slider = control("time", "input"), clock = control("clock", "output");
   const arrows = byId("arrows") ?? { checked: true };
@@ -144,9 +145,9 @@ function startTop(data) {
   const earth = normalise(data.earth_rate_L), precession = normalise(data.precession_axis_L);
   const first = axis.first, last = axis.last, span = last - first;
   const spin = isNumber(data.spin_rad_s) ? data.spin_rad_s : 0;
-  // A top that stays up has its pivot low in the picture.
+  // The pivot is low in the picture unless the top hangs below it.
   const hangs = samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
-  // At most a minute and at least ten seconds of watching; in between, real time.
+  // The animation takes at most a minute and at least ten seconds; between these it runs in real time.
   const pace = span > 60 ? 1 / roundDown(60 / span) : span > 0 && span < 10 ? roundDown(span / 10) : 1;
   const slowed = Math.max(1, Number(((Math.abs(spin) * pace) / Math.PI).toPrecision(2)));
   const apart = () => {
@@ -179,7 +180,7 @@ function startTop(data) {
   };
   const frame = (now) => {
     if (!playing) return;
-    // A tab that was away must not jump.
+    // Limits the step, so that the animation does not jump after its tab was hidden.
     time = Math.min(last, time + pace * Math.min(0.1, Math.max(0, now - before) / 1000));
     before = now;
     stamps.push(now);
@@ -187,7 +188,7 @@ function startTop(data) {
     window.earthtop.frames += 1;
     window.earthtop.fps = stamps.length;
     show();
-    // Numbers cannot be read faster, and laying text out costs more than the drawing.
+    // Numbers cannot be read faster, and the layout of text takes longer than the drawing.
     if (now - said > 100) { said = now; tell(); }
     if (time >= last) return toggle(false);
     requestAnimationFrame(frame);
@@ -195,7 +196,7 @@ function startTop(data) {
   const toggle = (on) => {
     playing = kScene.playing = on && span > 0;
     play.textContent = playing ? "Pause" : "Play";
-    // Read out where the motion stands only when it stands.
+    // The clock is read out only while the animation stands still.
     clock.setAttribute("aria-live", playing ? "off" : "polite");
     if (playing && time >= last) time = first;
     stamps = [];
