@@ -46,12 +46,6 @@ struct LagrangeTop<T>::Basis {
 };
 
 template <class T>
-struct LagrangeTop<T>::Setup {
-  Complex<T> A, B, Omega;
-  T low_size, high_size;  ///< the largest values of |low| and |high|
-};
-
-template <class T>
 void LagrangeTop<T>::evaluate_basis(T v, T v_low, Basis& b) const {
   if (!hyperbolic_) {
     const auto [s, c] = real::sin_cos(v);
@@ -87,128 +81,166 @@ void LagrangeTop<T>::evaluate_basis(T v, T v_low, Basis& b) const {
   b.high_factor = T(2) * root / denominator;
 }
 
+/// How the constants of the motion follow from the start, in the wider scalar type. Each function derives one group of the
+/// top's members from the nutation's roots; `derive` calls them in the order in which they need one another.
 template <class T>
-LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B) {
+struct LagrangeTop<T>::Derivation {
   using W = Wider<T>;
   static_assert(kTerms == elliptic::kThetaTerms<T>);
-  // The start, divided by I1, in the wider scalar type.
-  const W I1 = W(top.I1), I3 = W(top.I3), w3 = W(w0_NB_B[2]);
-  Complex<W> A{W(q0_NB.w), W(q0_NB.v[2])}, B{W(q0_NB.v[0]), W(q0_NB.v[1])};
-  const Complex<W> Omega{W(w0_NB_B[0]), W(w0_NB_B[1])};
-  const W size = W(1) / real::sqrt(norm2(A) + norm2(B));
-  A = size * A;
-  B = size * B;
-  const W beta = I3 * w3 / I1, mu = W(top.mgl) / I1;
-  flipped_ = mu < W(0);
-  const W up = flipped_ ? W(-1) : W(1);
 
-  const NutationData<W> data = nutation_data<W>(mu, beta, A, B, Omega);
-  const NutationRoots<W> roots = nutation_roots<W>(data);
+  LagrangeTop& top;
+  W w3, up;              ///< spin (rad/s); 1, or -1 where up and down are exchanged
+  Complex<W> A, B;       ///< the start's attitude, normalised
+  Complex<T> Omega;      ///< the start's rate across the axis (rad/s)
+  NutationData<W> data;  ///< divided by I1
+  NutationRoots<W> roots;
+  W m, m1;  ///< parameter of the elliptic functions, and 1 - m
+  elliptic::Lattice<W> l;
+  W v_rate = W(0), v_start = W(0);  ///< v = rate t + start is the argument of the theta functions
+  Zero<W> low, high, rest;          ///< of the quotients of A, B and Omega
+  W sum = W(0), difference = W(0);  ///< mean rates of arg A + arg B and of arg A - arg B, without the spin (rad/s)
 
-  const W twice = W(2) * data.mu;
-  const W m = ratio<W>(twice * roots.width, roots.span), m1 = roots.span > W(0) ? roots.gap / roots.span : W(1);
-  const elliptic::Lattice<W> l = elliptic::lattice<W>(m, m1);
-  hyperbolic_ = l.hyperbolic;
-  parameter_ = static_cast<T>(m);
-  complementary_parameter_ = static_cast<T>(m1);
-  for (int n = 0; n < kTerms; ++n) {
-    square_[n] = static_cast<T>(l.square[n]);
-    pronic_[n] = static_cast<T>(l.pronic[n]);
+  Derivation(LagrangeTop& of, const SymmetricTop<T>& body, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B)
+      : top(of), w3(w0_NB_B[2]), A{W(q0_NB.w), W(q0_NB.v[2])}, B{W(q0_NB.v[0]), W(q0_NB.v[1])}, Omega{w0_NB_B[0], w0_NB_B[1]} {
+    const W I1 = W(body.I1), beta = W(body.I3) * w3 / I1, mu = W(body.mgl) / I1;
+    const W size = W(1) / real::sqrt(norm2(A) + norm2(B));
+    A = size * A;
+    B = size * B;
+    top.flipped_ = mu < W(0);
+    up = top.flipped_ ? W(-1) : W(1);
+    data = nutation_data<W>(mu, beta, A, B, Complex<W>{W(Omega.re), W(Omega.im)});
+    roots = nutation_roots<W>(data);
+    m = ratio<W>(W(2) * data.mu * roots.width, roots.span);
+    m1 = roots.span > W(0) ? roots.gap / roots.span : W(1);
+    l = elliptic::lattice<W>(m, m1);
   }
 
-  regime_ = lagrange_regime<W>(data, roots, W(real::epsilon<T>()));
-
-  // v = rate t + start is the argument of the theta functions: 0 where u = u1 and `span` where u = u2.
-  W v_rate = l.rate * real::sqrt(roots.span) / W(2), v_start = W(0);
-  if (roots.width > W(0)) {
-    const W sn2 = -roots.s1 / roots.width, cn2 = roots.s2 / roots.width, dn2 = ratio<W>(roots.beyond, roots.span);
-    if (cn2 + dn2 > W(0))
-      v_start = sign_of(data.rate0) * l.rate * real::sqrt(sn2) * elliptic::carlson_rf<W>(cn2, dn2, W(1));
-    else  // at the end of the separatrix, where the top stays for ever
-      v_start = W(20000), v_rate = W(0);
+  void derive() {
+    set_lattice();
+    set_argument();
+    set_quotients();
+    set_mean_rates();
+    set_sizes();
+    set_error_terms();
+    top.set_phases(*this);
   }
-  const W period = l.hyperbolic ? W(2) * l.span : real::pi<W>();
-  v_rate_ = split<Split>(v_rate);
-  v_start_ = split<Split>(v_start);
-  v_period_ = split<Split>(period);
 
-  const W low_sign = sign_of(roots.at_bottom), high_sign = sign_of(roots.at_top), rest_sign = -up * sign_of(roots.at_rest);
-  const Zero<W> low = make_zero<W>(l, low_sign, ratio<W>(roots.bottom1, roots.bottom2), ratio<W>(roots.width, roots.bottom2),
-                                   ratio<W>(ratio<W>(roots.width * roots.bottom3, roots.bottom2), roots.span));
-  const W high_scale = roots.top1 * roots.gap, rest_scale = roots.P1 * roots.gap;
-  const Zero<W> high = make_zero<W>(l, high_sign, ratio<W>(roots.top2 * roots.span, high_scale),
-                                    ratio<W>(roots.width * roots.top3, high_scale), ratio<W>(roots.width, roots.top1));
-  const Zero<W> rest =
-      make_zero<W>(l, rest_sign, ratio<W>(roots.P2 * roots.span, rest_scale),
-                   ratio<W>(twice * roots.width * roots.P3, rest_scale), ratio<W>(twice * roots.width, roots.P1));
-  set_coefficients<T>(l, low, true, low_);
-  set_coefficients<T>(l, high, false, high_);
-  set_coefficients<T>(l, rest, false, rate_);
+  void set_lattice() {
+    top.hyperbolic_ = l.hyperbolic;
+    top.parameter_ = static_cast<T>(m);
+    top.complementary_parameter_ = static_cast<T>(m1);
+    for (int n = 0; n < kTerms; ++n) {
+      top.square_[n] = static_cast<T>(l.square[n]);
+      top.pronic_[n] = static_cast<T>(l.pronic[n]);
+    }
+    top.regime_ = lagrange_regime<W>(data, roots, W(real::epsilon<T>()));
+    top.w3_ = static_cast<T>(w3);
+    top.gravity_ = static_cast<T>(data.mu);
+  }
 
-  // Mean rates of arg A and arg B: the rate at u = u2 (low) or u1 (high), less the contribution of the theta quotient there.
-  const PhaseSlope<W> low_slope = phase_slope(l, low), high_slope = phase_slope(l, high);
-  const W c1 = data.c0 - data.beta * roots.s1, c2 = data.c0 - data.beta * roots.s2;
-  const W low_part = ratio<W>(c2, roots.bottom2), high_part = ratio<W>(c1, roots.top1);
-  const W sum = (low_part + high_part) / W(2) -
-                v_rate * ((low_slope.whole + high_slope.whole) - (low_slope.missing + high_slope.missing));
-  const W difference = (low_part - high_part) / W(2) -
-                       v_rate * ((low_slope.whole - high_slope.whole) - (low_slope.missing - high_slope.missing));
-  sum_rate_ = split<Split>(sum / W(2));
-  difference_rate_ = split<Split>((w3 + up * difference) / W(2));
-  if (l.hyperbolic) {
+  /// v is 0 where u = u1 and `span` where u = u2.
+  void set_argument() {
+    v_rate = l.rate * real::sqrt(roots.span) / W(2);
+    if (roots.width > W(0)) {
+      const W sn2 = -roots.s1 / roots.width, cn2 = roots.s2 / roots.width, dn2 = ratio<W>(roots.beyond, roots.span);
+      if (cn2 + dn2 > W(0))
+        v_start = sign_of(data.rate0) * l.rate * real::sqrt(sn2) * elliptic::carlson_rf<W>(cn2, dn2, W(1));
+      else  // at the end of the separatrix, where the top stays for ever
+        v_start = W(20000), v_rate = W(0);
+    }
+    top.v_rate_ = split<Split>(v_rate);
+    top.v_start_ = split<Split>(v_start);
+    top.v_period_ = split<Split>(l.hyperbolic ? W(2) * l.span : real::pi<W>());
+  }
+
+  void set_quotients() {
+    const W twice = W(2) * data.mu;
+    const W low_sign = sign_of(roots.at_bottom), high_sign = sign_of(roots.at_top), rest_sign = -up * sign_of(roots.at_rest);
+    low = make_zero<W>(l, low_sign, ratio<W>(roots.bottom1, roots.bottom2), ratio<W>(roots.width, roots.bottom2),
+                       ratio<W>(ratio<W>(roots.width * roots.bottom3, roots.bottom2), roots.span));
+    const W high_scale = roots.top1 * roots.gap, rest_scale = roots.P1 * roots.gap;
+    high = make_zero<W>(l, high_sign, ratio<W>(roots.top2 * roots.span, high_scale),
+                        ratio<W>(roots.width * roots.top3, high_scale), ratio<W>(roots.width, roots.top1));
+    rest = make_zero<W>(l, rest_sign, ratio<W>(roots.P2 * roots.span, rest_scale),
+                        ratio<W>(twice * roots.width * roots.P3, rest_scale), ratio<W>(twice * roots.width, roots.P1));
+    set_coefficients<T>(l, low, true, top.low_);
+    set_coefficients<T>(l, high, false, top.high_);
+    set_coefficients<T>(l, rest, false, top.rate_);
+    top.winding_ = static_cast<int>(roots.top_energy >= W(0) ? -rest_sign : up * high_sign);
+  }
+
+  /// The mean rate of arg A is its rate at u = u2, that of arg B its rate at u = u1, each less what the theta quotient
+  /// contributes there.
+  void set_mean_rates() {
+    const PhaseSlope<W> low_slope = phase_slope(l, low), high_slope = phase_slope(l, high);
+    const W c1 = data.c0 - data.beta * roots.s1, c2 = data.c0 - data.beta * roots.s2;
+    const W low_part = ratio<W>(c2, roots.bottom2), high_part = ratio<W>(c1, roots.top1);
+    sum = (low_part + high_part) / W(2) -
+          v_rate * ((low_slope.whole + high_slope.whole) - (low_slope.missing + high_slope.missing));
+    difference = (low_part - high_part) / W(2) -
+                 v_rate * ((low_slope.whole - high_slope.whole) - (low_slope.missing - high_slope.missing));
+    top.sum_rate_ = split<Split>(sum / W(2));
+    top.difference_rate_ = split<Split>((w3 + up * difference) / W(2));
+    if (!l.hyperbolic) return;
     const W low_turn = low.sign * low.eta, high_turn = high.sign * high.eta;
-    sum_turn_ = split<Split>(-(low_turn + high_turn));
-    difference_turn_ = split<Split>(-up * (low_turn - high_turn));
+    top.sum_turn_ = split<Split>(-(low_turn + high_turn));
+    top.difference_turn_ = split<Split>(-up * (low_turn - high_turn));
   }
-  winding_ = static_cast<int>(roots.top_energy >= W(0) ? -rest_sign : up * high_sign);
 
-  // The size of each quotient is set at the turning point where it is largest.
-  Basis basis;
-  evaluate_basis(T(0), T(0), basis);
-  const auto set_size = [](Quotient& q, T factor, W value2, const Complex<T>& s) {
-    const T there = real::sqrt(norm2(s)) * factor;
-    q.size = value2 > W(0) ? static_cast<T>(real::sqrt(value2)) / there : T(0);
-  };
-  set_size(high_, basis.high_factor, roots.top1 / W(2), basis.high(high_));
-  set_size(rate_, basis.high_factor, roots.P1, basis.high(rate_));
-  evaluate_basis(real::isfinite(v_period_.high) ? v_period_.high / T(2) : T(20000), v_period_.low / T(2), basis);
-  set_size(low_, basis.low_factor, roots.bottom2 / W(2), basis.low(low_));
+  /// The size of each quotient is set at the turning point where it is largest.
+  void set_sizes() {
+    const auto set_size = [](Quotient& q, T factor, W value2, const Complex<T>& s) {
+      const T there = real::sqrt(norm2(s)) * factor;
+      q.size = value2 > W(0) ? static_cast<T>(real::sqrt(value2)) / there : T(0);
+    };
+    const Split& period = top.v_period_;
+    Basis basis;
+    top.evaluate_basis(T(0), T(0), basis);
+    set_size(top.high_, basis.high_factor, roots.top1 / W(2), basis.high(top.high_));
+    set_size(top.rate_, basis.high_factor, roots.P1, basis.high(top.rate_));
+    top.evaluate_basis(real::isfinite(period.high) ? period.high / T(2) : T(20000), period.low / T(2), basis);
+    set_size(top.low_, basis.low_factor, roots.bottom2 / W(2), basis.low(top.low_));
+  }
 
-  w3_ = w0_NB_B[2];
-  gravity_ = static_cast<T>(data.mu);
-  const T wide_eps = static_cast<T>(real::epsilon<W>());
-  phase_loss_ = T(8) * wide_eps * static_cast<T>(real::abs(w3) + real::abs(sum) + real::abs(difference) + v_rate);
-  nutation_loss_ = T(8) * wide_eps * static_cast<T>(roots.span_loss);
-  if (l.hyperbolic) {
-    const W most = W(std::numeric_limits<T>::max() / T(1e6));  // used if the gap is far below its own rounding
-    period_loss_ = T(8) * wide_eps * static_cast<T>(std::min(ratio<W>(roots.gap_terms, roots.gap), most));
-    nome_loss_ = wide_eps / T(2) * static_cast<T>(roots.gap_terms / roots.span);
+  /// What the rounding in the wider scalar type contributes to the error that `at` states.
+  void set_error_terms() {
+    const T wide_eps = static_cast<T>(real::epsilon<W>());
+    top.phase_loss_ = T(8) * wide_eps * static_cast<T>(real::abs(w3) + real::abs(sum) + real::abs(difference) + v_rate);
+    top.nutation_loss_ = T(8) * wide_eps * static_cast<T>(roots.span_loss);
+    if (l.hyperbolic) {
+      const W most = W(std::numeric_limits<T>::max() / T(1e6));  // used if the gap is far below its own rounding
+      top.period_loss_ = T(8) * wide_eps * static_cast<T>(std::min(ratio<W>(roots.gap_terms, roots.gap), most));
+      top.nome_loss_ = wide_eps / T(2) * static_cast<T>(roots.gap_terms / roots.span);
+    }
+    if (!(data.near_top && roots.span > W(0))) return;
+    top.near_top_time_ = static_cast<T>(W(1) / real::sqrt(roots.span));
+    top.near_top_rate_ = static_cast<T>(real::abs(data.beta));
+    top.near_top_loss_ = T(64) * wide_eps * static_cast<T>(real::sqrt(roots.top1 / W(2)));
+    top.near_top_rate_loss_ = top.near_top_rate_ * top.near_top_loss_ + T(64) * wide_eps * static_cast<T>(real::sqrt(roots.P1));
   }
-  if (data.near_top && roots.span > W(0)) {
-    near_top_time_ = static_cast<T>(W(1) / real::sqrt(roots.span));
-    near_top_rate_ = static_cast<T>(real::abs(beta));
-    near_top_loss_ = T(64) * wide_eps * static_cast<T>(real::sqrt(roots.top1 / W(2)));
-    near_top_rate_loss_ = near_top_rate_ * near_top_loss_ + T(64) * wide_eps * static_cast<T>(real::sqrt(roots.P1));
-  }
-  const auto narrow = [](const Complex<W>& x) { return Complex<T>{static_cast<T>(x.re), static_cast<T>(x.im)}; };
-  set_phases({narrow(A),
-              narrow(B),
-              {w0_NB_B[0], w0_NB_B[1]},
-              static_cast<T>(real::sqrt(roots.bottom2 / W(2))),
-              static_cast<T>(real::sqrt(roots.top1 / W(2)))});
+};
+
+template <class T>
+LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B) {
+  Derivation(*this, top, q0_NB, w0_NB_B).derive();
 }
 
 /// Sets the constant phases of A and B from the start. A, B and Omega are known there, and the phase of each follows from the
 /// other two; the least accurate of the three (it may vanish) is not used.
 template <class T>
-void LagrangeTop<T>::set_phases(const Setup& start) {
+void LagrangeTop<T>::set_phases(const Derivation& start) {
+  const auto narrow = [](const Complex<Wider<T>>& x) { return Complex<T>{static_cast<T>(x.re), static_cast<T>(x.im)}; };
+  const Complex<T> A = narrow(start.A), B = narrow(start.B);
+  // The largest values of |low| and |high|.
+  const T low_size = static_cast<T>(real::sqrt(start.roots.bottom2 / Wider<T>(2))),
+          high_size = static_cast<T>(real::sqrt(start.roots.top1 / Wider<T>(2)));
   Basis b;
   evaluate_basis(v_start_.high, v_start_.low, b);
   Complex<T> low = b.low(low_), high = b.high(high_), rate = b.high(rate_);
   if (!hyperbolic_) rate = rate * Complex<T>{b.cos1, T(winding_) * b.sin1};
   if (!flipped_) rate = T(-1) * rate;
-  const Complex<T>& low_start = flipped_ ? start.B : start.A;
-  const Complex<T>& high_start = flipped_ ? start.A : start.B;
+  const Complex<T>& low_start = flipped_ ? B : A;
+  const Complex<T>& high_start = flipped_ ? A : B;
   const auto quality = [](T q, const Complex<T>& there) { return there.re != T(0) || there.im != T(0) ? q : T(-1); };
   const T low_quality = quality(Basis::quality(low_, b.low_re, b.low_im, hyperbolic_, b.low_im), low_start);
   const T high_quality = quality(Basis::quality(high_, b.high_re, b.high_im, hyperbolic_, b.high_re), high_start);
@@ -236,7 +268,7 @@ void LagrangeTop<T>::set_phases(const Setup& start) {
   const T low_loss = loss(low_quality), high_loss = loss(high_quality), rate_loss = loss(rate_quality);
   const T low_lost = low_left_out ? high_loss + rate_loss : low_loss,
           high_lost = high_left_out ? low_loss + rate_loss : high_loss;
-  const T lost = start.low_size * low_lost + start.high_size * high_lost;
+  const T lost = low_size * low_lost + high_size * high_lost;
   rate_turn_ = T(4) * real::epsilon<T>() * (low_lost + high_lost);
   attitude_floor_ = real::epsilon<T>() * (T(8) + T(4) * (low_floor + high_floor) + T(4) * lost);
   rate_floor_ =

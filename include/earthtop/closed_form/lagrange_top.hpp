@@ -74,10 +74,10 @@ class LagrangeTop {
     T cos = T(1), sin = T(0);  ///< cosine and sine of its constant phase
   };
   struct Basis;
-  struct Setup;
+  struct Derivation;
 
   void evaluate_basis(T v, T v_low, Basis& basis) const;
-  void set_phases(const Setup& setup);
+  void set_phases(const Derivation& start);
   T gap_loss(const Basis& basis) const;
 
   bool hyperbolic_ = false;
