@@ -8,7 +8,7 @@
 
 namespace earthtop::dop853 {
 
-/// Stages: 0 to 11 of the step; 12 is the slope at its end; 13 to 15 serve the interpolant alone.
+/// The stages: 0 to 11 make the step, 12 is the slope at its end, and 13 to 15 serve only the interpolant.
 constexpr int kStages = 16;
 
 constexpr std::array<double, kStages> c = {0.0,
