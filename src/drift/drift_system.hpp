@@ -115,7 +115,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
 
   GeneralDriftSeries<T> series() const { return GeneralDriftSeries<T>(model_); }
 
-  /// The state at release: both predictions at the same attitude, with the same rates of the kind the release names.
+  /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
   /// @param w_XB_B  in natural units
   State initial_state(const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B, RatesRelativeTo X) const {
     const Mat3<T> R_LB = rotation_matrix(q_LB);

@@ -169,7 +169,7 @@ class ReducedDriftSystem
   Vec3<T> w_XB_B_;
   const Release<T>& release_;
   ReducedDriftConstants<T> constants_;
-  SpinlessFrame<T> frame_;  ///< of the reference
+  SpinlessFrame<T> frame_;  ///< the reference's frame
 };
 
 }  // namespace earthtop

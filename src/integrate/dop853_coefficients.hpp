@@ -29,7 +29,7 @@ constexpr std::array<double, kStages> c = {0.0,
                                            0.777777777777777777777777777778e+00};
 
 using Row = std::array<double, kStages>;
-// Row 12 is the step itself: its weights.
+// Row 12 holds the weights of the step itself.
 constexpr std::array<Row, kStages> a = {{
     {},
     {5.26001519587677318785587544488e-2},

@@ -33,7 +33,7 @@ class Extrapolation {
     target_ = std::clamp(static_cast<int>(0.5 * digits), least_column(), limit_);
   }
 
-  /// @param system  x, dxdt, t -> void   @param dt  the step to try; afterwards the one to try next
+  /// Attempts a step. @param system  called with (x, dxdt, t)   @param dt  the step to try; afterwards the one to try next
   template <class RightHandSide>
   boost::numeric::odeint::controlled_step_result try_step(const RightHandSide& system, State& x, T& t, T& dt) {
     // The caller has cut the step short to land on an output time. Such a step says little about the best column of a long one.

@@ -26,7 +26,7 @@
 
 namespace earthtop {
 
-/// How the method steps.
+/// The settings with which the method steps through a run.
 template <class T>
 struct LongHorizonPlan {
   KickSchedule schedule;

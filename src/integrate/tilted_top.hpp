@@ -8,7 +8,7 @@
 ///
 /// Then in laboratory axes, exactly,
 ///
-///   dn/dt = M x n / I1 ,   dM/dt = G x n + delta (2 M x n + I1 W x n) ,   M.n = kappa - 2 I1 w :
+///   dn/dt = M x n / I1 ,   dM/dt = G x n + delta (2 M x n + I1 W x n) ,   M.n = kappa - 2 I1 w .
 ///
 /// The first term is a Lagrange top under the constant torque G x n; it has a closed form (the large flow). The term with delta
 /// is a perturbation, which is smaller than the Earth's rate itself by about I1 |dn/dt| / kappa, the ratio of precession to

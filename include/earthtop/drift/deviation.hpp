@@ -4,9 +4,9 @@
 /// derived independently of the others:
 ///
 /// | observer    | attitude deviation              | rate deviation                                        |
-/// | laboratory  | R_rot R_ref^T, axes L           | of w_LB, carried to L; [F]'s torques drive it         |
+/// | laboratory  | R_rot R_ref^T, axes L           | of w_LB, turned to L; driven by [F]'s torques         |
 /// | body        | R_ref^T R_rot, body axes        | of w_IB; the laboratory turns away under the attitude |
-/// | inertial    | R_rot R_ref^T, axes N           | of w_IB, carried to N; gravity turning drives it      |
+/// | inertial    | R_rot R_ref^T, axes N           | of w_IB, turned to N; driven by gravity, which turns  |
 ///
 /// The rate deviation is p = Theta (w_rot - w_ref), each rate in its own body axes: the part that the two spins share cancels
 /// exactly.

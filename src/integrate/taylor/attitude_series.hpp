@@ -21,7 +21,7 @@ class AttitudeSeries {
  public:
   static constexpr int kRateLanes = 12, kUpLanes = 6, kVectorLanes = 10;
 
-  /// |q| is constant along the exact motion; its round-off must not scale a torque.
+  /// Notes |q|, which is constant along the exact motion: its round-off must not scale a torque.
   void start(const Quaternion<T>& q) { inverse_norm_squared_ = T(1) / (q.w * q.w + q.v.dot(q.v)); }
 
   /// Puts in the factors of q w_B at order k.
