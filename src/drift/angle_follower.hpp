@@ -9,14 +9,15 @@
 
 namespace earthtop {
 
-/// Follows the two angles that can go round. Where one of them turns fast, as the azimuth does beside the vertical, it is
-/// looked at again in between.
+/// Follows the two drift angles that can go round. Where one of them changes fast, as the azimuth does near the vertical, it
+/// takes further looks in between.
+/// @tparam Pair  has advance(t), which follows both motions to t, and followed_state(t), their drift state there
 template <class Pair>
 class AngleFollower {
  public:
   explicit AngleFollower(Pair& pair) : pair_(pair) {}
 
-  /// Goes on to t, at most a step after the last one; leaves the pair followed to t.
+  /// Goes on to t, at most one of the pair's steps after the last time; leaves the pair followed to t.
   void follow_to(double t) {
     pair_.advance(t);
     looks_left_ = kMostLooks;
@@ -24,7 +25,7 @@ class AngleFollower {
   }
   double half_spin_offset() const { return half_spin_.offset(); }
   double azimuth_offset() const { return azimuth_.offset(); }
-  /// The row's own phases: where an angle stands at the cut, its digits decide on the side.
+  /// Takes the phases of the row itself, which are more exact: where an angle is at +-pi, their digits decide on the side.
   template <class T>
   void settle(const DriftPhases<T>& phases) {
     take({static_cast<double>(phases.half_spin_sine), static_cast<double>(phases.half_spin_cosine), phases.azimuth_defined,
@@ -32,10 +33,10 @@ class AngleFollower {
   }
 
  private:
-  /// Twice for each of thirty halvings; more would look at the rounding of an axis that stands upright.
+  /// Enough looks for two at each of thirty halvings; more would only see the rounding of an axis that stands upright.
   static constexpr int kMostLooks = 60;
 
-  /// More than a sixth of a turn.
+  /// Whether the angle has changed by more than a sixth of a turn.
   static bool far(double sine, double cosine, double last_sine, double last_cosine) {
     return sine * last_sine + cosine * last_cosine < 0.5 * real::hypot(sine, cosine) * real::hypot(last_sine, last_cosine);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Closes in on the root of a function between two points where its signs differ.
+/// Closes in on the root of a function between two points at which its signs differ.
 #pragma once
 
 #include <algorithm>
@@ -8,21 +8,22 @@
 
 namespace earthtop {
 
-/// Regula falsi with the weights of Anderson and Bjorck (BIT 13 (1973) 253), which converges with a power of 1.7, and a halving
-/// wherever three evaluations have not halved the bracket. Ends where the bracket is a few digits of T wide. The function sees
-/// every point that is tried, and keeps what its caller wants of them.
-/// @param enough  asked after every evaluation whether it may end there
+/// Regula falsi with the weights of Anderson and Bjorck (BIT 13 (1973) 253), which converges with order 1.7. Where three
+/// evaluations have not halved the bracket, it is bisected. The search ends when the bracket is as narrow as T can resolve. It
+/// returns nothing: f sees every point that is tried, and may note what its caller wants to know.
+/// @param a, fa, b, fb  the ends of the bracket, a < b, and the values of f there   @param f  the function
+/// @param enough  asked after every evaluation whether the search may end
 template <class T, class F, class Enough>
 void close_in(T a, T fa, T b, T fb, const F& f, const Enough& enough) {
   constexpr int kMost = 200;
   T width = b - a;
-  int side = 0;  // of the last point tried: -1 it took the place of a, 1 that of b
+  int side = 0;  // the end that the last point tried has replaced: -1 for a, 1 for b
   for (int i = 0, since = 0; i < kMost && fa != T(0) && fb != T(0); ++i) {
     const T least = T(4) * real::epsilon<T>() * std::max(real::abs(a), real::abs(b));
     if (b - a <= least) return;
     const bool slow = since >= 3;
     const T line = slow ? T(a + (b - a) / T(2)) : T(b - fb * ((b - a) / (fb - fa)));
-    // Off the ends: the root may lie a digit beside one.
+    // Keep off the ends: the root may lie very close to one.
     const T x = std::clamp(line, T(a + least / T(4)), T(b - least / T(4)));
     if (!(x > a && x < b)) return;
     const T fx = f(x);

@@ -45,20 +45,20 @@ class ExactPair {
                     W(times[1]));
   }
 
-  /// Goes on to t, in steps of at most `longest_step`.
+  /// Follows both motions to t, at most `longest_step` after the time followed to before.
   void advance(double t) {
     followed_reference_.advance(t);
     if (followed_rotating_) followed_rotating_->advance(t);
   }
-  /// A radian of both motions and of the laboratory.
+  /// The time in which both motions and the laboratory together turn by about a radian.
   double longest_step() const {
     const double of_rotating = followed_rotating_ ? followed_rotating_->turn_rate() : 0;
     return 1 / (followed_reference_.turn_rate() + of_rotating + static_cast<double>(norm(problem_.model.W_IL_L)));
   }
 
-  /// The deviation at the time followed to, roughly: from attitudes in double.
+  /// The deviation at the time followed to, only roughly: from attitudes in double.
   DriftState<double> followed_state(double t) const {
-    // Not over epsilon: the attitudes' rounding over a tiny one would overflow.
+    // The deviation is not divided by epsilon here (it is 1): the rounding of attitudes over a tiny epsilon would overflow.
     Model<double> model;
     model.W_IL_L_scaled = converted<double>(problem_.model.W_IL_L);
     Deviation<double> deviation;
@@ -70,8 +70,8 @@ class ExactPair {
     return seen_from_laboratory<Observer::inertial>(model, followed_reference_.attitude(), deviation, t);
   }
 
-  /// The state at t; `t_s` is left to the caller, rates are in natural units. Away from the time followed to only angles
-  /// between axes are right, not the signs of quaternions.
+  /// The state at t, with rates in natural units; `t_s` is left to the caller. At times other than the one followed to,
+  /// quaternions may have the wrong sign; angles between axes are right at any time.
   DriftState<T> state(T t) {
     const Model<T>& model = problem_.model;
     const ClosedFormState<T> ref = reference_.at(t);
@@ -86,7 +86,8 @@ class ExactPair {
       attitude_error_ = std::max(attitude_error_, rot.attitude_error);
       if (change_ && t > T(0)) {
         const RateChange::Value change = change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
-        // Soon after the release the laboratory turns as far as the body turned more: that cancels, before it is rounded to T.
+        // Soon after the release the laboratory's turn nearly cancels the deviation. So the difference is taken in 113 bits,
+        // before it is rounded to T.
         const Vec3<W> y = rate_scaled_ * change.v_over_lambda;
         const DriftState<W> seen = seen_from_laboratory<Observer::inertial>(wide_model_, Quaternion<W>{}, {change.w, y}, W(t));
         s.e_w = static_cast<T>(seen.e_w);
@@ -100,16 +101,17 @@ class ExactPair {
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);
     return s;
   }
-  /// Of the last state: the attitudes' error.
+  /// Bound on the error of both attitudes in the last state.
   T attitude_error(T t) const { return attitude_error_ + turn_error<T>(t); }
-  /// That of the drift: what the reference's attitude turns, and what the deviation itself is off by.
+  /// Bound on the error of the drift in the last state: from the error of the reference's attitude, which turns the deviation,
+  /// and from that of the deviation itself.
   T drift_error(T attitude_drift) const { return T(2) * attitude_error_ * attitude_drift + deviation_error_; }
 
  private:
   FollowedMotion follow(const Vec3<T>& w0_B) const {
     return {body_.template as<double>(), converted<double>(problem_.release.q_LB), converted<double>(w0_B)};
   }
-  /// Rounding of the laboratory's turn.
+  /// The rounding error of the laboratory's turn.
   template <class U>
   U turn_error(U t) const {
     return U(4) * real::epsilon<U>() * static_cast<U>(norm(problem_.model.W_IL_L)) * t;
@@ -123,12 +125,12 @@ class ExactPair {
   FollowedMotion followed_reference_;
   std::optional<FollowedMotion> followed_rotating_;
   std::optional<RateChange> change_;
-  Model<W> wide_model_;   ///< no more of it than the Earth's rate
+  Model<W> wide_model_;   ///< has only the Earth's rate and epsilon
   W rate_scaled_ = W(0);  ///< the Earth's rate over epsilon
   T attitude_error_ = T(0), deviation_error_ = T(0);
 };
 
-/// Looks at the drift at any time: the formula needs no steps.
+/// Looks at the drift at any time; a formula needs no steps to get there.
 template <class T>
 class LooksAtPair {
  public:

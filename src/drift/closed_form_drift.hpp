@@ -6,9 +6,12 @@
 
 namespace earthtop {
 
-/// Matched in inertial rates, or on an Earth that stands still, both motions are one, seen by a laboratory that turns and by
-/// one that does not: the deviation is exp(-[W]x t), or nothing. Matched in the laboratory their inertial rates at release
-/// differ by W, and what that makes of the motion is found in 113 bits (rate_change.hpp).
+/// Integrates nothing: both motions and the drift at the output times come from closed forms.
+///
+/// If the two motions are released with the same inertial rate, or on an Earth that stands still, they are one motion in
+/// inertial space, seen by a laboratory that turns and by one that does not: the deviation is exp(-[W]x t), or zero. If they
+/// are released with the same rate relative to the laboratory, their inertial rates at release differ by W; the effect of that
+/// difference is found in 113 bits (rate_change.hpp).
 /// @throws std::logic_error for a scene without a closed form
 template <class T>
 DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);

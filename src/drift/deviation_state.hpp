@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The deviation of any observer's form as the drift measures read it: the quaternion of R_ref^T R_rot.
+/// Converts the deviation of any observer's form to the quaternion of R_ref^T R_rot, which the drift measures read.
 #pragma once
 
 #include "earthtop/drift/drift_integration.hpp"
 
 namespace earthtop {
 
-/// Fills `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`.
-/// @tparam O  whose form the deviation is in: body axes, or axes of the laboratory or inertial space
+/// The part of a drift state that the drift measures read: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`.
+/// @tparam O  the observer in whose axes the deviation is given: body, laboratory or inertial
 /// @param ref_q_LB  attitude of the non-rotating reference   @param t  natural units
 template <Observer O, class T>
 DriftState<T> seen_from_laboratory(const Model<T>& model, const Quaternion<T>& ref_q_LB, const Deviation<T>& deviation, T t) {
@@ -20,7 +20,7 @@ DriftState<T> seen_from_laboratory(const Model<T>& model, const Quaternion<T>& r
   } else if constexpr (O == Observer::laboratory) {
     s.e_v_scaled = transposed_times(rotation_matrix(ref_q_LB), deviation.y);
   } else {
-    // q_NL^* d, the deviation seen from the laboratory, in L axes; then in the reference's body axes.
+    // The deviation seen from the laboratory is q_NL^* d in L axes; it is then turned to the reference's body axes.
     const LaboratoryTurn<T> turn = laboratory_turn(model, t);
     const T epsilon = model.epsilon;
     s.e_w = turn.w * deviation.w + epsilon * epsilon * turn.v_scaled.dot(deviation.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The body of integrate_drift, instantiated for one scalar in each of drift_integration_*.cpp.
+/// The definition of integrate_drift; each of drift_integration_*.cpp instantiates it for one scalar.
 #pragma once
 
 #include <algorithm>
@@ -49,8 +49,8 @@ DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const Integ
   DriftSystem<T, O, K, R> system(problem.model);
   const Release<T>& release = problem.release;
   const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
-  // Angles between two motions that each turn at the fastest rate: less than half a turn between two looks. The other methods'
-  // steps are shorter.
+  // Both motions may turn at the fastest rate, and the angle between them must change by less than half a turn between two
+  // looks. The steps of the other methods are short enough anyway.
   const T largest_step =
       options.method == Method::extrapolation || options.method == Method::dop853 ? T(1.5) / problem.fastest_rate : T(0);
   return integrate_system(system, x, problem, options, watch, largest_step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The right-hand side of a drift integration on one state vector:
+/// The right-hand side of a drift integration, for any body. It works on one state vector:
 ///   [0,7) non-rotating reference   7 deviation w   [8,11) y   [11,14) p   [14,21) rotating motion, where it is integrated
 #pragma once
 
@@ -48,8 +48,9 @@ void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
 template <RotatingMotion R>
 struct DriftShape {
   static constexpr std::size_t kSize = R == RotatingMotion::integrated ? 21 : 14;
-  /// Attitudes and rates against their own size. The deviation is one group: where one part of it vanishes (as the rates' does
-  /// at a pole) its round-off is that of the other part. It starts from zero, so its scale has a floor.
+  /// Attitudes and rates are measured against their own size. The vectors y and p of the deviation are one group: where one of
+  /// them vanishes, as that of the rates does at a pole, its round-off is that of the other. As the deviation starts from zero,
+  /// its size has a floor.
   static constexpr auto groups() {
     constexpr std::array<ComponentGroup, 6> all{
         {{0, 4, 1.0}, {4, 3, 1e-3}, {7, 1, 1.0}, {8, 6, 1e-5}, {14, 4, 1.0}, {18, 3, 1e-3}}};
@@ -60,7 +61,7 @@ struct DriftShape {
   }
 };
 
-/// @tparam O  whose equations; fixed at compile time, so that the right-hand side has no branch.
+/// @tparam O  the observer whose equations are integrated; known at compile time, so that the right-hand side has no branch
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
 class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain && R == RotatingMotion::composed,
@@ -68,7 +69,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
   static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
-  static constexpr bool kBoundOnly = !kIntegrated;  ///< made for the second integration of a run, and for the series
+  static constexpr bool kBoundOnly = !kIntegrated;  ///< used only by the second integration of a run, and by the series
   using Shape = DriftShape<R>;
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
@@ -114,14 +115,14 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
 
   GeneralDriftSeries<T> series() const { return GeneralDriftSeries<T>(model_); }
 
-  /// The state at release: both predictions at the same attitude, with the same rates of the kind the release names.
+  /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
   /// @param w_XB_B  in natural units
   State initial_state(const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B, RatesRelativeTo X) const {
     const Mat3<T> R_LB = rotation_matrix(q_LB);
     const Vec3<T> W_B_scaled = R_LB.transpose() * model_.W_IL_L_scaled;
     const Vec3<T> W_B = model_.epsilon * W_B_scaled;
     const bool inertial_rates = X == RatesRelativeTo::inertial;
-    // Rates of the rotating body relative to L and to I, and their deviations over epsilon, from the same given rates.
+    // The rates of the rotating body relative to L and to I, and their deviations over epsilon, all from the given rates.
     const Vec3<T> w_LB_B = inertial_rates ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
     const Vec3<T> w_IB_B = inertial_rates ? w_XB_B : Vec3<T>(w_XB_B + W_B);
     const Vec3<T> zero = Vec3<T>::Zero();
@@ -142,7 +143,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     return x;
   }
 
-  /// The observer's variables turned into those all observers share; rates in natural units, `t_s` left to the caller.
+  /// The state in the variables that all observers share, with rates in natural units; `t_s` is left to the caller.
   DriftState<T> shared_state(const State& x, T t) const {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
@@ -167,12 +168,12 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     return s;
   }
 
-  /// The part of it that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`; cheap.
+  /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
   DriftState<T> deviation_state(const State& x, T t) const {
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
     return seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
   }
-  /// Called after every step: a motion that dry friction brings to rest is held there from then on.
+  /// Called after every step: if dry friction has brought a motion to rest, it is held there from then on.
   void settle(State& x, T t) requires kSettles {
     if (model_.applied.coulomb == T(0)) return;
     Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
@@ -205,7 +206,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
   }
   const std::vector<typename RestingMotions<T>::Stop>& stops() const { return rest_.stops(); }
 
-  /// Called after every step: the attitude quaternions are integrated, and continuous by themselves.
+  /// Called after every step. There is nothing to do: the attitude quaternions are integrated, and so are continuous.
   void follow(const State&) {}
 
  private:
@@ -221,7 +222,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     }
   }
 
-  /// What the applied torques add to the rates of the three rate variables.
+  /// Adds the applied torques to the time derivatives of the three rate variables.
   [[gnu::noinline]] void add_applied_torques(const State& x, T t, Motion<T>& reference_rate, Deviation<T>& deviation_rate,
                                              Motion<T>& rotating_rate) const {
     const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
@@ -246,14 +247,14 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
       rotating_rate.m += O == Observer::body ? times(model_.I_BP_B_inverse, on_rotating) : times(R_rot, on_rotating);
     }
   }
-  /// W in the rotating body's axes, over epsilon.
+  /// The Earth's rate in the rotating body's axes, divided by epsilon.
   Vec3<T> earth_rate_scaled(const DriftState<T>& s) const {
     const Vec3<T> W_ref_B = transposed_times(rotation_matrix(s.ref_q_LB), model_.W_IL_L_scaled);
     return W_ref_B + model_.epsilon * turn_back_minus_one_scaled(s.e_w, s.e_v_scaled, model_.epsilon, W_ref_B);
   }
 
-  /// The rates of motions of which one rests, or both. What rests has no rate; the deviation's is then that of the other
-  /// motion.
+  /// Changes the time derivatives where one motion rests, or both. A motion at rest has none, and the deviation changes with
+  /// the other motion alone.
   [[gnu::noinline]] void hold(const State& x, T t, Motion<T>& reference_rate, Deviation<T>& deviation_rate,
                               Motion<T>& rotating_rate) const {
     const Motion<T> still{Quaternion<T>{T(0), Vec3<T>::Zero()}, Vec3<T>::Zero()};
@@ -269,7 +270,7 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
                          times(model_.I_BP_B_inverse, applied_torque_B(model_, t, moving.q, w_LB_B, true));
       deviation_rate.p = times<T>(model_.I_BP_B, dw / epsilon);
     } else if (rotating_rests && !reference_rests) {
-      // By itself: a pair of which one rests has no dry friction.
+      // The rotating motion rests. The moving one is taken by itself, as the torques on a pair would leave dry friction out.
       const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
       reference_rate.m = body_equation<false, K>(model_, reference, pivot_field<K>(model_, t).reference_L).m +
                          times(model_.I_BP_B_inverse, applied_torque_B(model_, t, reference.q, reference.m, false));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Watches the axis drift of an integration for the first time it passes a threshold.
+/// Watches the axis drift of an integration until it first passes a threshold.
 ///
-/// Between two states of the integration the motion is integrated once more, from the first of them and to round-off, to each
-/// time that the search wants to look at: by extrapolation of the same equations, whatever the method of the steps. So every
-/// method has a dense output that is no worse than its steps, and the steps are what they are without a threshold.
+/// To look at a time between two states of the integration, the search integrates the same equations once more from the first
+/// of the two states: by extrapolation and down to round-off, whatever the method of the steps. So every method has a dense
+/// output that is no worse than its steps, and the steps are the same as without a threshold.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace earthtop {
 
-/// @tparam System  x, dxdt, t -> void, with the `Shape` of its states and deviation_state(x, t)
+/// @tparam System  called with (x, dxdt, t); has the `Shape` of its states and deviation_state(x, t)
 template <class T, class System>
 class FlowSearch {
  public:
@@ -28,7 +28,8 @@ class FlowSearch {
         watch_(threshold, motion_rate),
         apart_(T(real::cbrt(static_cast<double>(real::epsilon<T>()))) / motion_rate) {}
 
-  /// @param system  whose equations may have changed since: a motion that has come to rest
+  /// Goes on to the next state of the integration.
+  /// @param system  its equations may have changed since the last state, if a motion has come to rest
   void follow(const System& system, T t, const State& x) {
     if (watch_.done()) return;
     const AxisLook<T> next = watch_.has_passed() ? axis_look(t, equations_->deviation_state(x, t)) : look(t, x);
@@ -45,10 +46,11 @@ class FlowSearch {
   const ThresholdRecord<T>& record() const { return watch_.record(); }
 
  private:
-  /// Of the equations' own least tolerance.
+  /// Tolerance of the search's own integration, some ten times the least that makes sense.
   static T tolerance() { return T(512) * real::epsilon<T>(); }
 
-  /// A rate of the drift needs a few digits: from where the equations lead in a cube root of the digits of a turn, both ways.
+  /// The drift at t and its rate. The rate needs only a few digits: it is taken from the two states to which the slope at t
+  /// leads shortly before and after t (by a phase of the motion that is the cube root of epsilon).
   AxisLook<T> look(T t, const State& x) const {
     State dxdt, before, after;
     (*equations_)(x, dxdt, t);
@@ -60,13 +62,13 @@ class FlowSearch {
                      equations_->deviation_state(after, t + apart_), T(T(2) * apart_));
   }
 
-  /// From `begin_` to t. Where the equations allow no step, which the integration's own has just shown to be unlikely, the
-  /// search is told.
+  /// Integrates from `begin_` to t. If the equations allow no step, which is unlikely as the integration has just taken one,
+  /// the look has failed, and the watch is told so.
   void advance(T t) {
     GroupScales<T, typename System::Shape> scales;
     scales.include(begin_), scales.include(x_);
     Extrapolation<T, typename System::Shape> stepper(tolerance(), scales);
-    std::int64_t evaluations = 0;  // nobody counts these
+    std::int64_t evaluations = 0;  // not counted anywhere
     const RightHandSide<T, System::kSize> equations(*equations_, evaluations);
     constexpr int kMostSteps = 1000;
     T left = t - begin_t_, proposed = left, gone = T(0);
@@ -84,11 +86,11 @@ class FlowSearch {
     begin_t_ = t;
   }
 
-  std::optional<System> equations_;  ///< of the step looked into
+  std::optional<System> equations_;  ///< a copy of the system, as it was during the step that is looked into
   ThresholdWatch<T> watch_;
   T apart_;
-  T t_ = T(0), begin_t_ = T(0);  ///< of the last state seen; of the one that further looks start from
-  State x_{}, begin_{};
+  T t_ = T(0), begin_t_ = T(0);  ///< times of the last state seen, and of the state that further looks start from
+  State x_{}, begin_{};          ///< these two states
 };
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
+#include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
 //
 #include <algorithm>
 #include <array>
@@ -20,13 +20,13 @@ namespace {
 constexpr std::size_t kDisturbances = 3, kMotionSize = 7, kSize = kMotionSize + 6 * kDisturbances;
 using State = std::array<double, kSize>;  // q, w, then theta and dw of each disturbance
 
-constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
-constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
-constexpr double kPointSpacing = 0.1;
-constexpr double kToldApart = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr double kRegular = 100;       // in a regular motion disturbances grow by at most kRegular (1 + w0 t)
+constexpr double kRescaled = 1e3;      // a disturbance that has grown by this is brought back to size 1
+constexpr double kPointSpacing = 0.1;  // log growth between two points of GrowthReport::rises, at least
+constexpr double kToldApart = 2;       // e-foldings in the second half: an oscillation of the growth may make as many
 constexpr std::int64_t kStepLimit = 50'000'000;
-constexpr int kStages = 13;         // of Fehlberg's method of order 8
-constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
+constexpr int kStages = 13;         // right-hand sides in a step of Fehlberg's method of order 8
+constexpr double kTurning = 1e-10;  // shortest step with dry friction (rad): where the motion reverses, disturbances jump
 
 Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
 void put(const Vec3<double>& v, State& x, std::size_t i) {
@@ -39,6 +39,7 @@ void put(const Motion<double>& motion, State& x) {
   put(motion.m, x, 4);
 }
 
+/// The right-hand side of the motion and of the variational equations of its disturbances.
 template <bool kEarth, SceneKind K>
 struct Variations {
   const Model<double>* model;
@@ -65,9 +66,9 @@ struct Variations {
   }
 };
 
-/// What a gimbal leaves of a disturbance. It holds u.e3 = 0 and with it w_LB.h = 0, h = u x e3 with u = Up seen from the body;
-/// of a disturbance that keeps both, theta.h = 0 and d(w_LB).h = -w_LB.dh with dh = (u x theta) x e3 and
-/// d(w_LB) = dw - (R^T W) x theta. What departs from that is taken away along h.
+/// Restricts disturbances to those that a gimbal allows. The gimbal keeps u.e3 = 0 and therefore w_LB.h = 0, with h = u x e3
+/// and u = Up as seen from the body. A disturbance that keeps both has theta.h = 0 and d(w_LB).h = -w_LB.dh, with
+/// dh = (u x theta) x e3 and d(w_LB) = dw - (R^T W) x theta. Any departure from that is taken away along h.
 template <bool kEarth>
 class GimbalFreedom {
  public:
@@ -90,7 +91,7 @@ class GimbalFreedom {
   double h_square_ = 0;
 };
 
-/// Sizes of the disturbances, brought back to 1 before they overflow.
+/// Follows the sizes of the disturbances, and brings them back to 1 before they overflow.
 template <bool kEarth>
 class Follower {
  public:
@@ -101,7 +102,7 @@ class Follower {
     restrict(x);
     for (std::size_t d = 0; d < kDisturbances; ++d) scale(x, d, 1 / size(x, d));
   }
-  /// @returns the logarithm of the largest growth of the three
+  /// Takes in the state after a step. @returns the logarithm of the largest growth of the three disturbances
   double include(State& x) {
     restrict(x);
     double largest = -std::numeric_limits<double>::infinity();
@@ -139,7 +140,7 @@ class Follower {
   std::array<double, kDisturbances> log_scale_ = {};
 };
 
-/// The slope of a line through values over the second half of a time, each weighed by its step.
+/// The slope of a line fitted to values over the second half of the duration, each weighted by the length of its step.
 class LateSlope {
  public:
   explicit LateSlope(double end) : middle_(0.75 * end), half_(end / 2) {}
@@ -149,7 +150,7 @@ class LateSlope {
     weight_ += dt, x_ += dt * x, xx_ += dt * x * x, y_ += dt * value, xy_ += dt * x * value;
     reached_ = t;
   }
-  /// None where less than half of the second half was reached; 0 where the line rises or falls by less than kToldApart.
+  /// The slope; none where less than half of the second half was reached, 0 where the line changes by less than kToldApart.
   std::optional<double> slope() const {
     const double spread = weight_ * xx_ - x_ * x_;
     if (reached_ < middle_ || !(spread > 0)) return std::nullopt;
@@ -162,8 +163,8 @@ class LateSlope {
   double weight_ = 0, x_ = 0, xx_ = 0, y_ = 0, xy_ = 0;
 };
 
-/// When friction brakes an upright top to its critical spin, by a line through the two steps about it. A top that leans counts
-/// as upright if its nutation has brought it within 0.2 rad of the vertical in the last period.
+/// Finds when friction brakes an upright top to its critical spin, by a line through the two steps around that time. A leaning
+/// top counts as upright if its nutation has brought it within 0.2 rad of the vertical during the last period.
 class CriticalSpin {
  public:
   explicit CriticalSpin(const Model<double>& model) : model_(&model), sought_(model.applied.friction()) {}
@@ -183,14 +184,14 @@ class CriticalSpin {
   std::optional<double> passed() const { return passed_ < 0 ? std::nullopt : std::optional(passed_); }
 
  private:
-  static constexpr double kUpright = 0.2;  // rad; the critical spin of a top that leans so far is 1 percent lower
+  static constexpr double kUpright = 0.2;  // largest lean (rad); a top that leans so far has a critical spin 1 percent lower
 
   const Model<double>* model_;
   bool sought_;
   double upright_at_ = -HUGE_VAL, before_ = 0, above_before_ = -1, passed_ = -1;
 };
 
-/// Gravity's direction in the body and the rate in units of w0, as they were at release: how far they have gone.
+/// How far gravity's direction, as seen from the body, and the rate, in units of w0, have departed from those at release.
 class Departure {
  public:
   Departure(const Model<double>& model, const Motion<double>& release, double rate)
@@ -208,7 +209,7 @@ class Departure {
     return without_turn(transposed_times(rotation_matrix(motion.q), up_L_));
   }
   Vec3<double> seen_rate(const Motion<double>& motion) const { return without_turn(motion.m); }
-  /// Parts along and across the axis of a symmetric body, whose turn about it changes nothing.
+  /// For a symmetric body: the parts of a vector along and across its axis, which a turn of the body about it does not change.
   Vec3<double> without_turn(const Vec3<double>& v_B) const {
     if (axis_ < 0) return v_B;
     return {real::hypot(v_B[(axis_ + 1) % 3], v_B[(axis_ + 2) % 3]), 0, v_B[axis_]};

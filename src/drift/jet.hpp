@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A number with its derivatives by N inputs: arithmetic carries them along by the chain rule, exactly but for rounding.
+/// A number with its derivatives by N inputs. Arithmetic applies the chain rule, so that derivatives are exact except for
+/// rounding.
 ///
-/// Lives in `real` and has to be included before any header whose templates call the functions of that namespace.
+/// Jets live in the namespace `real`. This header has to be included before any header whose templates call the functions of
+/// that namespace.
 #pragma once
 
 #include <array>
@@ -56,7 +58,7 @@ struct Jet {
   friend bool operator==(const Jet& x, const Jet& y) { return x.value == y.value; }
 };
 
-/// f(x) with slope f'(x).
+/// A function of x, given its value f and its slope there.
 template <std::size_t N>
 Jet<N> composed(const Jet<N>& x, double f, double slope) {
   Jet<N> y = f;
@@ -68,7 +70,7 @@ Jet<N> sqrt(const Jet<N>& x) {
   const double root = std::sqrt(x.value);
   return composed(x, root, 0.5 / root);
 }
-/// x to a constant power.
+/// x to a power that does not depend on the inputs.
 template <std::size_t N>
 Jet<N> pow(const Jet<N>& x, const Jet<N>& exponent) {
   const double p = exponent.value;
@@ -76,7 +78,7 @@ Jet<N> pow(const Jet<N>& x, const Jet<N>& exponent) {
 }
 template <std::size_t N>
 Jet<N> atan2(const Jet<N>& y, const Jet<N>& x) {
-  // Scaled: squares of the deviations of a tiny Earth rate would underflow.
+  // Numbers are scaled, as the squares of deviations would underflow for a tiny Earth rate.
   const double size = hypot(x.value, y.value), c = x.value / size, s = y.value / size;
   Jet<N> angle = real::atan2(y.value, x.value);
   for (std::size_t i = 0; i < N; ++i) angle.d[i] = c * (y.d[i] / size) - s * (x.d[i] / size);

@@ -19,17 +19,17 @@ namespace {
 using T = double;
 using Top = TiltedTop<T>;
 
-/// Both motions at one instant, without the spin w3 t that they share. `y` is the vector part of R_ref^T R_rot over epsilon.
+/// Both motions at one instant, without the spin w3 t that they share. (e_w, epsilon y) is the quaternion of R_ref^T R_rot.
 struct Pair {
   Quaternion<T> ref_q_LF;
   Complex<T> ref_across;
   T e_w = T(1);
   Vec3<T> y = Vec3<T>::Zero();
-  Complex<T> across;     ///< of the rotating motion, in its own frame
-  T spin_excess = T(0);  ///< its rate along the axis relative to the laboratory, less w3
+  Complex<T> across;     ///< rate of the rotating motion's axis, in its own frame
+  T spin_excess = T(0);  ///< rate of the rotating motion along the axis relative to the laboratory, less w3
 };
 
-/// What a step watcher asks about a pair.
+/// Gives a pair the interface of a system that a StepWatcher expects.
 class PairSystem {
  public:
   using State = Pair;
@@ -59,7 +59,7 @@ class PairSystem {
   }
 
  private:
-  /// The pair with its two quaternions on the side of those followed last.
+  /// The pair with the signs of its two quaternions chosen to be close to those followed last.
   Pair signed_like(const Pair& last, const Pair& pair) const {
     Pair x = pair;
     if (last.ref_q_LF.w * x.ref_q_LF.w + last.ref_q_LF.v.dot(x.ref_q_LF.v) < T(0)) x.ref_q_LF = {-x.ref_q_LF.w, -x.ref_q_LF.v};
@@ -108,28 +108,29 @@ class LongHorizonDrift {
     if (plan.averages) {
       const T averaging = averaging_error(top, times_.back());
       stated_error_ = averaging / times_.back();
-      // It goes with the square of the rate, and shall not exceed a plain difference's round-off.
+      // The averaging error goes with the square of the rate. At the larger rates it must not exceed the error of a difference.
       if (averaging > T(0)) largest_node = epsilon * real::sqrt(kDifferenceError / averaging);
     }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
     const bool plainly = largest >= kSmall || largest_node < T(2) * epsilon;
-    // Two walks of long steps may err alike, most in the turn about the axis: in one of 180 gyroscopes by 5e-12 rad.
+    // Two walks with long steps may have the same error, mostly in the turn about the axis, which their comparison does not
+    // show: up to 5e-12 rad, as in one of 180 gyroscopes.
     if (plan.averages && plainly)
       for (std::size_t i = 0; i < plain.samples.size(); ++i)
         plain.samples[i].drift_error += kUnseenError * (times_[i] / times_.back());
     if (plainly || trajectory_status_ != RunStatus::completed) return plain;
     const T drift = interpolate(epsilon, largest, largest_node);
-    if (!(drift > T(0))) return plain;  // nothing at any rate
+    if (!(drift > T(0))) return plain;  // there is no drift at any rate
     return watched(epsilon, false);
   }
 
-  static constexpr T kSmall = 1e-3;             ///< a drift (rad) of which a difference gives nine digits
-  static constexpr T kChosen = 4e-3;            ///< the drift at the rates that stand for smaller ones
-  static constexpr T kDifferenceError = 1e-12;  ///< of a difference (rad)
-  static constexpr T kUnseenError = 5e-12;      ///< of averaging (rad), at the end
-  static constexpr T kApart = 1e-3;             ///< of a turn of the nutation, between the states that a rate is taken from
-  static constexpr double kWalkShare = 0.75;    ///< of what is to be done, what a walk leaves, as far as is known before it
+  static constexpr T kSmall = 1e-3;             ///< smallest drift taken as a difference, which has nine digits of it (rad)
+  static constexpr T kChosen = 4e-3;            ///< drift sought at the largest of the four rates of the cubic (rad)
+  static constexpr T kDifferenceError = 1e-12;  ///< error of a difference of attitudes (rad)
+  static constexpr T kUnseenError = 5e-12;      ///< error of averaging that comparisons may not show, at the end (rad)
+  static constexpr T kApart = 1e-3;             ///< phase of the fast motion between the states that rates come from (rad)
+  static constexpr double kWalkShare = 0.75;    ///< share of the remaining work that is left after a walk, for the progress
   static constexpr T kGoldenPart = 0.6180339887498949;
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
@@ -150,8 +151,8 @@ class LongHorizonDrift {
     LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps)
                                                   : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
     found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks, plan.averages};
-    // Another observer asks for a witness: steps without a common measure with these, and an average over twice the time, whose
-    // own error is four times as large.
+    // Another observer asks for an independent check. It gets steps that are incommensurable with these, and an average over
+    // twice the time, which has four times the error.
     if (options_.observer != Observer::laboratory) plan.step *= kGoldenPart, plan.spacing = 2;
     return plan;
   }
@@ -177,7 +178,7 @@ class LongHorizonDrift {
     if (counters_.accepted > options_.step_limit) trajectory_status_ = RunStatus::step_limit;
     return trajectory_status_ == RunStatus::completed;
   }
-  /// Whether so many steps to the next row are within the limit.
+  /// Whether the step limit allows so many more steps to the next row.
   bool has_room_for(T steps) {
     if (static_cast<T>(counters_.accepted) + steps > static_cast<T>(options_.step_limit))
       trajectory_status_ = RunStatus::step_limit;
@@ -187,7 +188,7 @@ class LongHorizonDrift {
     return real::isfinite(p.e_w + p.y.sum() + p.across.re + p.across.im + p.ref_q_LF.w + p.ref_across.re + p.ref_across.im);
   }
 
-  /// One walk, each row's pair noted. @param look  called between the rows, with time and pair
+  /// Makes one walk and notes the pair at each row. @param look  called with time and pair, at the rows and between them
   template <class Look>
   void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T looks_every, Look&& look) {
     LongHorizonWalk<T> walk(top, plan, counters_, watch_);
@@ -211,9 +212,9 @@ class LongHorizonDrift {
       look(times_[i], p);
     }
   }
-  /// The search for the threshold goes from row to row once more. Between two rows it takes walks that start at the first one:
-  /// only where a walk stops is its state complete, so that what walks pass on their way is no look. Looks lie as close as the
-  /// nutation asks for wherever the drift and its nutation might reach the threshold.
+  /// Searches for the threshold, going from row to row once more. Each look between two rows takes walks of its own from the
+  /// last position: the state of a walk is complete only where the walk stops, so states on its way are no use. Wherever the
+  /// drift and its nutation might reach the threshold, looks lie close enough to resolve the nutation.
   ThresholdRecord<T> found_threshold() {
     ThresholdWatch<T> watch(T(*problem_.threshold_rad), looked_at_.empty() ? T(1) : fast_rate());
     StepCounters uncounted;
@@ -243,7 +244,7 @@ class LongHorizonDrift {
     };
     if (!walks.empty()) watch.follow(look_at(T(0)), look_at);
     for (std::size_t row = 1; row < pairs_.size() && !walks.empty(); ++row) {
-      // As the walks' own steps go: so none of the looks between is more than a step's work away.
+      // Goes on in the walks' own steps, so that no look in between is more than the work of one step away.
       const T interval = times_[row] - times_[row - 1];
       const T steps = std::max(T(1), std::ceil(interval / looked_at_.front().plan.step * (1 - 1e-12)));
       for (T step = T(1); step <= steps; step += T(1)) {
@@ -256,15 +257,15 @@ class LongHorizonDrift {
     }
     return watch.record().in_seconds(problem_.units.time_exponent);
   }
-  /// Of the nutation, and of what turns beside it.
+  /// Upper estimate of all rates: of the nutation and of the Earth.
   T fast_rate() const {
     T fastest = T(0);
     for (const Walked& walked : looked_at_) fastest = std::max(fastest, walked.top.fast_rate());
     return fastest + norm(model_.W_IL_L);
   }
 
-  /// A first walk with a drift to be seen is the only one. Where the drift is small there are five more, if the first rates
-  /// tried for them are right.
+  /// The part of the watch for the next walk. If the drift may be large enough, the first walk is the only one. Otherwise there
+  /// are about five more, if the first rates tried for them are right.
   Watch next_walk() {
     const bool is_alone = walks_ == 0 && norm(model_.W_IL_L) * times_.back() > kSmall;
     const double done = walks_ == 0 ? 0 : 1 - real::pow(kWalkShare, walks_);
@@ -289,7 +290,7 @@ class LongHorizonDrift {
     });
     return finished(trajectory);
   }
-  /// The same of pairs that are there already.
+  /// The trajectory from the pairs noted already.
   DriftTrajectory<T> watched(T epsilon, bool exact) {
     PairSystem system(epsilon, w_XB_B_[2]);
     system.start_from(problem_.release.q_LB);
@@ -298,7 +299,7 @@ class LongHorizonDrift {
     trajectory.samples.reserve(times_.size());
     const T every = looks_every(reference_);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      // The deviation is small and stays near; the reference goes round.
+      // The deviation is small and cannot go round between two rows; only the reference has to be followed.
       if (i > 0)
         for (T t = times_[i - 1] + every; t < times_[i]; t += every) {
           Pair between = pairs_[i - 1];
@@ -330,14 +331,15 @@ class LongHorizonDrift {
     return largest;
   }
 
-  /// Fills `pairs_` for this epsilon from four larger rates.
-  /// @param drift  a first estimate of the drift at it (rad)   @param largest_node  none shall be larger
-  /// @returns the drift that the largest of these rates makes
+  /// Fills `pairs_` for this epsilon from walks at four larger rates.
+  /// @param drift  a first estimate of the drift at epsilon (rad)   @param largest_node  limit to the four rates
+  /// @returns the drift at the largest of these rates; 0 if there is none at any rate
   T interpolate(T epsilon, T drift, T largest_node) {
     const auto quiet = [](T, const Pair&) {};
-    constexpr T kResolved = 1e-5;  // a plain difference of this size is no round-off, and says how far to go
+    constexpr T kResolved = 1e-5;  // a drift of this size is not round-off, and tells by how much to enlarge the rate
     constexpr T kRoundOff = 1e-13;
-    // At most a radian of the Earth's turn: what does not drift by then, as an axis along the Earth's, hardly does at any rate.
+    // The Earth turns by a radian at most. An axis that has not drifted by then, as one parallel to the Earth's, hardly drifts
+    // at any rate.
     T most = std::min(largest_node, T(1) / times_.back());
     T node = std::min(most, drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
@@ -371,7 +373,8 @@ class LongHorizonDrift {
     return T(1);
   }
 
-  /// What four pairs at one time, of the rates kNodes x node, say of the pair at the rate epsilon, and the cubic's own term.
+  /// The pair at the rate epsilon, interpolated from the pairs at the four rates kNodes x node and the same time, and the size
+  /// of the cubic's term of third order.
   struct Joined {
     Pair pair;
     Vec3<T> bend = Vec3<T>::Zero();
@@ -389,7 +392,7 @@ class LongHorizonDrift {
     Vec3<T> y = Vec3<T>::Zero();
     Complex<T> rate;
     T excess = T(0);
-    constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // of the cubic's term: proportional to the third difference
+    constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // proportional to the third difference, and so to the third-order term
     for (std::size_t i = 0; i < kNodes.size(); ++i) {
       const Pair& q = at[i];
       const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
@@ -404,7 +407,7 @@ class LongHorizonDrift {
     p.spin_excess = epsilon * excess;
     return joined;
   }
-  /// @returns whether the cubic and the parabola through the inner three agree
+  /// Fills `pairs_` by interpolation. @returns whether the cubic's third-order term is small enough to trust the cubic
   bool join(const std::array<std::vector<Pair>, kNodes.size()>& at, T epsilon, T node) {
     T largest = T(0), third = T(0);
     for (std::size_t row = 0; row < pairs_.size(); ++row) {
@@ -413,7 +416,8 @@ class LongHorizonDrift {
       largest = std::max(largest, norm(there.pair.y));
       third = std::max(third, norm(there.bend));
     }
-    // The next term is smaller than the cubic one by about as much as that is than the whole, to the third part.
+    // If the third-order term is so much smaller than the whole, the next term is smaller again by about the cube root of that
+    // ratio.
     return third < T(1e-4) * largest;
   }
 
@@ -431,9 +435,9 @@ class LongHorizonDrift {
   RunStatus trajectory_status_ = RunStatus::completed;
   std::optional<double> step_s_;
   std::optional<KickSteps> found_;
-  T stated_error_ = T(0);  ///< of averaging, in a unit of time
+  T stated_error_ = T(0);  ///< error of averaging per unit of time
   std::vector<Pair> pairs_;
-  /// The walks that the rows are taken from: one, or one for each of four larger rates.
+  /// The walks that the rows come from: one at the rate asked for, or one at each of four larger rates.
   struct Walked {
     Top top;
     LongHorizonPlan<T> plan;

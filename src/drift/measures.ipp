@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The measures of a drift, for the scalars of measures.cpp and for jets.
+/// Defines the measures of a drift, for the scalars of measures.cpp and for jets.
 #pragma once
 
 #include "earthtop/drift/drift_integration.hpp"
@@ -13,7 +13,7 @@ T angle_of(T y, T x) {
   return real::atan2(y, x) + T(0);
 }
 
-/// Body axis 3 of the reference (n) and what the rotating one differs from it by (d), in East, North, Up.
+/// Body axis 3 of the reference, n, and the difference d of that of the rotating body from it; in East, North, Up.
 template <class T>
 struct AxisPair {
   Vec3<T> n, d_scaled, d;
@@ -31,7 +31,8 @@ struct AxisPair {
     ref_defined = horizontal_ref > round_off;
     azimuth_defined = ref_defined && horizontal_rot > round_off;
   }
-  /// Compass azimuth of n + d less that of n: its sine is n x d, without subtracting two directions. + 0 turns -0 into 0.
+  /// Sine, times a positive number, of the compass azimuth of n + d less that of n. It is a component of n x d, so that two
+  /// directions are never subtracted. Adding 0 turns -0 into 0.
   T azimuth_sine() const { return n[1] * d[0] - n[0] * d[1] + T(0); }
   T azimuth_cosine() const { return horizontal_ref * horizontal_ref + n[0] * d[0] + n[1] * d[1]; }
 };
@@ -62,7 +63,7 @@ DriftMeasures<T> measure_drift(const DriftState<T>& s) {
   m.attitude_vector_L_scaled = times(rotation_matrix(s.ref_q_LB), y);
   m.azimuth_defined = axes.azimuth_defined;
   m.azimuth = axes.azimuth_defined ? angle_of(axes.azimuth_sine(), axes.azimuth_cosine()) : T(0);
-  // The horizontal lengths differ by (2 n.d + d.d) / (their sum), without subtracting them.
+  // The difference of the two horizontal lengths is (2 n.d + d.d) / (their sum), which avoids subtracting them.
   const T sum = axes.horizontal_ref + axes.horizontal_rot;
   const T longer = axes.horizontal_ref > T(0) ? T((T(2) * (n[0] * d[0] + n[1] * d[1]) + d[0] * d[0] + d[1] * d[1]) / sum)
                                               : axes.horizontal_rot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a small change of the rate at release makes of an exact motion, without cancellation however small the change.
+/// Finds how a small change of the rate at release changes an exact motion, without cancellation however small the change is.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,23 @@
 
 namespace earthtop {
 
-/// d = q_rot q_ref^* of two motions of one body that start at the same attitude, the rotating one with w0 + lambda u, u a unit
-/// vector.
+/// The difference d = q_rot q_ref^* of two motions of one body that start at the same attitude: the reference with the rate w0,
+/// the rotating motion with w0 + lambda u, where u is a unit vector.
 ///
-/// Closed forms in 113 bits leave room for one subtraction: where both motions differ by 1e-11 rad, twenty digits of the
-/// difference are left. Where they differ by less, so do those of motions with larger changes +-a, and d/lambda is taken from
-/// these: d is analytic in lambda, d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ] to second order, and
-/// with a so small that |d(+-a)| <= 1e-11 and the second order is 1e-10 of the first, the third is 1e-20 of it at most, and
-/// 1e-22 mostly. The reach of a shrinks as d grows with the time, so times must not decrease by more than a step.
+/// Closed forms in 113 bits leave room for one subtraction: where the motions differ by 1e-11 rad, twenty digits of the
+/// difference are left. Where they differ by less, d/lambda is taken from motions with larger changes +a and -a of the rate
+/// instead. As d is analytic in lambda,
+///   d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ]    to second order.
+/// The change a is so small that |d(+-a)| <= 1e-11 and the second order is at most 1e-10 of the first; then the third order is
+/// at most 1e-20 of the first, and mostly 1e-22. As d grows with the time, a has to shrink and never grows again, so that times
+/// must not decrease by more than a step.
 class RateChange {
  public:
   using W = float128;
   struct Value {
     W w = W(1);
     Vec3<W> v_over_lambda = Vec3<W>::Zero();
-    W relative_error = W(0);  ///< of v_over_lambda: of the closed forms as they state it, and of the next order
+    W relative_error = W(0);  ///< of v_over_lambda: that stated by the closed forms, and the orders left out
   };
 
   /// @param lambda  not 0   @param first_time  the first one asked for, above 0
@@ -33,7 +35,7 @@ class RateChange {
     reach_to(W(kLargest) / first_time);
   }
 
-  /// @param near_ref, near_rot  the two attitudes roughly, with their signs
+  /// The difference at t. @param near_ref, near_rot  the two attitudes roughly, with the signs that the result shall have
   Value at(W t, const Quaternion<double>& near_ref, const Quaternion<double>& near_rot) {
     const ClosedFormState<W> ref = reference_.at(t);
     while (!is_direct()) {
@@ -64,10 +66,10 @@ class RateChange {
 
  private:
   static constexpr double kLargest = 1e-11;
-  static constexpr double kLargestSecond = 1e-10;  ///< even part of d over the odd one
+  static constexpr double kLargestSecond = 1e-10;  ///< largest ratio of the even part of d to the odd one
   static constexpr double kShrink = 32;
 
-  /// The change itself is as large as what would stand in for it.
+  /// Whether the change lambda itself is large enough for a plain difference, and `a` is not used.
   bool is_direct() const { return a_ <= W(4) * real::abs(lambda_); }
   void reach_to(W a) {
     a_ = a;
@@ -79,12 +81,12 @@ class RateChange {
       minus_ = std::make_unique<ExactMotion<W>>(body_, q0_NB_, Vec3<W>(w0_B_ - a_ * u_B_));
     }
   }
-  /// q q_ref^*, of the sign with w > 0.
+  /// q q_ref^*, with the sign for which w > 0.
   static Quaternion<W> difference(const ClosedFormState<W>& x, const ClosedFormState<W>& ref) {
     const Quaternion<W> d = x.q_NB * ref.q_NB.conjugate();
     return d.w < W(0) ? Quaternion<W>{-d.w, -d.v} : d;
   }
-  /// The changed rate is rounded, which changes the change.
+  /// The relative error of the change that comes from rounding the changed rate.
   W start_rounding(W change) const { return real::epsilon<W>() * norm(w0_B_) / real::abs(change); }
   static W ratio(W error, W size) { return size > W(0) ? error / size : error > W(0) ? W(1) : W(0); }
 
@@ -92,7 +94,7 @@ class RateChange {
   Quaternion<W> q0_NB_;
   Vec3<W> w0_B_, u_B_;
   W lambda_, a_ = W(0);
-  W steepest_ = W(0);  ///< the largest d / lambda so far
+  W steepest_ = W(0);  ///< the largest |d| / a so far
   ExactMotion<W> reference_;
   std::unique_ptr<ExactMotion<W>> plus_, minus_;
 };

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The two exact flows of a symmetric top's drift integration (reduced_drift_system.hpp, the same state), free of cancellation,
-/// in axes as those of reduced_motion_flows.hpp.
+/// The two exact flows of a symmetric top's drift integration, free of cancellation. The state is that of
+/// reduced_drift_system.hpp, the axes are those of reduced_motion_flows.hpp.
 ///
-/// A, free motion for h. With r = I3/I1 the reference turns about l = L / I1 = u + b n, the rotating body about l + epsilon p
-/// seen from the reference, p = V + r k n:
+/// A, free motion for the time h. With r = I3/I1, the reference turns about l = L / I1 = u + b n; the rotating body, seen from
+/// the reference, turns about l + epsilon p with p = V + r k n:
 ///
 ///   D' = D E ,  E = exp([l + epsilon p] h) exp(-[l] h) ,  V' = exp([l] h) V
 ///
-/// E is a turn by something of the size of epsilon, though both of its factors are large. With v = l h / 2, q = p h / 2,
-/// S(z) = sin(sqrt z) / sqrt z, a = |v + epsilon q| and b = |v| its vector part over epsilon is
+/// E is a turn by an angle of order epsilon, although both its factors are large. With v = l h / 2, q = p h / 2,
+/// S(z) = sin(sqrt z) / sqrt z, a = |v + epsilon q| and b = |v|, the vector part of its quaternion divided by epsilon is
 ///
 ///   cos b S(a^2) q - S(a^2) S(b^2) q x v - 2 (2 v.q + epsilon q.q) S[(a + b)^2, (a - b)^2] v
 ///
 /// with the divided difference S[., .] of S, and a - b = (a^2 - b^2) / (a + b).
 ///
-/// B, gravity for h: u grows by h (m l / I1) n x g, V by h (m l / I1) n x (D^T g_rot - g) / epsilon; n and D stay.
+/// B, gravity for the time h: u grows by h (m l / I1) n x g, V by h (m l / I1) n x (D^T g_rot - g) / epsilon; n and D stay.
 ///
-/// At the end of the step the rotating body turns about its axis by what its spin is more than the reference's, and by the
-/// Earth's rotation: D' = exp(-[W] h) D N, l + epsilon p' = N^T (l + epsilon p), N = exp([n] epsilon (1 - r) k h).
+/// At the end of the step the rotating body turns about its axis because its spin exceeds the reference's, and by the Earth's
+/// rotation: D' = exp(-[W] h) D N, l + epsilon p' = N^T (l + epsilon p), N = exp([n] epsilon (1 - r) k h).
 #pragma once
 
 #include "earthtop/drift/deviation.hpp"
@@ -25,13 +25,13 @@
 
 namespace earthtop {
 
-/// A turn as a quaternion (1 + w_less_one, epsilon y).
+/// A turn by a small angle, as a quaternion (1 + w_less_one, epsilon y).
 struct ScaledTurn {
   double w_less_one;
   Vec3<double> y;
 };
 
-/// E above. @param k  h / 2   @param half  of v = k L
+/// The turn E above, for turning rates L and L + epsilon P. @param k  h / 2   @param v  k L   @param half  the turn by 2 v
 inline ScaledTurn relative_turn(const Vec3<double>& L, const Vec3<double>& P, double epsilon, double k, const Vec3<double>& v,
                                 const HalfAngle& half) {
   const Vec3<double> q = k * P, u = k * Vec3<double>(L + epsilon * P);
@@ -41,7 +41,7 @@ inline ScaledTurn relative_turn(const Vec3<double>& L, const Vec3<double>& P, do
   const double sum_square = square_u + square_v + 2 * product, gap = 4 * product;
   const double distance = epsilon * difference;
   const double difference_square = sum_square > 0 ? distance * distance / sum_square : 0;
-  // Where the two are so near each other that their difference is round-off, the slope between them serves.
+  // Where the two squares are so close that their difference is round-off, the slope between them is used.
   const double divided = gap > 1e-6 ? (entire::sinc(sum_square) - entire::sinc(difference_square)) / gap
                                     : entire::sinc_slope((sum_square + difference_square) / 2);
   const Vec3<double> y = half_u.sinc * (half.cosine * q - half.sinc * q.cross(v)) - (2 * difference * divided) * v;
@@ -49,10 +49,10 @@ inline ScaledTurn relative_turn(const Vec3<double>& L, const Vec3<double>& P, do
   return {-epsilon * epsilon * y.dot(y) / (1 + w), y};
 }
 
-/// The gravity that a kick of the rotating motion sees, in inertial axes that are the laboratory's at time 0.
+/// Gravity on the rotating Earth at the time of a kick, in the inertial axes that are the laboratory's at time 0.
 struct TurnedGravity {
   Vec3<double> gravity;
-  Vec3<double> difference_scaled;  ///< (the same - the reference's) / epsilon
+  Vec3<double> difference_scaled;  ///< (gravity - that of the reference) / epsilon
 };
 inline TurnedGravity turned_gravity_after(const Model<double>& model, double t) {
   const LaboratoryTurn<double> turn = laboratory_turn(model, t);
@@ -100,7 +100,7 @@ class ReducedDriftFlows {
     D.add_to(s);
   }
 
-  /// @param t  the time of the kick
+  /// @param t  the time of the kick, read in inertial axes only   @param at  what kick_at gives, read in laboratory axes only
   void kick(double h, double t, const Kick& at, CompensatedState<State>& s) const {
     const Vec3<double> mass_moment = mass_moment_along(top_, s.load(0));
     const TurnedGravity rotating = O == Observer::inertial ? turned_gravity_after(model_, t) : at;
@@ -120,7 +120,7 @@ class ReducedDriftFlows {
     D.multiply({step.spin_w_less_one, y}, 1);
     if constexpr (O == Observer::laboratory) D.multiply(step.laboratory, -1);
     D.add_to(s);
-    // What is along n stays: only u + epsilon V turns.
+    // The part along n does not change: only u + epsilon V turns.
     const Vec3<double> across = Vec3<double>(s.load(3) + epsilon * s.load(13)).cross(y);
     s.add_vector(13, Vec3<double>(2 * ((1 + step.spin_w_less_one) * across + epsilon * across.cross(y))));
   }
@@ -130,7 +130,7 @@ class ReducedDriftFlows {
   }
 
  private:
-  /// D times further turns, and what it has gained.
+  /// The product of D with further turns, and the change of D.
   struct TurnProduct {
     double epsilon, w, dw = 0;
     Vec3<double> y, dy = Vec3<double>::Zero();

@@ -3,14 +3,15 @@
 ///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a, all of the non-rotating reference
 ///   [9] w   [10,13) y   [13,16) V
 ///
-/// The deviation is the one in outer axes (deviation.hpp): attitude D = R_rot R_ref^T and rate carried back, w_rot =
-/// D (w_ref + epsilon (V + k n)). It needs no attitude but the reference's axis. Its part along the axis, k = (w3_rot - w3_ref)
-/// / epsilon, is constant like the reference's b = r w3 with r = I3/I1; the rest is V, with V.n = 0:
+/// The deviation is the one in outer axes (deviation.hpp): the attitude D = R_rot R_ref^T, and the rate turned back by D,
+/// w_rot = D (w_ref + epsilon (V + k n)). Its equations need no attitude but the reference's axis. The part of the rate along
+/// the axis, k = (w3_rot - w3_ref) / epsilon, is constant, like the reference's b = r w3 with r = I3/I1. The rest is V, with
+/// V.n = 0:
 ///
 ///   dV/dt = u x V + (1 - r) k s + (b + (r - 1) epsilon k) n x V + (m l / I1) n x (D^T g_rot - g) / epsilon
 ///   D turns at v = V + k n, in the laboratory less D^T W
 ///
-/// The spin phases are exact: the reference's is w3 t, the rotating body's is carried by D.
+/// The spin phases are exact: that of the reference is w3 t, that of the rotating body is contained in D.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ struct ReducedDriftShape {
   }
 };
 
-/// @tparam O  laboratory axes, or inertial ones, in which gravity turns
+/// @tparam O  laboratory, or inertial, in whose axes gravity turns
 template <class T, Observer O>
 class ReducedDriftSystem
     : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedDriftSeries<T>>, WithoutSeries> {
@@ -56,7 +57,7 @@ class ReducedDriftSystem
     const T epsilon = model_.epsilon;
     const Vec3<T>& g_L = model_.apparent_gravity_L;
     const auto turned_back = [&](const Vec3<T>& u) { return turn_back_minus_one_scaled(deviation.w, deviation.y, epsilon, u); };
-    // What the reference sees: no Earth.
+    // The reference is a motion without the Earth's rotation.
     const Vec3<T> no_Earth = Vec3<T>::Zero();
     const Vec3<T> s = reference.u.cross(reference.n);
     store_reference(axis_equation(top_, reference, s, constants_.b.value, no_Earth, g_L), dxdt);
@@ -85,7 +86,7 @@ class ReducedDriftSystem
   const ReducedTop<T>& top() const { return top_; }
   const ReducedDriftConstants<T>& constants() const { return constants_; }
 
-  /// The state at release, where both predictions have the same attitude and the same rates of the kind it names.
+  /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
   State initial_state() const {
     const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
     State x;
@@ -96,8 +97,8 @@ class ReducedDriftSystem
     store(times(R_LB, transverse(initial_rate_deviation_B())), x, 13);
     return x;
   }
-  /// Sizes that errors are measured against from the start: where the spin is fast, it is the nutation's rate over which an
-  /// error of u tilts the axis.
+  /// A state with the sizes that errors are measured against from the start. That of u is at least the nutation rate b: an
+  /// error of u tilts the axis only by its ratio to b. That of V is at least k.
   State typical_state() const {
     State x = initial_state();
     x[3] = std::max(norm(load(x, 3)), real::abs(constants_.b.value));
@@ -105,21 +106,22 @@ class ReducedDriftSystem
     return x;
   }
 
-  /// The same as two exact flows; in double.
+  /// The two exact flows of the equations, for `splitting`; in double only.
   auto flows() const requires std::is_same_v<T, double> {
     return ReducedDriftFlows<O>(model_, top_, constants_.b.value, constants_.k);
   }
 
-  /// Called after every step, so that attitudes are continuous.
+  /// Called after every step, to keep attitudes continuous.
   void follow(const State& x) { frame_.follow(load(x, 0), load(x, 6)); }
-  /// Where body axis 3 is not the one of symmetry it goes round with the spin, and its angles must be seen often enough; 0
-  /// where no step is too long.
+  /// The longest time between two states that are seen; 0: no limit. If body axis 3 is not the axis of symmetry it goes round
+  /// with the spin, and its angles must be seen often enough.
   T largest_step() const {
     const T spin = real::abs(w_XB_B_[top_.axis]);
     return top_.axis == 2 || spin == T(0) ? T(0) : T(1) / spin;
   }
 
-  /// The variables that all observers share, of the state last followed; rates in natural units, `t_s` left to the caller.
+  /// The state last followed in the variables that all observers share, with rates in natural units; `t_s` is left to the
+  /// caller.
   DriftState<T> shared_state(const State& x, T t) const {
     const AxisMotion<T> reference = load_reference(x);
     const Deviation<T> deviation = load_deviation(x);
@@ -134,8 +136,8 @@ class ReducedDriftSystem
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model_.W_IL_L);
     return s;
   }
-  /// The part of it that the drift is measured from. A turn of both bodies about axis 3 changes none of its angles, and is left
-  /// out.
+  /// The part of the shared state that the drift is measured from. A common turn of both bodies about axis 3 changes none of
+  /// its angles, and is left out.
   DriftState<T> deviation_state(const State& x, T t) const {
     const Vec3<T> n = load(x, 0), a = load(x, 6);
     const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(n, a) : frame_.attitude(n, a, t);
@@ -154,7 +156,7 @@ class ReducedDriftSystem
     if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
     return transposed_times(rotation_matrix(release_.q_LB), model_.W_IL_L_scaled);
   }
-  /// Without the part along the axis.
+  /// The vector without its part along the axis.
   Vec3<T> transverse(Vec3<T> v_B) const {
     v_B[top_.axis] = T(0);
     return v_B;
@@ -167,7 +169,7 @@ class ReducedDriftSystem
   Vec3<T> w_XB_B_;
   const Release<T>& release_;
   ReducedDriftConstants<T> constants_;
-  SpinlessFrame<T> frame_;  ///< of the reference
+  SpinlessFrame<T> frame_;  ///< the reference's frame
 };
 
 }  // namespace earthtop

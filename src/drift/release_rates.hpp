@@ -5,7 +5,7 @@
 
 namespace earthtop {
 
-/// The rates at release as they are given, not as they come back from an angular momentum.
+/// Sets the rates of both motions at release to the given ones, instead of those computed back from an angular momentum.
 template <class T>
 void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
   const Release<T>& release = problem.release;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which of the two motions dry friction has brought to rest, and when.
+/// Keeps track of which of the two motions dry friction has brought to rest, and when.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 namespace earthtop {
 
-/// A motion rests from when dry friction, stronger than every other torque on it, will have stopped it within 1e-8 of the time
-/// since the release: the angle that it would still turn through is 1e-16 of the one behind it. Steps come that near in the
-/// end, as each is limited to a part of the way. When the motion would have stopped by itself is found beside the integration.
+/// A motion is taken to be at rest as soon as dry friction is stronger than all other torques and will stop it within 1e-8 of
+/// the time since the release: the angle that it would still turn through is then 1e-16 of the angle behind it. Steps do come
+/// that near, as each is limited to a part of the way that is left. The exact time of the stop is found beside the integration.
 template <class T>
 class RestingMotions {
  public:
@@ -29,9 +29,10 @@ class RestingMotions {
   bool rests(Prediction prediction) const { return rests_[index(prediction)]; }
   const std::vector<Stop>& stops() const { return stops_; }
 
-  /// A step that does not pass the corner of the friction, where the motion comes to rest or turns round: what estimates a
-  /// step's error may miss a corner in its middle. Without end for a motion at rest, which sets out or stays; one released at
-  /// rest on the turning Earth has the rounding of the Earth's rate, which it has left after any step that can be seen.
+  /// The longest step that does not go beyond the point where the motion comes to rest or reverses. There the friction has a
+  /// corner, which the estimate of a step's error may miss. There is no limit (infinity) for a motion at rest, which either
+  /// starts or stays. A motion released at rest on the rotating Earth counts as such, although its rate has the rounding of the
+  /// Earth's rate; any noticeable step leads out of that rounding.
   T longest_step(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) const {
     constexpr double kOfTheWay = 0.9, kTurn = 1e-13;
     const T momentum = norm(Vec3<T>(times(model.I_BP_B, w_LB_B)));
@@ -41,7 +42,7 @@ class RestingMotions {
     return std::max(T(kOfTheWay) * momentum / (model.applied.coulomb + other), least);
   }
 
-  /// Whether a motion that moved until now comes to rest here; it is held from then on.
+  /// Whether a motion that moved until now comes to rest here. If so, it is noted as resting from then on.
   bool comes(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {
     if (rests(prediction)) return false;
     const T spare = model.applied.coulomb - other_torque(prediction, model, t, q_LB);
@@ -53,16 +54,18 @@ class RestingMotions {
   }
 
  private:
-  /// Of the momentum relative to the laboratory: the rotating motion's is a difference that the Earth's rate cancels in.
+  /// The round-off of the momentum relative to the laboratory: for the rotating motion it is a difference in which the Earth's
+  /// rate cancels.
   static T rounding(Prediction prediction, const Model<T>& model, const Quaternion<T>& q_LB) {
     if (prediction == Prediction::reference) return T(0);
     const Vec3<T> W_B = transposed_times(rotation_matrix(q_LB), model.W_IL_L);
     return T(8) * real::epsilon<T>() * norm(Vec3<T>(times(model.I_BP_B, W_B)));
   }
-  /// How near a stop is one: of the time since the release, and where that is next to nothing, of the steps there are.
+  /// The time before a stop from which on a motion is taken to rest: a part of the time since the release or, where that is
+  /// tiny, a few of the shortest steps.
   static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
 
-  /// d(w_LB)/dt at a fixed attitude.
+  /// d(w_LB)/dt at a given attitude.
   static Vec3<T> slowing(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     const bool earth = prediction == Prediction::rotating;
@@ -73,9 +76,9 @@ class RestingMotions {
     return body_equation<true, SceneKind::full>(model, motion, field.rotating_L).m + w_LB_B.cross(W_B) + friction;
   }
 
-  /// The way that is left, in steps of a fifth of it, by Runge and Kutta's method: the attitude does not change on it, but the
-  /// direction of the rate may. A step errs by some 1e-5 of its length, which is 1e-13 of the time since the release. What is
-  /// left of the way in the end, a millionth, is a straight line.
+  /// Follows the motion to its stop by Runge and Kutta's method of order 4, in steps of a fifth of the way that is left. The
+  /// attitude does not change on that way, but the direction of the rate may. The error of a step is about 1e-5 of its length,
+  /// which is 1e-13 of the time since the release. The last millionth of the way is taken as a straight line.
   static Stop end_of_motion(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, Vec3<T> w) {
     constexpr double kStep = 0.2, kEnd = 1e-6;
     constexpr int kMostSteps = 1000;
@@ -97,7 +100,7 @@ class RestingMotions {
     return {prediction, t + gone + norm(w) / fall, fall};
   }
 
-  /// What friction has to hold in a motion at rest.
+  /// The size of the torque that friction has to hold when the motion is at rest.
   static T other_torque(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB) {
     const bool earth = prediction == Prediction::rotating;
     const Vec3<T> at_rest = Vec3<T>::Zero();

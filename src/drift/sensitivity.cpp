@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drift/jet.hpp"  // first: the formulas below are compiled for jets
+#include "drift/jet.hpp"  // must come first: the formulas included below are compiled for jets
 //
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t kInputs = kInputsAtOnce;
 using Inputs = std::array<ProblemDerivative, kInputs>;
 using Jet = real::Jet<kInputs>;
-constexpr std::size_t kVariables = 14;  // q and w of the reference; w, y and p of the deviation
-constexpr std::size_t kSlots = kInputs + 1;
+constexpr std::size_t kVariables = 14;       // q and w of the reference; w, y and p of the deviation
+constexpr std::size_t kSlots = kInputs + 1;  // one for the values, and one for the derivatives by each input
 using State = std::array<double, kVariables * kSlots>;
 
-/// The variables whose errors are measured against one another's size.
+/// Variables that the step control measures together, against their common size.
 struct Group {
   std::size_t first, count;
 };
@@ -52,7 +52,7 @@ void put(const Motion<Jet>& motion, const Deviation<Jet>& deviation, State& x) {
   put(deviation.p, x, 11);
 }
 
-/// A matrix or vector of the problem with the same member of its derivatives. @param member  from a ProblemDerivative
+/// A matrix or vector of the problem as jets. @param member  takes a ProblemDerivative to its derivative of that quantity
 template <class Derived, class Member>
 auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const Inputs& inputs, const Member& member) {
   Eigen::Matrix<Jet, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime> jets;
@@ -64,7 +64,7 @@ auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const Inputs& in
   return jets;
 }
 
-/// A number for jets, without derivatives.
+/// Applied torques as jets whose derivatives are zero; below, a platform in the same way.
 AppliedTorques<Jet> constant(const AppliedTorques<double>& given) {
   AppliedTorques<Jet> jets;
   jets.any = given.any, jets.level_axis = given.level_axis;
@@ -116,7 +116,8 @@ State initial_state(const MotionProblem<double>& problem, const Model<Jet>& mode
   const Vec3<Jet> w = with_derivatives(problem.units.rate_from_rad_s(release.w_XB_B), inputs,
                                        [](const ProblemDerivative& d) { return d.w_XB_B; });
   Deviation<Jet> deviation;
-  // Seen from the laboratory, a start that is the same in inertial space is a rate of -W.
+  // If the release gives the rates relative to the laboratory, the two motions' inertial rates differ by W (share 1); if it
+  // gives the inertial rates, they do not (share 0).
   Jet share = release.X == RatesRelativeTo::laboratory ? 1 : 0;
   for (std::size_t k = 0; k < kInputs; ++k) share.d[k] = inputs[k].release;
   deviation.p = share * times(model.I_BP_B, transposed_times(rotation_matrix(q), model.W_IL_L_scaled));
@@ -125,14 +126,14 @@ State initial_state(const MotionProblem<double>& problem, const Model<Jet>& mode
   return x;
 }
 
-/// The largest size so far of each group in each slot: what its errors are small against.
+/// Keeps the largest size that each group has had in each slot, against which its errors are measured.
 class Sizes {
  public:
   void include(const State& x) {
     for (std::size_t slot = 0; slot < kSlots; ++slot)
       for (std::size_t g = 0; g < std::size(kGroups); ++g) largest_[slot][g] = std::max(largest_[slot][g], norm_of(x, slot, g));
   }
-  /// The largest error over its size; the sizes are at least a thousandth, in natural units.
+  /// The largest error relative to its size. Sizes are taken to be at least a thousandth, in natural units.
   double relative(const State& error) const {
     double worst = 0;
     for (std::size_t slot = 0; slot < kSlots; ++slot)
@@ -153,13 +154,13 @@ class Sizes {
   std::array<std::array<double, std::size(kGroups)>, kSlots> largest_ = {};
 };
 
-/// Adds the derivatives of one group.
+/// Appends the derivatives by the first `count` inputs of a jet, and sets the value.
 void include(Differentiated& quantity, const Jet& jet, std::size_t count) {
   quantity.value = jet.value;
   quantity.derivatives.insert(quantity.derivatives.end(), jet.d.begin(), jet.d.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-/// The right-hand side: reference and deviation with their derivatives, and the torques whose strengths are inputs.
+/// The right-hand side for reference and deviation with their derivatives, including torques whose strengths are inputs.
 template <SceneKind K>
 class System {
  public:
@@ -182,7 +183,7 @@ class System {
   }
 
  private:
-  /// The platform's turn at t as a parabola that touches the table's there.
+  /// Sets the platform's turn to a parabola that agrees with its table at t in angle, rate and acceleration.
   void follow_table(double t) {
     const PrescribedMotion<double>& table = values_.platform.turn;
     const double rate = table.angle_rate(t), acceleration = table.angle_acceleration(t);
@@ -219,7 +220,7 @@ class System {
       }
     }
   }
-  /// At strength 1, with what a gimbal answers.
+  /// The torques of input k at strength 1, including the reaction of a gimbal to them.
   Vec3<Paired<double>> torques_of_input(std::size_t k, double t, const Motion<Jet>& reference,
                                         const Deviation<Jet>& deviation) const {
     const Quaternion<double> q = value_of(reference.q);
@@ -265,7 +266,7 @@ DriftState<Jet> drift_state_of(const State& x, const Model<Jet>& model) {
   return state;
 }
 
-/// How far the inputs move the two axes so far.
+/// Notes how far each input moves the two axes at this state.
 void follow_responses(const State& x, const Model<Jet>& model, std::array<Responses, kInputs>& responses) {
   const drift_measures::AxisPair<Jet> axes(drift_state_of(x, model));
   const auto length = [](const Vec3<Jet>& v, std::size_t k) { return real::hypot(v[0].d[k], v[1].d[k], v[2].d[k]); };
@@ -290,7 +291,7 @@ FollowedStep followed_step(const State& x, const Model<double>& model, double t)
   return step;
 }
 
-/// Follows one group of inputs, of which `count` are asked for, and adds what they do to the result.
+/// Integrates with one group of inputs, of which `count` are asked for, and appends their derivatives to the result.
 template <SceneKind K>
 void follow(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count, double time_s,
             double relative_tolerance, const Watch& watch, const std::function<void(const FollowedStep&)>& on_step,

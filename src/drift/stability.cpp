@@ -11,16 +11,16 @@
 namespace earthtop {
 namespace {
 
-constexpr double kUpright = 0.05;      // rad, and in units of the falling rate
-constexpr double kFarModulus = 0.9;    // k^2
-constexpr double kSafelyAsleep = 1.2;  // of the square of the spin ratio
-constexpr double kSlowEarth = 0.01;    // of the nutation rate
+constexpr double kUpright = 0.05;      // largest lean (rad), and largest transverse rate in units of the falling rate
+constexpr double kFarModulus = 0.9;    // k^2 of a motion far from its separatrix, at most
+constexpr double kSafelyAsleep = 1.2;  // square of the spin ratio of an upright top far from its separatrix, at least
+constexpr double kSlowEarth = 0.01;    // the Earth's rate over the nutation's, at most
 
 Vec3<double> release_rate(const MotionProblem<double>& problem) {
   return problem.units.rate_from_rad_s(problem.release.w_XB_B);
 }
 
-/// The rates with which the two motions start, in inertial space.
+/// The inertial rates with which the two motions start, in body axes.
 std::array<Vec3<double>, 2> inertial_rates(const MotionProblem<double>& problem) {
   const Vec3<double> w = release_rate(problem);
   const Vec3<double> W_B = transposed_times(rotation_matrix(problem.release.q_LB), problem.model.W_IL_L);
@@ -29,8 +29,8 @@ std::array<Vec3<double>, 2> inertial_rates(const MotionProblem<double>& problem)
 
 bool is_free(const Model<double>& model) { return norm(model.mass_moment_B) == 0 || norm(model.apparent_gravity_L) == 0; }
 
-/// Of Euler's equations: k^2 = (B - A)(2 T C - L^2) / ((C - B)(L^2 - 2 T A)), or its inverse, with moments A < B < C; 1 on the
-/// separatrix.
+/// The squared modulus of the elliptic functions that solve Euler's equations: k^2 = (B - A)(2 T C - L^2) / ((C - B)(L^2 - 2 T
+/// A)) or its inverse, whichever is smaller, with moments A < B < C, twice the energy 2 T and momentum L; 1 on the separatrix.
 double free_modulus(const PrincipalAxes<double>& axes, const Vec3<double>& w_B) {
   const Vec3<double> w = transposed_times(rotation_matrix(axes.q_BP), w_B);
   std::array<std::pair<double, double>, 3> sorted;  // moment, rate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What watches a drift from step to step: the threshold, and angles that go round.
+/// Watches a drift from step to step: finds when it passes the threshold, and follows the angles that can go round.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace earthtop {
 
-/// What a watcher asks of a system that is integrated: its equations, in the variables that they have, and in those of another
-/// system where only that one has them written out (`flow`).
+/// A system whose equations are written out only in another system, `flow()`, with states that `flow_state` converts to.
 template <class System>
 concept HasFlow = requires(const System& system, typename System::State x) {
   system.flow(), system.flow_state(x);
 };
+/// A system with equations of its own.
 template <class System>
 concept HasEquations = requires(const System& system, typename System::State x) {
   system(x, x, x[0]);
 };
 
-/// Stands for the search where there are no equations to search with.
+/// Takes the place of the threshold search for a system without equations to search with.
 struct NoSearch {};
 template <class T, class System>
 struct SearchOf {
@@ -37,7 +37,7 @@ struct SearchOf<T, System> {
   using Type = FlowSearch<T, typename System::Flow>;
 };
 
-/// Sees every step: keeps the angles continuous, and finds when the axis drift first passes the threshold.
+/// Is called with every step. It keeps the angles continuous, and finds when the axis drift first passes the threshold.
 template <class T, class System>
 class StepWatcher {
  public:
@@ -58,7 +58,7 @@ class StepWatcher {
       if (search_) search_->follow(flow(system_), t, flow_state(x));
   }
 
-  /// @param t  of the state, in natural units   @param t_s  the same as the scenario has it
+  /// The sample for a state. @param t  its time in natural units   @param t_s  the same time as given by the scenario (s)
   DriftSample<T> sample(const typename System::State& x, T t, double t_s) const {
     DriftSample<T> sample;
     sample.state = system_.shared_state(x, t);
@@ -70,7 +70,7 @@ class StepWatcher {
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
     return sample;
   }
-  /// None where no threshold is asked for.
+  /// What was found about the threshold; none where no threshold is asked for.
   std::optional<ThresholdRecord<T>> threshold() const {
     if constexpr (!std::is_same_v<Search, NoSearch>)
       if (search_) return search_->record().in_seconds(units_.time_exponent);

@@ -20,8 +20,8 @@ std::optional<SecularDrift> fit_secular_drift(const std::vector<DriftRow>& rows)
   }
   if (t.size() < 3) return std::nullopt;
   SecularDrift secular;
-  if (size == 0) return secular;  // without the Earth's rate: exactly nothing
-  // Fitted in units of the largest value, so that the squares of tiny drifts do not underflow.
+  if (size == 0) return secular;  // exactly zero, as without the Earth's rate
+  // The fit is in units of the largest value, so that the squares of tiny drifts do not underflow.
   for (double& value : azimuth) value /= size;
   double offset = 0, slope = 0, cov00 = 0, cov01 = 0, cov11 = 0, residual_squares = 0;
   gsl_fit_linear(t.data(), 1, azimuth.data(), 1, t.size(), &offset, &slope, &cov00, &cov01, &cov11, &residual_squares);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Finds when the axis drift first passes a threshold, from looks at it that lie some part of a turn apart, and from further
-/// ones between them wherever the drift might have passed unseen.
+/// Finds when the axis drift first passes a threshold: from looks at the drift that lie some part of a turn apart, and from
+/// further looks between them wherever the drift might have passed unseen.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace earthtop {
 
-/// A look from the states at a time and shortly before and after it.
+/// A look at the drift, made of the states at a time t and shortly before and after it.
+/// @param apart  the time from `before` to `after`
 template <class T>
 AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before, const DriftState<T>& after, T apart) {
   const DriftMeasures<T> m = measure_drift(at), m_before = measure_drift(before), m_after = measure_drift(after);
@@ -23,7 +24,7 @@ AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before,
   return look;
 }
 
-/// A look that says no more than the drift itself.
+/// A look that gives only the drift itself, without rates.
 template <class T>
 AxisLook<T> axis_look(T t, const DriftState<T>& at) {
   AxisLook<T> look;
@@ -35,10 +36,10 @@ AxisLook<T> axis_look(T t, const DriftState<T>& at) {
 template <class T>
 class ThresholdWatch {
  public:
-  /// @param motion_rate  of the fastest part of the motion (rad per unit of time), roughly
+  /// @param threshold  in rad   @param motion_rate  roughly the rate of the fastest part of the motion (rad per unit of time)
   ThresholdWatch(T threshold, T motion_rate) : threshold_(threshold), motion_rate_(motion_rate) {}
 
-  /// Goes on to the next look. @param look_at  gives the look at a time between this one and the last
+  /// Goes on to the next look. @param look_at  gives the look at any time between the last look and this one
   template <class LookAt>
   void follow(const AxisLook<T>& next, LookAt&& look_at) {
     if (!started_) {
@@ -51,19 +52,21 @@ class ThresholdWatch {
     note(next);
     last_ = next;
   }
-  /// A look could not be had: what it showed is not the drift.
+  /// To be called if a look was impossible: what it showed is not the drift at the time asked for.
   void look_failed() { record_.unresolved = true; }
   const ThresholdRecord<T>& record() const { return record_; }
-  /// Whether the drift has passed: from then on looks need no rates.
+  /// Whether the drift has passed the threshold: from then on looks need no rates.
   bool has_passed() const { return record_.passing.has_value(); }
-  /// Whether all that is told of the passing is known.
+  /// Whether the record is complete.
   bool done() const { return record_.passing && next_beyond_ < 0; }
 
  private:
-  /// The longest piece in which the drift is taken for a cubic: its error is then A 0.3^4/384, 2e-5 of an oscillation A.
+  /// The longest piece over which the drift is taken for a cubic, as an angle of the motion (rad). For an oscillation of
+  /// amplitude A the error is then A 0.3^4/384, which is 2e-5 A.
   static constexpr double kFine = 0.3;
-  /// More halvings than any piece of a run takes to become fine. And of looks so many at once, and so many a step for good:
-  /// more than a passing takes, and few enough where the drift stays beside the threshold for the whole run.
+  /// Limits: more halvings than any piece of a run needs to become fine; the looks that may be taken at once, and the looks
+  /// that each step adds to those left. They suffice for a passing, and are few enough for a drift that stays close to the
+  /// threshold for the whole run.
   static constexpr int kMostHalvings = 60, kMostLooks = 20'000, kLooksAStep = 8;
 
   static T parts(int k) { return real::scale(T(1), -k); }
@@ -84,12 +87,12 @@ class ThresholdWatch {
       record_.beyond[static_cast<std::size_t>(next_beyond_)] = look.t;
   }
 
-  /// Hermite's cubic through two looks, at the part s of the way.
+  /// Hermite's cubic through two looks, at the fraction s of the way from p to q.
   static T cubic(const AxisLook<T>& p, const AxisLook<T>& q, T s) {
     const T h = q.t - p.t, r = T(1) - s;
     return r * r * ((T(1) + T(2) * s) * p.axis + s * h * p.rate) + s * s * ((T(3) - T(2) * s) * q.axis - r * h * q.rate);
   }
-  /// The largest value of that cubic, from values close together: no more is asked of it than which pieces to look into.
+  /// Roughly the largest value of that cubic, from values close together: it only decides which pieces to look into.
   static T cubic_top(const AxisLook<T>& p, const AxisLook<T>& q) {
     T top = std::max(p.axis, q.axis);
     for (int i = 1; i < 16; ++i) top = std::max(top, cubic(p, q, T(i) / T(16)));
@@ -101,7 +104,7 @@ class ThresholdWatch {
   bool search(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at, int halvings) {
     const T h = q.t - p.t, turned = motion_rate_ * h;
     if (!(h > T(0))) return false;
-    // How far the drift may lie above the cubic; of a long piece, above its ends.
+    // `above` is how far the drift may lie above the cubic or, in a long piece, above the larger of its ends.
     const bool long_piece = turned > T(2);
     const T reach = T(2) * fastest_ * h, above = long_piece ? reach : reach * turned * turned * turned / T(64);
     const T top = long_piece ? std::max(p.axis, q.axis) : cubic_top(p, q);
@@ -128,7 +131,7 @@ class ThresholdWatch {
       return true;
     }
     if (!(p.rate > T(0) && q.rate < T(0))) return false;
-    // The drift turns back between the two: passes, and returns, or touches, or stays below.
+    // The drift turns back between the two looks: it passes and returns, or touches the threshold, or stays below it.
     AxisLook<T> top = p;
     const auto rate_at = [&](T t) {
       const AxisLook<T> there = look(look_at, t);
@@ -146,7 +149,7 @@ class ThresholdWatch {
     return false;
   }
 
-  /// The passing itself, between p below and q at or above the threshold.
+  /// Finds the passing itself, between p below the threshold and q at or above it.
   template <class LookAt>
   void pass(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at) {
     AxisLook<T> above = q;
@@ -156,7 +159,7 @@ class ThresholdWatch {
       return there.axis - threshold_;
     };
     close_in(p.t, T(p.axis - threshold_), q.t, T(q.axis - threshold_), excess_at, [] { return false; });
-    // What is left between that look and the passing, by the drift's rate.
+    // The drift's rate leads from that look back to the passing.
     if (above.rate > T(0)) above.t = std::max(p.t, above.t - (above.axis - threshold_) / above.rate);
     note_before(p);
     record_.highest = std::max(record_.highest, p.axis);
@@ -165,7 +168,7 @@ class ThresholdWatch {
     record_.resolved = q.t - p.t;
     last_ = p;
   }
-  /// A look within the search, on the way to what comes later.
+  /// Notes a look within the search, if it is later than the last one noted.
   void note_before(const AxisLook<T>& look) {
     if (look.t <= last_.t) return;
     note(look);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Counts how often an angle, given as its sine and cosine times a positive number, goes round.
+/// Counts how often an angle goes round, which is given by its sine and cosine, both times a positive number.
 #pragma once
 
 #include "earthtop/real.hpp"
@@ -9,8 +9,8 @@ namespace earthtop {
 template <class T>
 class TurnCounter {
  public:
-  /// Each step less than half a turn: the straight line between the two points crosses the cut, the negative cosine axis, or
-  /// does not.
+  /// Goes on to the next value of the angle, which must differ from the last by less than half a turn. A turn is counted if the
+  /// straight line between the two points crosses the cut, which is the negative cosine axis.
   void follow(T sine, T cosine) {
     const bool was_below = sine_ < T(0), is_below = sine < T(0);
     if (was_below != is_below) {
@@ -19,7 +19,7 @@ class TurnCounter {
     }
     sine_ = sine, cosine_ = cosine;
   }
-  /// What to add to the angle between -pi and pi (rad).
+  /// What has to be added to the angle between -pi and pi to make it continuous (rad).
   T offset() const { return static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One motion on the rotating Earth by its closed form.
+/// A single motion on the rotating Earth by its closed form (exact_motion.hpp).
 #pragma once
 
 #include "earthtop/integrate/motion_integration.hpp"
 
 namespace earthtop {
 
-/// The inertial rate at release on the Earth, in body axes and natural units.
+/// The inertial rate of the motion on the rotating Earth at release, in body axes and natural units.
 template <class T>
 Vec3<T> inertial_release_rate(const MotionProblem<T>& problem) {
   const Release<T>& release = problem.release;

@@ -3,13 +3,13 @@
 ///
 ///   exp(a_1 h A) exp(b_1 h B) exp(a_2 h A) ... exp(b_s h B) exp(a_{s+1} h A) ,
 ///
-/// as tables. An ABA of generalised order (p, q, ...) leaves a local error eps h^p + eps^2 h^q + ... (times h) where B is of
-/// the size eps against A.
+/// as tables. An ABA composition of generalised order (p, q, ...) has a local error eps h^p + eps^2 h^q + ... (times h), where
+/// eps is the size of B relative to A.
 ///
 /// Sources: aba82 Laskar and Robutel 2001 (their SABA_4: Gauss-Legendre nodes); aba84 McLachlan 1995; aba864 and aba1064
-/// Blanes, Casas, Farres, Laskar, Makazaga and Murua 2013 (arXiv 1208.0716); rkn6 Blanes and Moan 2002, their SRKN_14^a, for a
-/// B with [B, [B, [B, A]]] = 0, as a force has that depends on the place alone; kahan_li8 Kahan and Li 1997 (s17odr8a), a
-/// composition of the step exp(h A / 2) exp(h B) exp(h A / 2), which makes no difference between A and B.
+/// Blanes, Casas, Farres, Laskar, Makazaga and Murua 2013 (arXiv 1208.0716); rkn6 Blanes and Moan 2002, their SRKN_14^a, for
+/// [B, [B, [B, A]]] = 0, which holds for a force that depends on the position alone; kahan_li8 Kahan and Li 1997 (s17odr8a), a
+/// composition of steps exp(h A / 2) exp(h B) exp(h A / 2), which treats A and B alike.
 #pragma once
 
 #include <array>
@@ -24,14 +24,14 @@ struct CompositionTable {
   static constexpr int kMostStages = 17;
   Composition name;
   int order;   ///< the least p for which the local error is O(h^(p+1)), whatever the size of B
-  int stages;  ///< flows of B; of A there is one more
+  int stages;  ///< number of flows of B; there is one more of A
   std::array<double, kMostStages + 1> a{};
   std::array<double, kMostStages> b{};
 };
 
 namespace compositions {
 
-/// @param a, b  the first halves, a_1 ... and b_1 ..., the ones in the middle included
+/// A symmetric composition. @param a, b  the first halves a_1, a_2, ... and b_1, b_2, ..., including those in the middle
 template <std::size_t NA, std::size_t NB>
 constexpr CompositionTable symmetric(Composition name, int order, int stages, const std::array<double, NA>& a,
                                      const std::array<double, NB>& b) {
@@ -41,7 +41,7 @@ constexpr CompositionTable symmetric(Composition name, int order, int stages, co
   return table;
 }
 
-/// Of steps g_1 h, g_2 h, ... with one step of A, B, A each.
+/// A symmetric composition of steps g_1 h, g_2 h, ..., each of which is one step A, B, A. @param g  the first half
 template <std::size_t N>
 constexpr CompositionTable of_strang_steps(Composition name, int order, const std::array<double, N>& g) {
   constexpr int stages = 2 * static_cast<int>(N) - 1;

@@ -8,7 +8,7 @@
 
 namespace earthtop::dop853 {
 
-/// Stages: 0 to 11 of the step; 12 is the slope at its end; 13 to 15 serve the interpolant alone.
+/// The stages: 0 to 11 make the step, 12 is the slope at its end, and 13 to 15 serve only the interpolant.
 constexpr int kStages = 16;
 
 constexpr std::array<double, kStages> c = {0.0,
@@ -29,7 +29,7 @@ constexpr std::array<double, kStages> c = {0.0,
                                            0.777777777777777777777777777778e+00};
 
 using Row = std::array<double, kStages>;
-// Row 12 is the step itself: its weights.
+// Row 12 holds the weights of the step itself.
 constexpr std::array<Row, kStages> a = {{
     {},
     {5.26001519587677318785587544488e-2},

@@ -18,7 +18,7 @@
 
 namespace earthtop {
 
-/// @tparam Shape  of the state, see GroupScales
+/// @tparam Shape  the shape of the state, see GroupScales
 template <class Shape>
 class Dop853Stepper {
  public:
@@ -37,13 +37,13 @@ class Dop853Stepper {
     first_ = true, rejected_ = interpolates_ = false;
   }
 
-  /// One attempt at a step. @returns whether the error allows it; if not, the next attempt is shorter.
+  /// Attempts a step. @returns whether its error allows it; if not, the next attempt will be shorter
   template <class RightHandSide>
   bool try_step(const RightHandSide& system) {
     if (first_)
       system(x_, k_[0], t_);
     else if (!rejected_)
-      k_[0] = k_[12];  // the slope at the end of the last step; kept apart until here for its interpolant
+      k_[0] = k_[12];  // the slope at the end of the last step; the interpolant of that step needed both
     first_ = false;
     State stage;
     sum_stages(system, stage, std::make_index_sequence<11>());
@@ -74,7 +74,7 @@ class Dop853Stepper {
     return true;
   }
 
-  /// Of the step last taken. To be called before calc_state.
+  /// Prepares the interpolant of the step last taken. Has to be called before calc_state and state_after.
   template <class RightHandSide>
   void prepare_interpolant(const RightHandSide& system) {
     if (interpolates_) return;
@@ -89,9 +89,9 @@ class Dop853Stepper {
     }
     interpolant_rows(std::make_index_sequence<4>());
   }
-  /// The state at a time of the step last taken.
+  /// The state at a time t within the step last taken.
   void calc_state(double t, State& x) const { state_after(t - t_before_, x); }
-  /// The same at a time after its beginning.
+  /// The state at the time dt after the beginning of that step.
   void state_after(double dt, State& x) const {
     const double s = dt / taken_, r = 1 - s;
     const auto& c = coefficient_;
@@ -103,14 +103,14 @@ class Dop853Stepper {
   const State& current_state() const { return x_; }
   double current_time() const { return t_; }
   double current_time_step() const { return taken_; }
-  /// The one to try next, and an upper limit to it.
+  /// The step to try next, and a way to limit it.
   double next_step() const { return dt_; }
   void limit_step(double most) { dt_ = std::min(dt_, most); }
   const State& previous_state() const { return before_; }
   double previous_time() const { return t_before_; }
 
  private:
-  /// increment = sum of weights times slopes 0 ... Last - 1, without the weights that are zero.
+  /// Sets `increment` to the sum of the weights of row `Stage` times the slopes 0 ... Last - 1. Weights of zero are left out.
   template <std::size_t Stage, std::size_t Last>
   void add_up(State& increment) const {
     weigh<Last>([](auto j) { return dop853::a[Stage][j]; }, increment, std::make_index_sequence<Last>());
@@ -147,7 +147,7 @@ class Dop853Stepper {
     return dop853::d[Row][j];
   }
 
-  /// The estimate of order 5, weighed with that of order 3: eq. (10.17).
+  /// The error over the tolerance: the estimate of order 5 combined with that of order 3, eq. (10.17).
   double step_error() const {
     State e5, e3;
     weigh<12>([](auto j) { return dop853::error5[j]; }, e5, std::make_index_sequence<12>());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the driver is told, how it keeps the time, and the form in which it takes a multistep method.
+/// The options of the driver, its clock, and its adapter for multistep methods.
 #pragma once
 
 #include <algorithm>
@@ -15,31 +15,31 @@
 
 namespace earthtop {
 
-/// What the driver needs beside the system; times in the system's own unit.
+/// All that the driver needs beside the system; times are in the system's own unit.
 template <class T>
 struct DriveOptions {
   Method method = Method::rkf78;
   T relative_tolerance = T(1e-12);
   T first_step = T(0.01);
-  T largest_step = T(0);         ///< between two states that on_step sees, where angles go round; 0: any
-  T rate = T(1);                 ///< rough bound on the rates of the motion
-  T fixed_step = T(0);           ///< largest step of a fixed-step method; the step taken divides each output interval
-  bool fixed_step_given = true;  ///< or else the method may find one that meets the tolerance
+  T largest_step = T(0);         ///< longest time between two states that on_step sees, to count turns; 0: no limit
+  T rate = T(1);                 ///< rough upper bound on the rates of the motion
+  T fixed_step = T(0);           ///< longest step of a fixed-step method; the step taken divides each output interval
+  bool fixed_step_given = true;  ///< whether `fixed_step` was asked for; if not, a method may find one by the tolerance
   Composition composition = Composition::automatic;
   std::int64_t step_limit = 0;
-  WorkLimit limit = {};  ///< by the work estimated
+  WorkLimit limit = {};  ///< limit that follows from the estimated work
   Watch watch = {};
   std::vector<T> joints = {};  ///< ascending; times at which the equations have no higher derivatives: steps end there
 };
 
-/// Where steps end: the output times, and the joints between them. A joint so near to an output time that no step lies between
-/// falls on that one.
+/// The times at which steps end: the output times, and the joints between them. A joint that is too near an output time for a
+/// step between them is merged with it.
 template <class T>
 struct Stops {
   static constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
   std::vector<T> times;
-  std::vector<std::size_t> rows;  ///< of each the output time's number, or kNoRow
-  std::vector<bool> at_joint;     ///< of each whether it is a joint
+  std::vector<std::size_t> rows;  ///< for each time: the number of the output time, or kNoRow
+  std::vector<bool> at_joint;     ///< for each time: whether it is a joint
 
   Stops(std::span<const T> output_times, const std::vector<T>& joints, T nearest) {
     std::size_t next = 0;
@@ -58,14 +58,14 @@ struct Stops {
   }
 };
 
-/// A time kept as start + offset, the offset compensated: n steps cost one rounding, not n.
+/// Keeps the time as start + offset, with a compensated offset: n steps together have one rounding error instead of n.
 template <class T>
 class IntervalClock {
  public:
   IntervalClock(T start, T end) : start_(start), length_(end - start) {}
   T now() const { return start_ + offset_; }
   T remaining() const { return (length_ - offset_) - carry_; }
-  /// From now to a time.
+  /// The time from now to t.
   T until(T t) const { return ((t - start_) - offset_) - carry_; }
   void advance(T dt) {
     const T y = dt + carry_;
@@ -81,13 +81,14 @@ class IntervalClock {
   T carry_ = T(0);
 };
 
-/// Steps of less than this (in natural units, where the motion's own time is about 1) mean that no step is small enough.
+/// The shortest step allowed, in natural units, where the motion's own time scale is about 1. If a method asks for a shorter
+/// one, no step is short enough.
 template <class T>
 constexpr T least_step() {
   return T(1e-13);
 }
 
-/// Whether a system wants to see its state between the output times; those that follow no angle do not.
+/// Whether a system has to see its state between the output times, in order to follow angles.
 template <class System>
 constexpr bool is_watched() {
   if constexpr (requires { System::kWatched; })
@@ -96,7 +97,8 @@ constexpr bool is_watched() {
     return true;
 }
 
-/// Whether a system is integrated by extrapolation, rkf78 and its series only: every other stepper would cost its compilation.
+/// Whether a system is integrated only by extrapolation, rkf78 and its Taylor series. The other steppers are left out to save
+/// compilation time.
 template <class System>
 constexpr bool is_bound_only() {
   if constexpr (requires { System::kBoundOnly; })
@@ -105,8 +107,8 @@ constexpr bool is_bound_only() {
     return false;
 }
 
-/// Whether another step may be taken. Ends at the limits, rejected steps counted, and as soon as a million steps have come so
-/// little forward that the limit is out of reach of the end.
+/// Whether another step may be taken: RunStatus::completed, or else the reason to stop. It stops at the limits, which count
+/// rejected steps as well; and after any million steps, if at their pace the end would not be reached within the step limit.
 template <class T>
 RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters, T now, T begin, T end) {
   constexpr std::int64_t kReview = 1'000'000, kTell = 64;
@@ -122,15 +124,15 @@ RunStatus may_go_on(const DriveOptions<T>& options, const StepCounters& counters
   return RunStatus::completed;
 }
 
-/// In how many pieces the watcher has to see a step. @param turned  about how far it has turned the motion (rad)
+/// The number of pieces in which the watcher has to see a step. @param turned  roughly how far the step turns the motion (rad)
 template <class T>
 T pieces_of_step(const DriveOptions<T>& options, T step, T turned) {
-  constexpr int kMostByTurn = 15;  // where a guess is enough
+  constexpr int kMostByTurn = 15;  // enough for a rough angle
   const T by_turn = T(1) + std::min(turned, T(kMostByTurn));
   return options.largest_step > T(0) ? std::max(by_turn, T(1) + step / options.largest_step) : by_turn;
 }
 
-/// An odeint multistep method as the driver's fixed steps take it.
+/// Gives a multistep method of odeint the interface that the driver's fixed steps use.
 template <class Stepper>
 struct MultistepStepper {
   std::optional<Stepper> stepper{std::in_place};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From a problem and the options asked for to what the driver takes: natural units, first and fixed steps.
+/// Makes the driver's options from a problem and the options asked for: converts to natural units, sets first and fixed steps.
 #pragma once
 
 #include "integrate/inline_all.hpp"
@@ -8,11 +8,11 @@
 
 namespace earthtop {
 
-/// Where an integration of a problem stops.
+/// The work at which an integration of a problem is stopped.
 template <class T>
 WorkLimit work_limit(const MotionProblem<T>& problem, const IntegrationOptions& options) {
   if (!options.stops_beyond_estimate || !problem.pace.known()) return {};
-  constexpr double kLeast = std::is_same_v<T, float128> ? 3e4 : 1e6;  // a second's
+  constexpr double kLeast = std::is_same_v<T, float128> ? 3e4 : 1e6;  // evaluations in about a second
   return limit_of(estimated_work(problem.pace, options, takes_reduced_form(problem.model, options)), kLeast);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// cos and sin(x)/x as functions of z = x^2, which are entire: a rotation by a vector v needs z = v.v, no square root and no
-/// division, and small angles keep their digits.
+/// cos(x) and sin(x)/x as functions of z = x^2. As such they are entire functions: a rotation by a vector v needs z = v.v, no
+/// square root and no division, and small angles keep their digits.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace earthtop {
 
 namespace entire {
 
-/// c0 + c1 z + ... + c9 z^9, in pairs: a third of the latency of one product after another.
+/// c0 + c1 z + ... + c9 z^9, summed in pairs, which has a third of the latency of Horner's scheme.
 inline double polynomial9(double z, const double (&c)[10]) {
   const double z2 = z * z, z4 = z2 * z2;
   const double low = (c[0] + c[1] * z) + z2 * (c[2] + c[3] * z);
@@ -19,7 +19,7 @@ inline double polynomial9(double z, const double (&c)[10]) {
   return low + z4 * (middle + z4 * (c[8] + c[9] * z));
 }
 
-/// The first term left out of each series is below 1e-18 up to here.
+/// Up to this z the first term that each series leaves out is below 1e-18.
 constexpr double kSeriesLimit = 1;
 
 /// cos(sqrt(z)), z >= 0: sum of (-z)^k / (2 k)!
@@ -55,7 +55,7 @@ inline double sinc(double z) {
   return real::sin(x) / x;
 }
 
-/// Its derivative with respect to z: sum of (-1)^k k z^(k-1) / (2 k + 1)!
+/// The derivative of `sinc` with respect to z: sum of (-1)^k k z^(k-1) / (2 k + 1)!
 inline double sinc_slope(double z) {
   constexpr double c[10] = {-1.0 / 6,
                             2.0 / 120,

@@ -3,8 +3,8 @@
 /// controlled-stepper concept (odeint's own bulirsch_stoer does not build for float128).
 ///
 /// Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.9: the midpoint rule in
-/// n = 2, 4, 6, ... substeps has an error expansion in even powers of the substep; Aitken and Neville's scheme removes one
-/// power a column, so that column j has order 2j. It costs j^2 + 1 evaluations.
+/// n = 2, 4, 6, ... substeps has an error expansion in even powers of the substep; each column of Aitken and Neville's scheme
+/// removes one power, so that column j has order 2j. Up to column j a step costs j^2 + 1 evaluations.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace earthtop {
 
-/// @tparam Shape  of the state, see GroupScales
+/// @tparam Shape  the shape of the state, see GroupScales
 template <class T, class Shape>
 class Extrapolation {
  public:
@@ -26,17 +26,17 @@ class Extrapolation {
 
   Extrapolation(T relative_tolerance, const GroupScales<T, Shape>& scales)
       : tolerance_(relative_tolerance), scales_(&scales), limit_(least_column()) {
-    // High columns take the result from differences of large terms: none whose round-off would pass for an error.
+    // High columns are differences of large terms. Columns whose round-off would be taken for an error are left out.
     const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
     while (limit_ < kColumns && round_off_growth(limit_ + 1) < room) ++limit_;
     const double digits = -real::log10(static_cast<double>(relative_tolerance));
     target_ = std::clamp(static_cast<int>(0.5 * digits), least_column(), limit_);
   }
 
-  /// @param system  x, dxdt, t -> void   @param dt  the step to try; afterwards the one to try next
+  /// Attempts a step. @param system  called with (x, dxdt, t)   @param dt  the step to try; afterwards the one to try next
   template <class RightHandSide>
   boost::numeric::odeint::controlled_step_result try_step(const RightHandSide& system, State& x, T& t, T& dt) {
-    // Shorter than proposed: the caller lands on an output time. Such a step says little of the best column for a long one.
+    // The caller has cut the step short to land on an output time. Such a step says little about the best column of a long one.
     const bool cut_short = dt < T(0.99) * proposed_.step;
     const int last = std::min(target_ + 1, limit_);
     Proposal best;
@@ -70,18 +70,18 @@ class Extrapolation {
   }
 
  private:
-  /// A column and the step in which it would just meet the tolerance.
+  /// A column and the length of the step with which it would just meet the tolerance.
   struct Proposal {
     int column = 0;
     T step = T(0);
-    /// Evaluations for each unit of time.
+    /// Evaluations per unit of time.
     T work() const { return T(cost(column)) / step; }
   };
 
   static constexpr int least_column() { return 3; }
   static constexpr int cost(int column) { return column * column + 1; }
 
-  /// Sum of the absolute weights that column k gives its midpoint results: what their round-off is multiplied by.
+  /// The factor by which column k multiplies the round-off of the midpoint results: the sum of their absolute weights in it.
   static double round_off_growth(int k) {
     double sum = 0;
     for (int j = 1; j <= k; ++j) {
@@ -93,7 +93,8 @@ class Extrapolation {
     return sum;
   }
 
-  /// The midpoint rule in 2 j substeps, and the columns 1 to j of this line; column k replaces that of the line before.
+  /// Computes line j of the scheme: the midpoint rule with 2 j substeps, and from it the columns 1 to j. Each column replaces
+  /// that of the line before.
   template <class RightHandSide>
   void add_line(const RightHandSide& system, const State& x, T t, T dt, int j) {
     const int substeps = 2 * j;
@@ -120,20 +121,21 @@ class Extrapolation {
     line_[j - 1] = now;
   }
 
-  /// The last two columns of line j differ by the error of the lower one.
+  /// The error of line j over the tolerance: its last two columns differ by the error of the lower one.
   T line_error(int j, T dt) const {
     State difference;
     for (std::size_t i = 0; i < N; ++i) difference[i] = line_[j - 1][i] - line_[j - 2][i];
     return scales_->largest_error(tolerance_, slope_, difference, dt);
   }
 
-  /// The error of column j grows with the power 2 j - 1 of the step. Safety factors: section II.9, eq. (9.28) and thereabouts.
+  /// The step proposed for column j, whose error grows with the power 2 j - 1 of the step. For the safety factors see section
+  /// II.9 around eq. (9.28).
   static Proposal propose(int j, T dt, double error) {
     const double factor = 0.94 * real::pow(0.65 / std::max(error, 1e-30), 1.0 / (2 * j - 1));
     return {j, dt * T(std::min(factor, 4.0))};
   }
 
-  /// The column to take after one that converged: the one of least work among its neighbours.
+  /// The proposal after a column that converged: among its neighbours the column of least work.
   Proposal follow(const Proposal& converged, const Proposal& lower) const {
     Proposal next = converged;
     if (lower.column != 0 && lower.work() < T(0.8) * converged.work()) {
@@ -147,8 +149,9 @@ class Extrapolation {
     return next;
   }
 
-  /// From column `target - 1` on: whether the error of line j is too large for the lines that may still come, each of which
-  /// gains at least as much as the one before did, and in theory (section II.9, eq. (9.30)) about (n_i / n_1)^2.
+  /// Whether the error of line j is too large for the lines that may still come to bring it below the tolerance; asked from
+  /// line `target - 1` on. Each line gains at least as much as the one before did, and in theory about (n_i / n_1)^2 (section
+  /// II.9, eq. (9.30)).
   bool is_hopeless(int j, int last, double error, double error_before) const {
     if (j < target_ - 1) return false;
     double gain = 1;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Gauss collocation of order 12: implicit, symmetric, and symplectic for a canonical Hamiltonian system; on odeint's stepper
-/// concept, do_step(system, x, t, dt). It keeps what a motion conserves without a trend over millions of steps.
+/// Gauss collocation of order 12, on odeint's stepper concept: do_step(system, x, t, dt). The method is implicit, symmetric,
+/// and symplectic for a canonical Hamiltonian system. Over millions of steps it keeps the conserved quantities of a motion
+/// without a trend.
 ///
 /// Hairer, Lubich and Wanner, Geometric Numerical Integration, 2nd ed., sections VIII.5 and VIII.6 (fixed-point iteration,
-/// starting values, compensated sums); Hairer, McLachlan and Razakarivony 2008 (iteration until the changes no longer fall, so
-/// that no criterion leaves an error of one sign).
+/// starting values, compensated sums); Hairer, McLachlan and Razakarivony 2008 (iteration until the changes no longer fall,
+/// since stopping at a fixed size would leave errors of one sign).
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace earthtop {
 
-/// @tparam Shape  of the state, see GroupScales
+/// @tparam Shape  the shape of the state, see GroupScales
 template <class Shape>
 class GaussStepper {
  public:
@@ -23,14 +24,14 @@ class GaussStepper {
   using State = std::array<double, N>;
   explicit GaussStepper(const GroupScales<double, Shape>& scales) : scales_(&scales) {}
 
-  /// @returns whether the iteration has come to rest; x is not changed if not
+  /// Takes a step. @returns whether the iteration has converged; if not, x is unchanged
   template <class RightHandSide>
   bool do_step(const RightHandSide& system, State& x, double t, double dt) {
     start(system, x, t);
     double change_before = 0;
     for (int iteration = 1;; ++iteration) {
       const double change = iterate(system, x, t, dt);
-      // At rest, or round-off: the changes have stopped falling where they are already below any error of the method.
+      // Converged: there is no change, or the changes have stopped falling, at a size far below any error of the method.
       if (change == 0 || (change < kNearlyAtRest && iteration > 1 && change >= change_before)) break;
       if (!(change < 1e20) || iteration == kMostIterations) {
         known_ = false;
@@ -49,7 +50,7 @@ class GaussStepper {
     known_ = true;
     return true;
   }
-  /// Before a step of another length: nothing is known of it.
+  /// To be called before a step of another length, for which the last step's slopes tell nothing.
   void reset() {
     known_ = false;
     carry_ = {};
@@ -57,9 +58,10 @@ class GaussStepper {
 
  private:
   static constexpr int kMostIterations = 60;
-  static constexpr double kNearlyAtRest = 1e-12;  ///< in units of each group's size
+  static constexpr double kNearlyAtRest = 1e-12;  ///< largest change that may be round-off, relative to each group's size
 
-  /// Slopes at the nodes to begin with: those of the last step's polynomial, or the one at the beginning.
+  /// Sets the slopes at the nodes with which the iteration starts: those of the last step's polynomial, or that at the
+  /// beginning of the step.
   template <class RightHandSide>
   void start(const RightHandSide& system, const State& x, double t) {
     if (!known_) {
@@ -76,7 +78,7 @@ class GaussStepper {
       }
   }
 
-  /// One round over the nodes, each with the newest slopes of the others. @returns how far the stages have moved
+  /// Makes one round over the nodes, each with the newest slopes of the others. @returns how far the stages have moved
   template <class RightHandSide>
   double iterate(const RightHandSide& system, const State& x, double t, double dt) {
     double change = 0;

@@ -9,17 +9,18 @@
 
 namespace earthtop {
 
-/// The method of S stages and order 2 S: A_ij is the integral of the j-th Lagrange polynomial to the i-th node, b_j the one
-/// to 1.
+/// The method of S stages and order 2 S, with nodes c_i in [0, 1]: a_ij is the integral of the j-th Lagrange polynomial from 0
+/// to the i-th node, b_j the one from 0 to 1.
 template <std::size_t S>
 struct GaussTables {
   std::array<double, S> c, b;
   std::array<std::array<double, S>, S> a;
-  /// The polynomial through the values at the nodes of one step, at the nodes of the next one of the same length.
+  /// Extrapolates to the next step of the same length: from the values at the nodes of one step to those that the polynomial
+  /// through them has at the nodes of the next.
   std::array<std::array<double, S>, S> next;
 };
 
-/// Made once.
+/// The tables for S stages; they are made when first asked for.
 template <std::size_t S>
 const GaussTables<S>& gauss_tables();
 extern template const GaussTables<6>& gauss_tables<6>();

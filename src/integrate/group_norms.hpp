@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Error control by component groups, on odeint's error-checker and step-adjuster concepts.
 ///
-/// Each group of components (an attitude, an angular momentum, a deviation) is measured against its own largest size so
-/// far: a spin of 1e3 rad/s does not loosen the attitude, and a component that passes through zero does not stop the clock.
+/// The error of each group of components (an attitude, an angular momentum, a deviation) is measured relative to the largest
+/// size that this group has had so far. So a spin of 1e3 rad/s does not loosen the attitude's tolerance, and a component that
+/// passes through zero does not force the step to zero.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 namespace earthtop {
 
-/// Components [begin, begin + count) of a state, and the least size their error is measured against.
+/// The components [begin, begin + count) of a state, and the least size that their error is measured against.
 struct ComponentGroup {
   std::size_t begin;
   std::size_t count;
@@ -35,8 +36,9 @@ bool all_finite(const std::array<T, N>& x) {
   return true;
 }
 
-/// The largest size each group has had, squared. The groups are known at compile time: no loop is left.
-/// @tparam Shape  of a state: `kSize` components, and their `groups()`
+/// Keeps the largest size that each group has had, squared. The groups are known at compile time, so that loops over them are
+/// unrolled.
+/// @tparam Shape  describes a state: `kSize` components, and their `groups()`
 template <class T, class Shape>
 class GroupScales {
  public:
@@ -49,10 +51,10 @@ class GroupScales {
   void include(const State& x) {
     for (std::size_t g = 0; g < kGroups.size(); ++g) squares_[g] = std::max(squares_[g], squared_size(x, kGroups[g]));
   }
-  /// Of each group the largest size, squared.
+  /// The largest size of each group, squared.
   const std::array<T, kGroups.size()>& squares() const { return squares_; }
-  /// The largest group error over its tolerance; an error that is not finite counts as a huge one, so that a NaN is rejected
-  /// (odeint itself would accept it).
+  /// The error of the worst group divided by its tolerance. An error that is not finite counts as a huge one, so that a NaN is
+  /// rejected (odeint itself would accept it).
   T largest_error(T relative_tolerance, const State& dxdt_old, const State& x_err, T dt) const {
     T largest = T(0);
     for (std::size_t g = 0; g < kGroups.size(); ++g) {
@@ -63,13 +65,13 @@ class GroupScales {
     }
     return std::min(T(real::sqrt(largest) / relative_tolerance), T(1e30));
   }
-  /// The largest group of x over its scale.
+  /// The largest ratio of a group of x to the size kept for it.
   T largest_ratio(const State& x) const {
     T largest = T(0);
     for (std::size_t g = 0; g < kGroups.size(); ++g) largest = std::max(largest, T(squared_size(x, kGroups[g]) / squares_[g]));
     return real::sqrt(largest);
   }
-  /// How far dx/dt * dt turns the unit vectors and quaternions: the groups whose scale is 1 from the start.
+  /// How far dx/dt * dt turns the unit vectors and quaternions, which are the groups with a least size of 1.
   T turned(const State& dxdt, T dt) const {
     T largest = T(0);
     for (std::size_t g = 0; g < kGroups.size(); ++g)
@@ -81,7 +83,7 @@ class GroupScales {
   std::array<T, kGroups.size()> squares_;
 };
 
-/// odeint ErrorChecker.
+/// An error checker for odeint's controlled steppers.
 template <class T, class Shape, class Algebra>
 class GroupErrorChecker {
  public:
@@ -98,7 +100,7 @@ class GroupErrorChecker {
   const GroupScales<T, Shape>* scales_;
 };
 
-/// odeint StepAdjuster for every scalar: the factor is found in double.
+/// A step adjuster for odeint's controlled steppers, for every scalar: the factor is found in double.
 template <class T>
 class StepAdjuster {
  public:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// When and how hard the kicks of a step come, for a composition of exact flows A (the large one) and B (the kick).
+/// The times and weights of the kicks in a step, for a composition of exact flows A (the large one) and B (the kick).
 ///
-/// gauss(s): the s nodes and weights of Gauss and Legendre, ABA(2s, 2) in the language of near-integrable systems: a local
-/// error eps h^2s + eps^2 h^2, where B is of the size eps against A (J. Laskar, P. Robutel 2001). aba864 (compositions.hpp):
-/// for an eps that is not small.
+/// gauss(s) has the s nodes and weights of Gauss and Legendre. For near-integrable systems it is called ABA(2s, 2), with a
+/// local error eps h^2s + eps^2 h^2 (times h), where eps is the size of B relative to A (J. Laskar, P. Robutel 2001). aba864
+/// (compositions.hpp) is for an eps that is not small.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace earthtop {
 struct KickSchedule {
   static constexpr int kMost = 8;
   int kicks = 1;
-  std::array<double, kMost> at{0.5};    ///< in units of the step
-  std::array<double, kMost> weight{1};  ///< their sum is 1
+  std::array<double, kMost> at{0.5};    ///< times of the kicks, in units of the step
+  std::array<double, kMost> weight{1};  ///< weights of the kicks; their sum is 1
 };
 
 namespace kick_schedules {
@@ -29,7 +29,7 @@ inline KickSchedule gauss(int kicks) {
   KickSchedule schedule;
   schedule.kicks = kicks;
   for (int i = 0; i < (kicks + 1) / 2; ++i) {
-    // Newton's method from a value between two extrema, on [-1, 1].
+    // Newton's method on [-1, 1], which starts between the two extrema beside the root.
     long double x = real::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (kicks + 0.5L)), slope = 1;
     for (int iteration = 0; iteration < 8; ++iteration) {
       long double value = 1, before = 0;
@@ -49,7 +49,7 @@ inline KickSchedule gauss(int kicks) {
   return schedule;
 }
 
-/// ABA(8, 6, 4): of the flow of B in a composition, a kick.
+/// The composition ABA(8, 6, 4), in which each flow of B is a kick.
 inline KickSchedule aba864() {
   const CompositionTable& table = composition_table(Composition::aba864);
   KickSchedule schedule;

@@ -7,19 +7,19 @@
 namespace earthtop {
 namespace {
 
-/// How far x t may grow in a step for which s Gauss nodes have this relative error for exp(i x t).
+/// The largest phase x h over a step h for which integration of exp(i x t) with s Gauss nodes keeps this relative error.
 double gauss_phase(int s, double error) {
   const double log = real::log(error) - 4 * real::lgamma(s + 1.0) + real::log(2 * s + 1.0) + 3 * real::lgamma(2 * s + 1.0);
   return real::exp(log / (2 * s));
 }
 
-/// Less (rad) cannot be seen in a double's run.
+/// The smallest error that a run in double can resolve (rad).
 constexpr double kLeastError = 1e-12;
-/// Nor can less with long steps: what the parts of a kick leave that do not commute, and the turn's round-off.
+/// The same for long steps (rad): the parts of a kick do not commute, and the turn about the axis has its round-off.
 constexpr double kLeastAveraged = 1e-11;
-/// What halving a step divides the error by: of the lowest order that there is, and of one worth halving for.
+/// The factor by which halving the step reduces the error: for the lowest order that there is, and for one worth halving for.
 constexpr double kLeastGain = 4, kGain = 16;
-/// A difference (rad) that may be round-off in a trial.
+/// A difference between two trials that may be nothing but round-off (rad).
 constexpr double kLeastSquare = 1e-10;
 
 template <class T>
@@ -27,13 +27,14 @@ T angle_between(const Vec3<T>& a, const Vec3<T>& b) {
   return real::atan2(norm(Vec3<T>(a.cross(b))), a.dot(b));
 }
 
-/// How often a trial looks, and the steps between two looks: whole ones, so that a step halved is a step halved.
+/// How many times a trial looks at the top, and the number of steps between two looks. That number is whole, so that halving
+/// the plan's step really halves the steps taken.
 struct Looks {
   static constexpr int kMost = 8;
   int count = 1;
   double steps = 1;
 };
-/// The fewest steps, none longer than `step`, that some number of looks divides.
+/// The looks for the smallest number of steps, none longer than `step`, that some number of looks divides.
 Looks looks_in(double part, double step) {
   const double steps = std::max(2.0, std::ceil(part / step * (1 - 1e-12)));
   if (steps <= Looks::kMost) return {static_cast<int>(steps), 1};
@@ -43,7 +44,7 @@ Looks looks_in(double part, double step) {
   return best;
 }
 
-/// How far two plans come apart on the first part of a run: the axis, or the attitude where that matters more.
+/// The motion by one plan over the first part of a run, to be compared with that by another plan.
 template <class T>
 class Trial {
  public:
@@ -55,8 +56,8 @@ class Trial {
       seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(looks));
     }
   }
+  /// How far two trials come apart (rad): the axis, or a thirtieth of the attitude's turn where that is more.
   T distance(const Trial& other) const {
-    // The turn about the axis is looked at a thirtieth as closely.
     constexpr double kTurnShare = 1.0 / 30;
     T largest = T(0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(looks_); ++i) {
@@ -83,7 +84,7 @@ LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedu
   plan.averages = averages;
   if (!averages) return plan;
   plan.period = top.nutation_period();
-  // Such that the first three harmonics of the nutation are integrated exactly: a discrete sine transform of 1/k.
+  // The weights integrate the first three harmonics of the nutation exactly: they are a discrete sine transform of 1/k.
   for (int i = 1; i <= 3; ++i) {
     T sum = T(0);
     for (int k = 1; k <= 3; ++k) sum += real::sin(T(k * i) * real::pi<T>() / T(4)) / T(k);
@@ -101,14 +102,15 @@ T averaging_error(const TiltedTop<T>& top, T duration) {
 template <class T>
 bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
   const T period = top.nutation_period();
-  // Few periods are better stepped through, and short steps have them resolved.
+  // A few periods are better resolved by steps, and steps shorter than the period resolve it anyway.
   if (!(T(32) * period < duration) || !(period < step)) return false;
   const T nutation = T(2) * real::pi<T>() / period, precession = top.precession_rate(), ratio = precession / nutation;
   if (!(ratio < T(0.02))) return false;
   const T ripple = top.kick_rate() / nutation;
   if (!(ripple * ratio * (T(1) + ratio * precession * duration) < tolerance)) return false;
-  // Where following the nutation would leave as much round-off, or would take minutes, the averaging error is stated instead.
-  constexpr double kAffordablePhase = 1e6, kRoundOff = 2.5e-17;  // measured, in rad per rad
+  // An averaging error above the tolerance is accepted, and stated, where resolving the nutation would leave as much round-off
+  // or would take minutes.
+  constexpr double kAffordablePhase = 1e6, kRoundOff = 2.5e-17;  // rad; round-off measured in rad per rad of nutation
   const T phase = nutation * duration;
   return averaging_error(top, duration) < tolerance + T(kRoundOff) * phase || phase > T(kAffordablePhase);
 }
@@ -120,7 +122,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
   const T tolerance = std::max(asked, T(averages ? kLeastAveraged : kLeastError));
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
   const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
-  // The perturbation goes with twice the rate, and a tenth of it at that: the trial sees to the rest.
+  // About a tenth of the perturbation is taken to oscillate, at twice this rate. The trial below corrects this estimate.
   const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
   double least_work = std::numeric_limits<double>::infinity();
   KickSchedule schedule;
@@ -137,7 +139,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
   LongHorizonPlan<T> plan = make_plan(top, schedule, step, averages);
   if (!(size > 0)) return plan;
 
-  // On the whole where it costs little: in an unstable scene errors grow.
+  // The trial covers the whole duration where that costs little, because in an unstable scene errors grow.
   constexpr double kCheapSteps = 400;
   const T part = duration < T(kCheapSteps) * step
                      ? duration
@@ -158,9 +160,9 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
     if (distance * growth < T(kLeastGain) * tolerance) return finer;
     const bool composed = is_composed(plan);
     if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(kGain)))) {
-      // Hardly better by halving: round-off, or the square of a large perturbation, for which there is a schedule. That one may
-      // stand still for once where its error changes from one order, and one sign, to another. What long steps leave falls
-      // again with shorter ones.
+      // Halving the step hardly helped. Either round-off is reached, or the error is of second order in a large perturbation,
+      // for which there is another schedule. With that one, halving may fail once where the leading error changes its order and
+      // sign. The error that averaging steps leave falls again with shorter steps.
       if (distance < T(kLeastSquare) || stalls > 1) return averages ? finer : plan;
       if (composed) {
         ++stalls;

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The long-horizon method: a symmetric top on the rotating Earth by exact flows and kicks (tilted_top.hpp), in steps that
-/// resolve the precession where the nutation is fast, and the nutation where it is not. Neither the spin nor, in the first
-/// case, the nutation costs anything.
+/// The long-horizon method moves a symmetric top on the rotating Earth by exact flows and kicks (tilted_top.hpp). Where the
+/// nutation is fast, its steps resolve only the precession; where it is not, they resolve the nutation. Neither the spin nor,
+/// in the first case, the nutation costs any work.
 ///
-/// A step far longer than the nutation excites nutation by aliasing. So each kick is spread: 1, 2, 3, 2 and 1 ninths of it at
-/// intervals of a third of the nutation period about its time. The response of that to the nutation and to its second harmonic
-/// vanishes, to first order in the precession too (the zeros are double); without the second, steps near a multiple of half the
-/// period would gather its error. The flows between are exact, and it costs no error in the step. The parts of a kick do not
-/// commute: what that leaves changes its sign with their order, which is backward in the second half of a step and, for a kick
-/// in the middle, in every other step. What such a step leaves out is the ripple of the kicks within a nutation period, of
-/// which the start has its share: a zero-mean integral over one period, evaluated by six kicks more, takes it off at the start
-/// and puts it back at every output time.
+/// Steps much longer than the nutation period would excite nutation by aliasing. Therefore each kick is spread: parts of 1, 2,
+/// 3, 2 and 1 ninths follow each other at intervals of a third of the nutation period, centred on the time of the kick. The
+/// spread kick has no response to the nutation and to its second harmonic, to first order in the precession too (the zeros are
+/// double). Without the zero at the second harmonic, steps near a multiple of half the period would accumulate its error.
+/// Since the flows between the parts are exact, spreading adds no error to the step. The parts of a kick do not commute: the
+/// error that this leaves changes sign with their order. So the order is backward in the second half of a step and, for a
+/// kick in the middle of it, in every other step.
+///
+/// A step with spread kicks leaves out the ripple: the effect that the kicks have within a nutation period. The state at
+/// release contains its share of that. The ripple is an integral of zero mean over one period, evaluated by six further kicks;
+/// it is taken off at the start and put back at every output time.
 #pragma once
 
 #include <array>
@@ -23,55 +26,58 @@
 
 namespace earthtop {
 
+/// The settings with which the method steps through a run.
 template <class T>
 struct LongHorizonPlan {
   KickSchedule schedule;
-  T step = T(1);            ///< the largest; the one taken divides the interval between two output times
-  bool averages = false;    ///< over the nutation: spread kicks, and the ripple apart
-  T period = T(0);          ///< of the nutation
-  int spacing = 1;          ///< of a kick's parts, in thirds of the period; no multiple of 3
-  T ripple_weight[3] = {};  ///< of the six ripple kicks, at 1/8, 2/8, 3/8 of the period before and after
+  T step = T(1);            ///< the longest step; the one taken divides the interval between two output times
+  bool averages = false;    ///< whether kicks are spread to average over the nutation, with the ripple treated apart
+  T period = T(0);          ///< nutation period, where `averages`
+  int spacing = 1;          ///< interval between the parts of a kick, in thirds of the period; no multiple of 3
+  T ripple_weight[3] = {};  ///< weights of the six ripple kicks, at 1/8, 2/8 and 3/8 of the period before and after
 };
 
-/// Whether the schedule is that of ABA(8, 6, 4).
+/// Whether the plan's schedule is that of the composition ABA(8, 6, 4).
 template <class T>
 bool is_composed(const LongHorizonPlan<T>& plan) {
   return plan.schedule.kicks == kick_schedules::aba864().kicks;
 }
 
-/// A plan with this schedule and step. @param averages  only for a finite nutation period
+/// A plan with this schedule and step. @param averages  true only for a finite nutation period
 template <class T>
 LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages);
 
-/// The plan whose error over `duration` is about `tolerance` (rad, of the axis): from an estimate, and from a trial on a part
-/// of the duration whose step is halved until two results agree.
-/// @param interval  between output times, which no step exceeds   @param counters  is told what the trial cost
-/// @param watch  may end the trial: then any plan is returned
+/// The plan whose error over `duration` is about `tolerance` (rad, of the axis). It is found from an estimate and a trial on
+/// part of the duration, in which the step is halved until two results agree.
+/// @param interval  the one between output times, which no step exceeds   @param counters  the trial's cost is added to them
+/// @param watch  may end the trial early: the plan returned is then not checked
 template <class T>
 LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters,
                              const Watch& watch = {});
 
-/// Whether steps of this length, long against the nutation, keep this tolerance (rad).
+/// Whether steps of this length may average over the nutation: whether they are longer than its period, and keep the tolerance
+/// (rad) or an error that can be stated.
 template <class T>
 bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance);
 
-/// What averaging costs over `duration` beside its ripple (rad): measured on tops of many kinds as 0.03 to 0.15 of ripple x
-/// Earth's rate x time.
+/// The error of averaging over the nutation, over `duration` and beside the ripple (rad). On tops of many kinds it was measured
+/// to be 0.03 to 0.15 of ripple x Earth's rate x time; a fifth is stated.
 template <class T>
 T averaging_error(const TiltedTop<T>& top, T duration);
 
-/// Walks a top through time by a plan.
+/// Moves a top through time by a plan.
 template <class T>
 class LongHorizonWalk {
  public:
-  /// @param watch  may stop the walk on its way, wherever that is
+  /// @param watch  may stop the walk between any two steps
   LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
       : top_(top), plan_(plan), counters_(counters), watch_(watch), x_(top.start()) {
     if (plan.averages) ripple(T(-1), x_);
   }
 
-  /// @param looks_every  the longest time between two looks; 0: none
-  /// @param look  called with the time since `begin` and the state, near enough for counting turns
+  /// Moves on by one interval.
+  /// @param looks_every  the longest time between two looks; 0: no looks
+  /// @param look  called with the time since the interval's beginning and a state that is good enough for counting turns
   template <class Look>
   void advance(T interval, T looks_every, Look&& look) {
     lay_out(interval);
@@ -104,7 +110,7 @@ class LongHorizonWalk {
     move();
     counters_.accepted += steps_;
   }
-  /// The state at the end of the last interval, complete.
+  /// The state at the end of the last interval, with its ripple.
   TiltedTopState<T> state() const {
     TiltedTopState<T> x = x_;
     if (plan_.averages) ripple(T(1), x);
@@ -131,7 +137,8 @@ class LongHorizonWalk {
     }
   }
 
-  /// Adds (sign = 1) or takes off the ripple: the integral of the kick times s / period - sign(s)/2 over the period about now.
+  /// Adds the ripple (sign = 1) or takes it off (sign = -1). It is the integral of the kick times s / period - sign(s)/2 over
+  /// the times s from half a period before the present to half a period after it.
   void ripple(T sign, TiltedTopState<T>& x) const {
     T position = T(0);
     for (const int i : {-3, -2, -1, 1, 2, 3}) {
@@ -152,8 +159,8 @@ class LongHorizonWalk {
   TiltedTopState<T> x_;
   std::int64_t steps_ = 1;
   T step_ = T(0);
-  bool backward_ = false;                                                               ///< the order of a middle kick's parts
-  std::array<T, static_cast<std::size_t>(kSpread*KickSchedule::kMost)> time_, weight_;  ///< in units of the step
+  bool backward_ = false;  ///< whether the parts of a middle kick come in backward order
+  std::array<T, static_cast<std::size_t>(kSpread*KickSchedule::kMost)> time_, weight_;  ///< of the parts, in units of a step
 };
 
 }  // namespace earthtop

@@ -29,7 +29,7 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
   } else if (times.back() > 0) {
     plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters, watch);
   }
-  // Looks so often that the frame's attitude, which has two quaternions, is followed on one side.
+  // Each attitude has two quaternions, q and -q. Looking this often keeps the frame's quaternion continuous.
   const double looks_every = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
   Quaternion<double> last = problem.release.q_LB;
   const auto follow = [&](Quaternion<double> q) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One motion by the long-horizon method (long_horizon.hpp).
+/// A single motion by the long-horizon method (long_horizon.hpp).
 #pragma once
 
 #include "earthtop/integrate/motion_integration.hpp"

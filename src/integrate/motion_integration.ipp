@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The body of integrate_motion, instantiated for one scalar in each of motion_integration_*.cpp.
+/// The definition of integrate_motion; each of motion_integration_*.cpp instantiates it for one scalar.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integrate/odeint_pow.hpp"  // first: it gives a name of the C library another meaning
+#include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
 //
 #include "integrate/motion_integration.ipp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The right-hand sides of one motion on the rotating Earth: any body's seven variables, and the symmetric top's nine without
-/// its spin. Both tell attitude and rate in the laboratory.
+/// The right-hand sides of a single motion on the rotating Earth: in seven variables for any body, and in nine (or six) for a
+/// symmetric top without its spin. Both systems give samples of the attitude and the rate in the laboratory.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace earthtop {
 
-/// A system's sample at an output time as the trajectory has it: SI units.
+/// A system's sample at an output time, in the SI units of the trajectory.
 template <class T, class System>
 MotionSample<T> sample_at(const System& system, const MotionProblem<T>& problem, const typename System::State& x, T t,
                           double t_s) {
@@ -26,7 +26,7 @@ MotionSample<T> sample_at(const System& system, const MotionProblem<T>& problem,
   return sample;
 }
 
-/// Gives a system its Taylor series where it has one.
+/// The base classes that tell whether a system has a Taylor series.
 template <class Made>
 struct WithSeries {
   using Series = Made;
@@ -39,7 +39,8 @@ struct GeneralMotionShape {
   static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 4, 1.0}, {4, 3, 1e-3}}}; }
 };
 
-/// State: q (4), then the observer's rate variable (3).
+/// Any body's motion. The state is the attitude q (4), then the observer's rate variable (3): an angular momentum or, in body
+/// axes, the inertial rate.
 template <class T, Observer O, SceneKind K>
 class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain,
                                                       WithSeries<GeneralMotionSeries<T>>, WithoutSeries> {
@@ -83,8 +84,8 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
     return x;
   }
 
-  /// What the sum of given rates and the Earth's left out of the initial state: a spin's round-off is one of the attitude,
-  /// times the duration.
+  /// The round-off of the initial state, in which the Earth's rate is added to the rates given. That of a spin would grow with
+  /// the duration to an error of the attitude.
   State initial_rest() const {
     State rest{};
     const Release<T>& release = problem_.release;
@@ -114,7 +115,7 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
     if constexpr (O != Observer::laboratory) s.w_LB_B -= transposed_times(R_LB, model_.W_IL_L);
     return s;
   }
-  /// What the applied torques add to the rate of the observer's rate variable.
+  /// The contribution of the applied torques to the time derivative of the observer's rate variable.
   [[gnu::noinline]] Vec3<T> applied_share(const Motion<T>& motion, T t) const {
     const MotionSample<T> seen = seen_in_laboratory(motion, t);
     const Vec3<T> torque_B = applied_torque_B(model_, t, seen.q_LB, seen.w_LB_B, true);
@@ -144,8 +145,8 @@ struct ReducedMotionShape {
   }
 };
 
-/// State: axis n (3), transverse rate u (3), and where the attitude is sought the frame vector a (3); in laboratory axes,
-/// or in inertial ones.
+/// A symmetric top's motion without its spin (reduced_top.hpp). The state is the axis n (3), the transverse rate u (3) and,
+/// where the attitude is sought, the frame vector a (3); in laboratory or in inertial axes.
 template <class T, Observer O, MotionSought S>
 class ReducedMotionSystem
     : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedMotionSeries<T, S>>, WithoutSeries> {
@@ -195,14 +196,14 @@ class ReducedMotionSystem
     return x;
   }
 
-  /// Sizes that errors are measured against from the start: where the spin is fast, it is the nutation's rate over which an
-  /// error of u tilts the axis.
+  /// A state with the sizes that errors are measured against from the start. That of u is at least the nutation rate b: an
+  /// error of u tilts the axis only by its ratio to b.
   State typical_state() const {
     State x = initial_state();
     x[3] = std::max(norm(load(x, 3)), real::abs(b_.value));
     return x;
   }
-  /// The same motion as two exact flows; in double.
+  /// The two exact flows of the motion, for `splitting`; in double only.
   auto flows() const requires std::is_same_v<T, double> { return ReducedMotionFlows<O, S>(model_, top_, b_.value); }
 
   void follow(const State& x) {
@@ -233,9 +234,9 @@ class ReducedMotionSystem
   const Model<T>& model_;
   ReducedTop<T> top_;
   Mat3<T> R_LB_;
-  Vec3<T> w_XB_B_;  ///< rates as released, and what makes them inertial ones
-  Vec3<T> W_B_;
-  Vec3<T> W_L_, gravity_L_;  ///< the model's, at hand
+  Vec3<T> w_XB_B_;           ///< rate as given at release
+  Vec3<T> W_B_;              ///< what is to be added to make it the inertial rate
+  Vec3<T> W_L_, gravity_L_;  ///< copies of the model's
   NutationRate<T> b_;
   SpinlessFrame<T> frame_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The one place that knows Boost.Odeint: its steppers behind an own loop that lands exactly on the output times, checks
-/// that every state is finite, keeps the time without rounding, counts in 64 bits and returns a named outcome.
+/// Drives all steppers, those of Boost.Odeint among them, with a loop of its own, which lands exactly on the output times,
+/// checks that every state is finite, keeps the time without rounding, counts in 64 bits and returns a named outcome.
 ///
-/// odeint's own integrate functions accept NaN, count steps in an int and may stop short of the end; they are not used.
+/// The integrate functions of odeint are not used: they accept NaN, count steps in an int and may stop short of the end.
 #pragma once
 
 #include <array>
@@ -30,8 +30,10 @@
 
 namespace earthtop {
 
-/// @tparam System  x, dxdt, t -> void, with the `Shape` of its states   @param times  the first is where x stands
-/// @param on_step  called with (t, x) after every step   @param on_row  called with (row index, x) at every output time
+/// Integrates a system over its output times.
+/// @tparam System  called with (x, dxdt, t); has the `Shape` of its states
+/// @tparam OnStep  called with (t, x) at the start and after every step
+/// @tparam OnRow  called with (row index, x) at every output time
 template <class T, class System, class OnStep, class OnRow>
 class Driver {
  public:
@@ -42,6 +44,8 @@ class Driver {
   Driver(System& system, const DriveOptions<T>& options, OnStep& on_step, OnRow& on_row)
       : system_(system), options_(options), on_step_(on_step), on_row_(on_row) {}
 
+  /// @param x  the state at the first of the times; afterwards the last state   @param times  the output times
+  /// @throws std::logic_error for a method that is not built for T or for this system
   RunStatus run(State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
     scales_.include(x);
@@ -69,7 +73,7 @@ class Driver {
     }
     if constexpr (!std::is_same_v<T, float128> && !is_bound_only<System>()) {
       if (method == Method::bulirsch_stoer) {
-        // odeint's own checker, component by component: relative to each, with a floor a little above round-off.
+        // The error checker of odeint takes each component by itself: relative to its size, with a floor above round-off.
         const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
         bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
         return run_controlled(stepper, x, times);
@@ -90,11 +94,11 @@ class Driver {
   }
 
   const StepCounters& counters() const { return counters_; }
-  /// Of a fixed-step method: the one taken in the first interval.
+  /// The step that a fixed-step method has taken in the first interval.
   T first_step_taken() const { return first_step_taken_; }
 
  private:
-  /// Lets a system change its state where an event has come, such as a motion's coming to rest.
+  /// Lets the system change its state after an event, such as a motion coming to rest.
   void settle(State& x, T t) {
     if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
   }
@@ -120,7 +124,7 @@ class Driver {
       IntervalClock<T> clock(times[row - 1], times[row]);
       for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
         if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
-        // Land on the output time; two like steps rather than a long one and a sliver.
+        // Land on the output time, by two equal steps rather than by a long one and a sliver.
         if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
         if constexpr (requires { system_.longest_step(x, T(0)); })
           proposed = std::min(proposed, system_.longest_step(x, clock.now()));
@@ -136,7 +140,7 @@ class Driver {
           else
             clock.advance(step);
           settle(x, lands ? times[row] : clock.now());
-          // A step cut short by the output time tells nothing against the longer one proposed before.
+          // A step that was cut short by the output time is no reason to try a shorter one than was proposed before.
           proposed = step < proposed ? std::max(dt, proposed) : dt;
           scales_.include(x);
           on_step_(lands ? times[row] : clock.now(), x);
@@ -154,8 +158,8 @@ class Driver {
     return RunStatus::completed;
   }
 
-  /// Output times do not cut the steps, joints do: rows come from the stepper's dense output.
-  /// @param stepper  odeint's dense-output concept, with try_step(equations) -> whether the step was accepted
+  /// Integrates by a stepper with dense output, from which the rows come. Output times do not cut the steps; joints do.
+  /// @param stepper  of odeint's dense-output concept, with try_step(equations) that returns whether the step was accepted
   template <class DenseStepper, class Equations>
   RunStatus run_dense(DenseStepper& stepper, Equations& equations, State& x, std::span<const T> times) {
     IntervalClock<T> clock(times.front(), times.back());
@@ -184,20 +188,20 @@ class Driver {
     return RunStatus::completed;
   }
 
-  /// @param stop  the number of a time that steps end at: an output time, or a joint
+  /// Shows the state if steps end here at an output time. @param stop  number of the time: an output time, or a joint
   void show_row(std::size_t stop, const State& x) {
     const std::size_t row = stops_ ? stops_->rows[stop] : stop;
     if (row != Stops<T>::kNoRow) on_row_(row, x);
   }
 
-  /// From now to the next joint; beyond the end where there is none.
+  /// The time from now to the next joint; if there is none, a time that leads past the end.
   T until_joint(const IntervalClock<T>& clock) {
     const auto& joints = options_.joints;
     while (next_joint_ < joints.size() && clock.until(joints[next_joint_]) <= least_step<T>()) ++next_joint_;
     return next_joint_ < joints.size() ? clock.until(joints[next_joint_]) : T(2) * clock.remaining();
   }
 
-  /// Rows within a step just made, and as many points between as the watcher needs to see every turn.
+  /// Shows the rows within the step just taken, and as many states between them as the watcher needs to see every turn.
   template <class DenseStepper, class Equations>
   void show_step(DenseStepper& stepper, Equations& equations, const IntervalClock<T>& clock, T step, bool lands,
                  std::span<const T> times, std::size_t& row) {
@@ -223,7 +227,7 @@ class Driver {
       if constexpr (is_watched<System>()) see(end, clock.now() + end);
     }
   }
-  /// In how many pieces the watcher has to see a step.
+  /// The number of pieces in which the watcher has to see a step.
   template <class DenseStepper>
   int pieces_of(const DenseStepper& stepper, T step) const {
     T pieces = T(1);
@@ -235,16 +239,17 @@ class Driver {
     return static_cast<int>(pieces);
   }
 
-  /// Collocation at Gauss' nodes, of the step asked for, or of one that meets the tolerance.
+  /// Integrates by collocation at Gauss nodes, with the step asked for or one that meets the tolerance.
   RunStatus run_gauss(State& x, std::span<const T> times) {
     GaussStepper<Shape> stepper(scales_);
     T rate = options_.rate;
-    if constexpr (Splits<System>) rate = system_.flows().rate(x);  // without the spin
+    if constexpr (Splits<System>) rate = system_.flows().rate(x);  // the rate without the spin
     const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, rate);
     return run_fixed(stepper, x, times, step);
   }
 
-  /// Adams-Bashforth-Moulton of order 8, started (and restarted where the step changes) by Fehlberg's 8th-order method.
+  /// Integrates by Adams-Bashforth-Moulton of order 8, started, and restarted where the step changes, by Fehlberg's method of
+  /// order 8.
   RunStatus run_multistep(State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
     using Starter = runge_kutta_fehlberg78<State, T>;
@@ -255,7 +260,7 @@ class Driver {
     return run_fixed(stepper, x, times, options_.fixed_step);
   }
 
-  /// Exact flows, composed; of the step asked for, or of one that meets the tolerance.
+  /// Integrates by a composition of exact flows, with the step asked for or one that meets the tolerance.
   RunStatus run_splitting(State& x, std::span<const T> times) {
     if constexpr (std::is_same_v<T, double> && Splits<System>) {
       const auto flows = system_.flows();
@@ -268,7 +273,9 @@ class Driver {
     throw std::logic_error("this form of the equations does not split into exact flows");
   }
 
-  /// @param stepper  do_step(system, x, t, dt) -> whether it succeeded; reset() before a step of another length
+  /// Integrates with a fixed step.
+  /// @param stepper  has do_step(system, x, t, dt), which returns whether it succeeded, and reset(), to be called before a step
+  /// of another length
   /// @param largest  the step taken is at most this long and divides the output interval
   template <class Stepper>
   RunStatus run_fixed(Stepper& stepper, State& x, std::span<const T> times, T largest) {
@@ -279,7 +286,8 @@ class Driver {
       const T interval = times[row] - times[row - 1];
       const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest * (1 - 1e-12))));
       T h = interval / static_cast<T>(steps);
-      // Output times k * step differ by a rounding: the step is the same one. What came before a joint is no history.
+      // Intervals between output times may differ by a rounding; the step is then kept. A step after a joint starts afresh: a
+      // multistep method must not use values from before it.
       const bool goes_on = !stops_ || !stops_->at_joint[row - 1];
       if (goes_on && real::abs(h - step_before) <= T(1e-9) * h)
         h = step_before;
@@ -302,9 +310,9 @@ class Driver {
     return RunStatus::completed;
   }
 
-  /// A fixed step that meets the tolerance: over the first turn of the motion, steps of h and of h / 2 differ by no more than
-  /// it anywhere.
-  /// @param rate  of the motion that the steps have to follow (rad per unit of time)
+  /// A fixed step h that meets the tolerance: over the first turn of the motion, integrations with steps of h and of h / 2
+  /// differ nowhere by more.
+  /// @param rate  rate of the motion that the steps have to resolve (rad per unit of time)
   template <class Stepper>
   T fixed_step_for(Stepper& stepper, const State& start, std::span<const T> times, T rate) {
     const auto system = counted_system();
@@ -335,11 +343,12 @@ class Driver {
     }
     return turn / static_cast<T>(count);
   }
-  /// No step turns the motion further (rad): well below the first resonance of step and nutation, at 2 pi.
+  /// The largest angle by which a step found by fixed_step_for turns the motion (rad). It is well below the first resonance of
+  /// step and nutation, at 2 pi.
   static constexpr double kLongestFixedAngle = 2.0;
   static constexpr std::int64_t kMostStepsATurn = 400;
 
-  /// Why no step can be taken from here: the equations give no number, or else as told.
+  /// The reason why no step can be taken from here: the equations give no finite number, or else `otherwise`.
   RunStatus failure_at(const State& x, T t, RunStatus otherwise) {
     State dxdt;
     system_(x, dxdt, t);
@@ -356,7 +365,7 @@ class Driver {
   OnRow& on_row_;
   GroupScales<T, Shape> scales_;
   StepCounters counters_;
-  std::optional<Stops<T>> stops_;  // none without joints
+  std::optional<Stops<T>> stops_;  ///< the times at which steps end; none if there are no joints
   std::size_t next_joint_ = 0;
   T first_step_taken_ = T(0);
 };

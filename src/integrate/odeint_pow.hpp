@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// odeint's step size controls call std::pow, whose last digit depends on the processor. Included before everything else, this
-/// has a source call real::pow by that name; a header that was precompiled has seen the name already, so such sources do
-/// without.
+/// Makes a source call real::pow where it says std::pow: the step size controls of odeint do, and the last digit of the C
+/// library's pow depends on the processor. This header must be included before everything else. A precompiled header would
+/// already have declared pow, so sources that include this one are compiled without.
 #pragma once
 
 #ifdef _GLIBCXX_CMATH

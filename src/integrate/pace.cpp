@@ -9,12 +9,12 @@
 namespace earthtop {
 namespace {
 
-/// Towards the round-off of 113 bits `extrapolation` has fewer columns left, each of which loses digits, and takes shorter
-/// steps: a tolerance against the one where that begins, as measured.
+/// The tolerance relative to the one at which `extrapolation` comes near the round-off of 113 bits, or 1 above it (as
+/// measured). Below, fewer columns remain usable, because each one loses digits, and so the steps are shorter.
 double near_round_off(double tolerance) { return std::min(1.0, tolerance / 1e-30); }
 
-/// The phase of the fastest motion that a step covers (rad), as measured on a fast top; a method of order p takes steps that
-/// grow with the p-th root of its tolerance. The order of `extrapolation` follows its tolerance.
+/// The phase of the fastest motion that a step covers (rad), as measured on a fast top. The steps of a method of order p grow
+/// with the p-th root of its tolerance. The order of `extrapolation` depends on its tolerance.
 double radians_a_step(Method method, double tolerance) {
   switch (method) {
     case Method::dopri5: return 0.25 * real::pow(tolerance / 1e-8, 1.0 / 5);
@@ -33,9 +33,9 @@ double radians_a_step(Method method, double tolerance) {
   return 0.04;
 }
 
-/// Steps where nothing but stability bounds them: how far one goes, the damping's rate times its length beyond which errors
-/// grow from step to step, and the right-hand sides it takes, the rejected steps' included. As measured on an overdamped
-/// pendulum.
+/// The length and cost of a step that is bounded by nothing but stability, as measured on an overdamped pendulum. `phase` is
+/// the damping rate times the length of the step: with more, errors would grow from step to step. `evaluations` counts the
+/// right-hand sides for each step, including those of rejected steps.
 struct StableStep {
   double phase, evaluations;
 };
@@ -47,7 +47,7 @@ StableStep stable_step(Method method) {
     case Method::dop853: return {3.5, 13};
     case Method::bulirsch_stoer: return {3, 15};
     case Method::extrapolation: return {2, 8};
-    case Method::gauss: return {1.2, 50};  // beyond which its fixed-point iteration does not converge
+    case Method::gauss: return {1.2, 50};  // with longer steps its fixed-point iteration does not converge
     case Method::taylor:
     case Method::abm8:
     case Method::splitting:
@@ -57,7 +57,7 @@ StableStep stable_step(Method method) {
   return {1, 13};
 }
 
-/// Right-hand sides for each of those steps, rejected ones included.
+/// Right-hand sides for each step that is bounded by the tolerance, including those of rejected steps.
 double evaluations_a_step(Method method, double tolerance) {
   switch (method) {
     case Method::dopri5: return 6;
@@ -76,11 +76,12 @@ double evaluations_a_step(Method method, double tolerance) {
   return 13;
 }
 
-/// Whether the rows come from a method's dense output; of any other, steps end at them.
+/// Whether rows come from the method's dense output. Any other method has to end a step at each row.
 bool steps_past_rows(Method method) { return method == Method::taylor || method == Method::dop853; }
 
-/// Steps in which the watcher must see angles that go round.
-constexpr double kLook = 1.5;  // rad
+/// The largest angle between two looks of a watcher that counts turns (rad).
+constexpr double kLook = 1.5;
+/// Whether the method's steps are cut short so that the watcher can count turns.
 bool is_watched(Method method) { return method == Method::extrapolation || method == Method::dop853; }
 
 constexpr double kStepsAHalt = 20;
@@ -100,7 +101,7 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
     return {steps, steps * an_evaluation};
   }
   double turning = reduced ? pace.reduced_turning_rad : pace.turning_rad;
-  // A step that is found at the start stays as short as that needs.
+  // This method finds its fixed step at the start, and keeps it although friction may slow the motion down.
   if (method == Method::gauss && !reduced) turning = std::max(turning, pace.looks_rad) + pace.damping;
   double steps = turning / radians_a_step(method, tolerance) + pace.joints;
   double evaluations = steps * an_evaluation;
@@ -109,7 +110,7 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
     const double held = (pace.damping + pace.settled_rad) / stable.phase;
     steps += held + kStepsAHalt * pace.halts;
     evaluations += (held + kStepsAHalt * pace.halts) * stable.evaluations;
-    // Steps that are cut for the watcher's sake take as few columns as those cut by a row.
+    // Steps that are cut short for the watcher need as few columns as stable steps do.
     const double cut = is_watched(method) ? pace.looks_rad / kLook - steps : 0;
     if (cut > 0) steps += cut, evaluations += cut * stable.evaluations;
   }

@@ -2,11 +2,12 @@
 /// The two exact flows into which the symmetric top's motion without its spin splits (splitting_stepper.hpp), in axes that are
 /// inertial for the length of a step and the laboratory's at its start:
 ///
-///   A  free: n, u and the frame vector a turn about L / I1 = u + b n, by its length times h
+///   A  free motion: n, u and the frame vector a turn about L / I1 = u + b n, by its length times h
 ///   B  gravity: u grows by h (m l / I1) n x g, n and a stay; g is the laboratory's, which turns with the Earth
 ///
-/// At the end of the step all turn by exp(-[W] h) into the laboratory's axes of then, and a about n by -b h, which is
-/// what the free flows have turned it too far. Both commute with A, and with a B that knows of them: done once, they are exact.
+/// At the end of the step all vectors turn by exp(-[W] h) into the laboratory's axes at that time, and a turns about n by -b h,
+/// because the free flows have turned it too far by b h. Both turns commute with A, and with B if its gravity takes the Earth's
+/// turn into account: done once for each step, they are exact.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@
 
 namespace earthtop {
 
-/// A state with what its components have lost to rounding, to be added in the next sum (Kahan's): the updates of a million
-/// steps cost one rounding each of the update, not of the state.
+/// A state together with what its components have lost to rounding, which the next sum adds (Kahan's summation). So each of a
+/// million updates costs a rounding of the update, not one of the state.
 template <class State>
 struct CompensatedState {
   State x, carry{};
@@ -36,8 +37,9 @@ struct CompensatedState {
   Vec3<typename State::value_type> load(std::size_t at) const { return {x[at], x[at + 1], x[at + 2]}; }
 };
 
-/// The turn by the vector 2 v: (cosine, sinc) of |v|, with sinc = sin|v| / |v|.
+/// The rotation R by the vector 2 v, given by cos|v| and sinc = sin|v| / |v|.
 struct HalfAngle {
+  /// @param square  v.v
   explicit HalfAngle(double square) : cosine(entire::cosine(square)), sinc(entire::sinc(square)) {}
   double cosine, sinc;
 
@@ -48,24 +50,24 @@ struct HalfAngle {
   }
 };
 
-/// Gravity in inertial axes that are the laboratory's at time 0.
+/// Gravity at time t, in the inertial axes that are the laboratory's at time 0.
 inline Vec3<double> gravity_after(const Model<double>& model, double t) {
   return times(rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)), model.apparent_gravity_L);
 }
 
-/// (R - 1) a of the turn about n that brings a frame carried by the free flows of a step back to the spinless one.
+/// (R - 1) a, where R is the turn about n that brings a frame carried by the free flows of a step back to the spinless frame.
 inline Vec3<double> spinless_increment(double b, const Vec3<double>& n, const Vec3<double>& a, double h) {
   const Vec3<double> back = (-h / 2 * b) * n;
   return HalfAngle(back.dot(back)).increment(back, a);
 }
 
-/// The rate of a top's nutation, or of its pendulum motion (rad per unit of time), which sets the steps.
+/// An upper estimate of the rate of a top's nutation or pendulum motion (rad per unit of time), which sets the steps.
 /// @param turning_rate  L / I1
 inline double nutation_rate(const Model<double>& model, const ReducedTop<double>& top, const Vec3<double>& turning_rate) {
   return norm(turning_rate) + 2 * std::sqrt(std::abs(top.moment_ratio) * norm(model.apparent_gravity_L)) + norm(model.W_IL_L);
 }
 
-/// State as `ReducedMotionSystem` has it: n (3), u (3), and where the attitude is sought the frame vector a (3).
+/// The flows, on the state of `ReducedMotionSystem`: n (3), u (3) and, where the attitude is sought, the frame vector a (3).
 template <Observer O, MotionSought S>
 class ReducedMotionFlows {
  public:
@@ -74,8 +76,8 @@ class ReducedMotionFlows {
   /// @param b  (I3/I1) w3
   ReducedMotionFlows(const Model<double>& model, const ReducedTop<double>& top, double b) : model_(model), top_(top), b_(b) {}
 
-  /// What a kick and the end of a step of one length need, the same in all such steps.
-  using Kick = Vec3<double>;  ///< gravity
+  // What a kick and the end of a step need; the same in all steps of one length.
+  using Kick = Vec3<double>;  ///< gravity at the time of the kick
   struct End {
     double h;
     Vec3<double> half_W;  ///< -W h / 2
@@ -95,7 +97,7 @@ class ReducedMotionFlows {
     if constexpr (kAttitude) s.add_vector(6, turn.increment(v, s.load(6)));
   }
 
-  /// @param t  the time of the kick
+  /// @param t  the time of the kick, read in inertial axes only   @param at  what kick_at gives, read in laboratory axes only
   void kick(double h, double t, const Kick& at, CompensatedState<State>& s) const {
     const Vec3<double> gravity = O == Observer::inertial ? gravity_after(model_, t) : at;
     s.add_vector(3, Vec3<double>(h * field_torque(mass_moment_along(top_, s.load(0)), gravity)));

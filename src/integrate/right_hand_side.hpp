@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a stepper asks for the slope: any system with states of one size.
+/// The right-hand side as steppers see it: any system with states of one size.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace earthtop {
 
-/// The right-hand side of a system, and how often it was asked for. It knows the system by its address: the steppers are
-/// compiled once for all systems of a shape, and nothing is lost, since right-hand sides are functions of their own
-/// (inline_all.hpp).
+/// The right-hand side of a system, and a count of its evaluations. It refers to the system by address only, so that the
+/// steppers are compiled once for all systems of a shape. That costs no time, since right-hand sides are separate functions
+/// anyway (inline_all.hpp).
 template <class T, std::size_t N>
 class RightHandSide {
  public:

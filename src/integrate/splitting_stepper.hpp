@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Composition of a system's two exact flows, on odeint's stepper concept: do_step(system, x, t, dt). Explicit, symmetric, and
-/// symplectic where the flows are.
+/// Composes the two exact flows of a system, on odeint's stepper concept: do_step(system, x, t, dt). The method is explicit,
+/// symmetric, and symplectic where the flows are.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace earthtop {
 
-/// A system that splits: `flows()` with `free(h, state)` and `kick(h, t, kick_at(after), state)` exact, `end(end_of(h), state)`
-/// after each step, and `rate(x)`.
+/// A system that splits. Its `flows()` have the exact flows `free(h, state)` and `kick(h, t, kick_at(after), state)`,
+/// `end(end_of(h), state)`, which ends each step, and `rate(x)`.
 template <class System>
 concept Splits = requires(const System& system) {
   system.flows();
@@ -26,7 +26,7 @@ class SplittingStepper {
   using State = typename Flows::State;
   SplittingStepper(const Flows& flows, const CompositionTable& table) : flows_(flows), table_(table) {}
 
-  /// A step shorter or longer than the one before costs the preparation of its flows.
+  /// Takes a step. If its length differs from that of the step before, the flows are prepared anew.
   template <class System>
   bool do_step(const System&, State& x, double t, double dt) {
     if (dt != prepared_) prepare(dt);
@@ -41,9 +41,9 @@ class SplittingStepper {
     x = state_.x;
     return true;
   }
-  /// Forgets what rounding has left over.
+  /// Forgets the round-off carried over from the last step.
   void reset() { state_.carry = {}; }
-  /// Kicks: evaluations of the torque.
+  /// Evaluations of the torque in a step, which is the number of kicks.
   std::int64_t evaluations_a_step() const { return table_.stages; }
 
  private:
@@ -60,8 +60,8 @@ class SplittingStepper {
     }
     end_ = flows_.end_of(dt);
   }
-  /// Coefficients times dt, with a sum of dt to the last bit: the rounding of each would be a clock that goes wrong. The
-  /// shortest, whose own rounding is least, takes what is left.
+  /// The coefficients times dt, with a sum that is dt to the last bit: otherwise their roundings would let the flows' clock go
+  /// wrong. The shortest one, which has the smallest rounding error itself, takes up the difference.
   static std::vector<double> lengths(const double* coefficients, int count, double dt) {
     std::vector<double> all(coefficients, coefficients + count);
     std::size_t shortest = 0;

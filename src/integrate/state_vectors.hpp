@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Three components of a state, as a vector.
+/// Loads and stores three components of a state as a vector.
 #pragma once
 
 #include <array>

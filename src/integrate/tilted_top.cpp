@@ -7,7 +7,8 @@
 namespace earthtop {
 namespace {
 
-/// The moment along the axis that stands for kappa without bringing a spin: F must not turn about n in any time there is.
+/// Exponent of the moment of inertia along the axis of the effective top. It is so large that kappa corresponds to practically
+/// no spin: F must not turn about n during any run.
 constexpr int kNoSpinExponent = 200;
 
 /// A rotation that takes Up to the unit vector u.
@@ -33,7 +34,7 @@ TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Q
   const T kappa = top.I3 * (w_XB_B[2] + spin_start_);
   const Vec3<T> weight = -model.mass_moment_B[2] * model.apparent_gravity_L;
 
-  // w, the part of W.n that a precession about G leaves, with the G that follows from it.
+  // w is the mean of W.n over a precession about G. As G depends on w, both are found by iteration.
   Vec3<T> G, up;
   for (int i = 0; i < 3; ++i) {
     G = weight - (kappa - I1_ * mean_) * W_L;
@@ -44,7 +45,7 @@ TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Q
   kappa_ = kappa - T(2) * I1_ * mean_;
   q_LG_ = from_up(up);
   W_G_ = transposed_times(rotation_matrix(q_LG_), W_L);
-  // Where weight and gyroscopic torque nearly cancel, the change of M says little about n.
+  // Where weight and gyroscopic torque nearly cancel, the change of M tells little about n.
   exact_turn_ = G_ > T(1e-4) * (norm(weight) + real::abs(kappa) * norm(W_L));
 
   effective_ = {T(1), real::scale(T(1), kNoSpinExponent), G_ / I1_};
@@ -54,11 +55,11 @@ TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Q
   nutation_period_ =
       LagrangeTop<T>(effective_, start_.q_GF, Vec3<T>(start_.across.re, start_.across.im, effective_spin_)).nutation_period_s();
 
-  // The largest rate of the axis: |across|^2 / 2 - G.n / I1 changes by the perturbation only.
+  // The largest rate of the axis follows from |across|^2 / 2 - G.n / I1, which only the perturbation changes.
   const T start_rate = real::hypot(start_.across.re, start_.across.im), mu = G_ / I1_;
   const T from_energy = real::sqrt(start_rate * start_rate + T(2) * mu * (T(1) + n.dot(up)));
   const T beta = real::abs(kappa_) / I1_;
-  // A fast top's nutation is small: from a start with this rate no more than it and twice the precession.
+  // The nutation of a fast top is small: its axis is never faster than it starts by more than a few times the precession.
   const T from_spin = beta > T(0) ? start_rate + T(4) * mu / beta : std::numeric_limits<T>::infinity();
   frame_rate_ = std::min(from_energy, from_spin);
   const T W = norm(W_L), torque = T(2) * W * I1_ * (frame_rate_ + W);
@@ -114,7 +115,7 @@ template <class T>
 void TiltedTop<T>::kick(T b, TiltedTopState<T>& x) const {
   const Mat3<T> R_GF = rotation_matrix(x.q_GF);
   const Vec3<T> W_F = transposed_times(R_GF, W_G_);
-  // d(across)/dt = -2 i delta (across + W/2): about -W/2 it turns.
+  // d(across)/dt = -2 i delta (across + W/2): `across` turns about -W/2.
   const Complex<T> half{W_F[0] / T(2), W_F[1] / T(2)};
   const Complex<T> turned_sum = turned(T(T(-2) * (W_F[2] - mean_) * b)) * (x.across + half);
   x.across = turned_sum + T(-1) * half;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A symmetric top on the rotating Earth as a Lagrange top about a tilted vertical, and what is left over.
+/// A symmetric top on the rotating Earth, treated as a Lagrange top about a tilted vertical plus a small perturbation.
 ///
 /// With n the axis, L the inertial momentum about the pivot, kappa = L.n = I3 w3 (constant), W the Earth's rate, and any number
 /// w, put
@@ -8,16 +8,16 @@
 ///
 /// Then in laboratory axes, exactly,
 ///
-///   dn/dt = M x n / I1 ,   dM/dt = G x n + delta (2 M x n + I1 W x n) ,   M.n = kappa - 2 I1 w :
+///   dn/dt = M x n / I1 ,   dM/dt = G x n + delta (2 M x n + I1 W x n) ,   M.n = kappa - 2 I1 w .
 ///
-/// a Lagrange top under the constant torque G x n, which has a closed form, and a perturbation that is smaller than the Earth's
-/// rate itself by about I1 |dn/dt| / kappa, the ratio of precession to nutation. For a top that spins fast it is some 1e-7 of
-/// the gravity torque. With n held, the perturbation alone has an exact flow too: a turn of M about n. (w = W.n where the
-/// precession leaves it on average makes delta small.)
+/// The first term is a Lagrange top under the constant torque G x n; it has a closed form (the large flow). The term with delta
+/// is a perturbation, which is smaller than the Earth's rate itself by about I1 |dn/dt| / kappa, the ratio of precession to
+/// nutation. For a top that spins fast it is some 1e-7 of the gravity torque. With n held, the perturbation alone has an exact
+/// flow too: a turn of M about n (the kick). To make delta small, w is chosen as the mean of W.n over the precession.
 ///
-/// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it;
-/// the body is F turned about n by w3 t less the integral of W.n, which the large flow knows but for its part along G: integral
-/// of n across G = -G x (change of M) / G^2.
+/// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it.
+/// The body is F turned about n by w3 t less the integral of W.n. The large flow gives that integral, except for the part of n
+/// along G, from the change of M: the integral of the part of n across G is -G x (change of M) / G^2.
 #pragma once
 
 #include "closed_form/complex.hpp"
@@ -26,40 +26,41 @@
 
 namespace earthtop {
 
-/// Where the frame F stands, and what has come of the turn about n. All axes and units are the model's.
+/// The attitude of the frame F and its rate, and the turn about n so far. All units are the model's.
 template <class T>
 struct TiltedTopState {
-  Quaternion<T> q_GF;               ///< from F to axes with the third along G
-  Complex<T> across;                ///< rate of n, w1 + i w2 in F
-  T turn = T(0), turn_rest = T(0);  ///< minus the integral of W.n (rad), as a sum of two numbers
+  Quaternion<T> q_GF;               ///< attitude of F relative to axes whose third one is along G
+  Complex<T> across;                ///< rate w1 + i w2 at which n turns, in F
+  T turn = T(0), turn_rest = T(0);  ///< minus the integral of W.n (rad), as the sum of two numbers
 };
 
 template <class T>
 class TiltedTop {
  public:
-  /// @param top  symmetric about body axis 3   @param W_L  the rate of the Earth
-  /// @param w_XB_B  rate at release in the model's units, relative to what `X` names
+  /// @param top  must be symmetric about body axis 3   @param W_L  the rate of the Earth
+  /// @param w_XB_B  rate at release in the model's units, relative to the laboratory or to inertial space, as `X` tells
   TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B,
             RatesRelativeTo X, const Vec3<T>& W_L);
 
   const TiltedTopState<T>& start() const { return start_; }
-  /// The period of the nutation from the start; infinite where there is none.
+  /// The period of the nutation that begins at the start; infinite where there is none.
   T nutation_period() const { return nutation_period_; }
   /// The fastest rate of the axis's motion: nutation and pendulum.
   T fast_rate() const;
-  /// About how fast the axis precesses if it spins fast: G over kappa; infinite where it does not spin.
+  /// Roughly the rate at which the axis of a fast top precesses, G / kappa; infinite where kappa is 0.
   T precession_rate() const;
-  /// About how fast the kicks, by themselves, would turn the axis, at most.
+  /// Roughly the largest rate at which the kicks by themselves would turn the axis.
   T kick_rate() const { return kick_rate_; }
   T earth_rate() const { return norm(W_G_); }
-  /// The most that the frame F turns in a unit of time.
+  /// The largest rate at which the frame F turns.
   T frame_rate() const { return frame_rate_; }
 
-  /// The large flow, exactly; of either sign of the time.
+  /// The large flow, exact, forward or backward in time.
   class Flow {
    public:
     Flow(const TiltedTop& top, const TiltedTopState<T>& from);
-    /// The quaternion on the side of the start's, which is the continuous one for less than half a turn.
+    /// The state after the time t. Of the quaternions q and -q it takes the one closer to the start's, which is the continuous
+    /// one if the frame has turned by less than half a turn.
     TiltedTopState<T> at(T t) const;
 
    private:
@@ -71,11 +72,11 @@ class TiltedTop {
   void flow(T t, TiltedTopState<T>& x) const {
     if (t != T(0)) x = Flow(*this, x).at(t);
   }
-  /// The kick: what the perturbation does in the time b, n held.
+  /// The kick: the effect of the perturbation in the time b while n is held.
   void kick(T b, TiltedTopState<T>& x) const;
 
-  /// The attitude q_LF of the frame that is turned about n by all but w3 t, and the rate of n in it: the body's attitude is
-  /// q_LF steady_turn(2, w3, t), w3 the rate along the axis as released.
+  /// The top without the part w3 t of its turn about n, w3 being the rate along the axis at release: the body's attitude is
+  /// q_LF steady_turn(2, w3, t), and `across` is the rate of n in that frame.
   struct Seen {
     Quaternion<T> q_LF;
     Complex<T> across;
@@ -91,10 +92,10 @@ class TiltedTop {
   Quaternion<T> q_LG_;
   Vec3<T> W_G_;
   T I1_ = T(1), kappa_ = T(0), G_ = T(0);
-  T mean_ = T(0);        ///< w
-  T spin_start_ = T(0);  ///< rate along n relative to inertial space less w3 as released
-  bool exact_turn_ = true;
-  SymmetricTop<T> effective_;  ///< without spin: only its kappa counts
+  T mean_ = T(0);              ///< w
+  T spin_start_ = T(0);        ///< rate along n relative to inertial space, less w3 as given at release
+  bool exact_turn_ = true;     ///< whether the integral of n across G is taken from the change of M
+  SymmetricTop<T> effective_;  ///< the Lagrange top of the large flow; of its spin only kappa matters
   T effective_spin_ = T(0);
   T nutation_period_ = T(0), kick_rate_ = T(0), frame_rate_ = T(0);
 };

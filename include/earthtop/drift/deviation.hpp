@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The deviation of the rotating motion from the non-rotating prediction, integrated itself (Encke's idea) beside the two
-/// motions: no two nearly equal trajectories are ever subtracted. One form for each observer, derived apart:
+/// The deviation of the rotating motion from the non-rotating prediction. It has equations of its own, integrated beside the
+/// two motions (Encke's idea), so that two nearly equal trajectories are never subtracted. Each observer has one form of them,
+/// derived independently of the others:
 ///
 /// | observer    | attitude deviation              | rate deviation                                        |
-/// | laboratory  | R_rot R_ref^T, axes L           | of w_LB, carried to L; [F]'s torques drive it         |
+/// | laboratory  | R_rot R_ref^T, axes L           | of w_LB, turned to L; driven by [F]'s torques         |
 /// | body        | R_ref^T R_rot, body axes        | of w_IB; the laboratory turns away under the attitude |
-/// | inertial    | R_rot R_ref^T, axes N           | of w_IB, carried to N; gravity turning drives it      |
+/// | inertial    | R_rot R_ref^T, axes N           | of w_IB, turned to N; driven by gravity, which turns  |
 ///
-/// The rate deviation is p = Theta (w_rot - w_ref), each rate in its own body axes: what the two spins share cancels exactly.
+/// The rate deviation is p = Theta (w_rot - w_ref), each rate in its own body axes: the part that the two spins share cancels
+/// exactly.
 ///
-/// The vector part of the quaternion and the rate deviation are carried divided by epsilon (see Model): y = v / epsilon.
+/// The state holds the vector part v of the attitude deviation's quaternion and the rate deviation divided by epsilon (see
+/// Model): y = v / epsilon.
 #pragma once
 
 #include <array>
@@ -20,7 +23,8 @@
 
 namespace earthtop {
 
-/// Attitude deviation (w, epsilon * y) and rate deviation epsilon * p, or their time derivatives.
+/// The attitude deviation, a quaternion (w, epsilon * y), and the rate deviation epsilon * p (an angular momentum), or their
+/// time derivatives; in the model's natural units.
 template <class T>
 struct Deviation {
   T w = T(1);
@@ -28,10 +32,13 @@ struct Deviation {
   Vec3<T> p = Vec3<T>::Zero();
 };
 
-/// Body form: inertial rates, Euler's equation; the laboratory turns away under the attitude.
+/// The deviation's equations in body axes: with inertial rates and Euler's equation; the laboratory turns away under the
+/// attitude. Time derivatives of e = (e_w, e_v) = (w, y) and of p, for epsilon = 1:
 ///   de/dt: e_v x w_ref + (e_w d + e_v x d)/2, -(e_v.d)/2 with d = Theta^-1 p - R_rot^T W
 ///   dp/dt = p x w_ref + (Theta w_rot) x (Theta^-1 p) + m r x (R_rot^T f_rot - R_ref^T f_ref)
-/// @param reference  the non-rotating motion (q_LB, w_IB_B)
+/// where m r is the mass moment about the pivot, W the Earth's rate and f the field at the pivot (apparent gravity).
+/// @param reference  the non-rotating motion (q_LB, w_IB_B)   @param x  the deviation   @param field  at the pivot, axes L
+/// @returns the time derivatives of the deviation
 template <SceneKind K, class T>
 Deviation<T> body_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                      const PivotField<T>& field) {
@@ -56,13 +63,16 @@ Deviation<T> body_deviation_equation(const Model<T>& model, const Motion<T>& ref
   return {-epsilon * epsilon * x.y.dot(d_B) / T(2), x.y.cross(w_ref_B) + (x.w * d_B + epsilon * x.y.cross(d_B)) / T(2), dp};
 }
 
-/// What the two forms in outer axes A (laboratory or inertial) share: the body form carried by the reference's attitude,
-/// k = R_ref e_v and P = R_ref p, which do not turn with the spin. The reference's own rate drops out of both,
+/// The equations that the two forms in outer axes A (laboratory or inertial) share. They follow from the body form when its
+/// vectors are turned by the reference's attitude: k = R_ref e_v and P = R_ref p do not turn with the spin, and the reference's
+/// own rate drops out of both,
 ///   dk/dt = (e_w d + k x d)/2 ,  de_w/dt = -(k.d)/2 ,  d = R_ref Theta^-1 R_ref^T P
 ///   dP/dt = (L_ref + P) x d + m r_ref x (D^T f_rot - f_ref) + D^T tau ,  D = R_rot R_ref^T = R(e_w + k)
-/// and no term is larger than what it leaves: the spin that both motions have in common appears nowhere.
-/// @param reference  the non-rotating motion (q, L in A)   @param field_difference_A_scaled  (f_rot - f_ref) / epsilon
-/// @param carried_torque_A_scaled  further torque on the rotating body / epsilon, carried back: D^T tau
+/// so that no large terms cancel: the spin that both motions have in common appears nowhere.
+/// @param reference  the non-rotating motion (q, L in A)   @param x  the deviation (w, k, P)
+/// @param field_ref_A  f_ref   @param field_difference_A_scaled  (f_rot - f_ref) / epsilon
+/// @param carried_torque_A_scaled  further torque tau on the rotating body, turned back by D^T and divided by epsilon
+/// @returns the time derivatives of the deviation
 template <class T>
 Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                   const Vec3<T>& field_ref_A, const Vec3<T>& field_difference_A_scaled,
@@ -78,11 +88,13 @@ Deviation<T> outer_axes_deviation(const Model<T>& model, const Motion<T>& refere
           momentum_A.cross(d_A) + field_torque(times(R_ref, model.mass_moment_B), Dfield_A) + carried_torque_A_scaled};
 }
 
-/// [F]'s laboratory torques on the rotating body over epsilon, weighed, carried back by D^T: the tensor forms in body axes,
-/// where the second moment is constant, turned by the reference's attitude. The rotating body's attitude and rate are those
-/// that the deviation gives, R_rot = D R_ref: a torque along the spin, the small rest of a large one, leaves no room for
-/// another's.
-/// @param inertial_momentum  whether the reference's L and the deviation are of inertial rates
+/// [F]'s laboratory torques on the rotating body, weighted, divided by epsilon and turned back by D^T. They are found by their
+/// tensor forms in body axes, where the second moment is constant, and then turned by the reference's attitude. The attitude
+/// and the rate of the rotating body are the ones that the deviation gives, R_rot = D R_ref: the torque along the spin is the
+/// small remainder of a large one, and the error of a motion integrated separately would spoil it.
+/// @param inertial_momentum  whether the reference's L and the deviation are made of inertial rates, or else of rates relative
+/// to the laboratory
+/// @returns D^T tau / epsilon, in the outer axes
 template <SceneKind K, class T>
 Vec3<T> carried_laboratory_torque(const Model<T>& model, const TorqueWeights<T>& weights, const Motion<T>& reference,
                                   const Deviation<T>& x, bool inertial_momentum) {
@@ -97,8 +109,10 @@ Vec3<T> carried_laboratory_torque(const Model<T>& model, const TorqueWeights<T>&
   return times(R_ref, laboratory_torque<K>(weights, W_B, W_B_scaled, w_LB_B, model.S_BP_B));
 }
 
-/// Laboratory form: relative rates; [F]'s Coriolis and centrifugal torques on the rotating body drive the deviation.
+/// The deviation's equations in laboratory axes: with rates relative to the laboratory; the deviation is driven by [F]'s
+/// Coriolis and centrifugal torques on the rotating body.
 /// @param reference  the non-rotating motion (q_LB, L'_L)
+/// @returns the time derivatives of the deviation
 template <SceneKind K, class T>
 Deviation<T> laboratory_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                            const PivotField<T>& field) {
@@ -106,8 +120,10 @@ Deviation<T> laboratory_deviation_equation(const Model<T>& model, const Motion<T
                               carried_laboratory_torque<K>(model, model.weights, reference, x, false));
 }
 
-/// Inertial form: what drives the deviation is that the laboratory's field turns with the Earth.
+/// The deviation's equations in inertial axes N: the deviation is driven by the laboratory's field, which turns with the Earth.
 /// @param reference  the non-rotating motion (q_NB, L_N); its laboratory does not turn
+/// @param turn  of the laboratory relative to N since the release
+/// @returns the time derivatives of the deviation
 template <SceneKind K, class T>
 Deviation<T> inertial_deviation_equation(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& x,
                                          const PivotField<T>& field, const LaboratoryTurn<T>& turn) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The drift: how far the motion on the rotating Earth departs from the non-rotating prediction, measured without
-/// cancellation, and its summary over a run.
+/// The drift, which is how far the motion on the rotating Earth departs from the non-rotating prediction, measured without
+/// cancellation; and its summary over a run.
 #pragma once
 
 #include <array>
@@ -12,8 +12,9 @@
 
 namespace earthtop {
 
-/// One output time. Rotating is the motion on the turning Earth, `ref` the non-rotating prediction; drift is always
-/// rotating minus reference. Rows of extended precision stand in float128, which holds a long double unchanged.
+/// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
+/// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
+/// in float128, which holds a long double unchanged.
 template <class T>
 struct BasicDriftRow {
   T t_s = T(0);
@@ -21,22 +22,22 @@ struct BasicDriftRow {
   std::array<T, 3> w_LB_B = {};                      ///< rad/s
   std::array<T, 4> ref_q_LB = {T(1), T(0), T(0), T(0)};
   std::array<T, 3> ref_w_LB_B = {};
-  std::array<T, 3> axis_L = {T(0), T(0), T(1)};  ///< body axis 3: East, North, Up
+  std::array<T, 3> axis_L = {T(0), T(0), T(1)};  ///< body axis 3 in East, North, Up
   std::array<T, 3> ref_axis_L = {T(0), T(0), T(1)};
   T drift_axis_rad = T(0);             ///< angle between the two axes
-  T drift_axis_bound_rad = T(0);       ///< bound on the error of the above
+  T drift_axis_bound_rad = T(0);       ///< bound on the error of `drift_axis_rad`
   std::optional<T> drift_azimuth_rad;  ///< difference of compass azimuths, continuous; none where an axis is vertical
-  T drift_tilt_rad = T(0);
-  T drift_attitude_rad = T(0);        ///< angle of R_ref^T R_rot, 0 to pi
-  T drift_attitude_bound_rad = T(0);  ///< bound on the error of the above
-  T drift_spin_rad = T(0);            ///< spin phase, continuous
-  bool drift_reliable = true;         ///< false from the verdict's time on
+  T drift_tilt_rad = T(0);             ///< difference of the axes' angles to the vertical
+  T drift_attitude_rad = T(0);         ///< angle of R_ref^T R_rot, 0 to pi
+  T drift_attitude_bound_rad = T(0);   ///< bound on the error of `drift_attitude_rad`
+  T drift_spin_rad = T(0);             ///< difference of the spin phases, continuous
+  bool drift_reliable = true;          ///< false from the time on from which the run's verdict calls the drift unreliable
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
 
-/// A least-squares line through the azimuth drift of all rows, and what is left of it. The standard error takes the
-/// residuals as independent, which an oscillation is not: it is the scatter of the fit, not an error of the numbers.
+/// A least-squares line through the azimuth drift of all rows, and what the line leaves out. The standard error assumes
+/// independent residuals, which those of an oscillation are not: it tells the scatter of the fit, not an error of the numbers.
 struct SecularDrift {
   double azimuth_rate_rad_s = 0;
   double azimuth_rate_standard_error_rad_s = 0;
@@ -44,16 +45,16 @@ struct SecularDrift {
   double mean_precession_rate_change_rad_s = 0;  ///< counterclockwise about Up: minus the azimuth rate
 };
 
-/// Whether the axis drift passes a threshold, in view of the error of the drift.
+/// Whether the axis drift passes a threshold, given the error of the drift.
 enum class ThresholdCrossing {
   not_reached,
-  clear,       ///< it passes, and its error moves the time by no more than is said
-  tangential,  ///< it turns back so near to the threshold that within its error it passes, or does not, or another time
-  uncertain    ///< the run ends too near to the threshold to tell, or the error is no smaller than the threshold
+  clear,       ///< the drift passes, and its error moves the time by no more than the bound that is given
+  tangential,  ///< it turns back so near the threshold that, within its error, it may not pass, or at quite another time
+  uncertain    ///< the run ends too near the threshold to tell, or the error is no smaller than the threshold
 };
 std::string_view to_string(ThresholdCrossing crossing);
 
-/// A run's drift in a few numbers. Bounds are the largest of all rows.
+/// A run's drift in a few numbers. Each bound is the largest of all rows.
 struct DriftSummary {
   double axis_final_rad = 0;
   double axis_max_rad = 0;
@@ -66,11 +67,13 @@ struct DriftSummary {
   std::optional<double> axis_final_over_earth_angle;    ///< axis_final / (|Omega| t)
   std::optional<SecularDrift> secular;                  ///< none where fewer than three rows have an azimuth
   std::optional<double> threshold_time_s;               ///< when drift_axis_rad first passes the threshold asked for
-  std::optional<double> threshold_time_bound_s;         ///< bound on the error of that; none but for a clear crossing
+  std::optional<double> threshold_time_bound_s;         ///< bound on that time's error; only for a clear crossing
   std::optional<ThresholdCrossing> threshold_crossing;  ///< none where no threshold is asked for
 };
 
-/// Summarises the rows; the threshold is left to the integrations, which see every step.
+/// Summarises the rows. The members on the threshold stay empty: its crossing is found by the integrations, which see every
+/// step.
+/// @param rows  of one run, in the order of time   @param rotation_rate_rad_s  of the Earth
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s);
 
 }  // namespace earthtop

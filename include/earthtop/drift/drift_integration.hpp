@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Integrates the rotating motion, the non-rotating prediction and the deviation between them, side by side, in one
-/// observer's variables, each from release to end.
+/// Integrates three things side by side from the release to the end of a run, in the variables of one observer: the rotating
+/// motion (on the rotating Earth), the non-rotating prediction (the reference), and the deviation between them.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@
 
 namespace earthtop {
 
-/// Everything at one instant, in the variables that all observers share; SI units.
+/// Both motions and their deviation at one instant, in variables that do not depend on the observer; SI units.
 template <class T>
 struct DriftState {
   T t_s = T(0);
-  Quaternion<T> q_LB;  ///< rotating motion, integrated itself
+  Quaternion<T> q_LB;  ///< rotating motion
   Vec3<T> w_LB_B = Vec3<T>::Zero();
   Quaternion<T> ref_q_LB;  ///< non-rotating prediction
   Vec3<T> ref_w_LB_B = Vec3<T>::Zero();
@@ -28,14 +28,15 @@ struct DriftState {
   T epsilon = T(1);
 };
 
-/// How far the axis and the attitude have drifted, without cancellation. Angles in rad; the vectors over epsilon.
+/// How far the axis and the attitude have drifted, found without cancellation. Angles in rad; the vectors are divided by
+/// epsilon.
 template <class T>
 struct DriftMeasures {
   T axis;      ///< angle between the two axes
   T attitude;  ///< angle of R_ref^T R_rot, 0 to pi
-  T tilt;      ///< tilt of the rotating axis less that of the reference
+  T tilt;      ///< angle of the rotating axis to Up less that of the reference axis
   bool azimuth_defined;
-  T azimuth;                         ///< compass azimuth less that of the reference, -pi to pi; 0 where not defined
+  T azimuth;                         ///< compass azimuth less that of the reference, -pi to pi; 0 where it is not defined
   T half_spin;                       ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
   Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
   Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon
@@ -46,57 +47,60 @@ extern template DriftMeasures<double> measure_drift(const DriftState<double>&);
 extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&);
 extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&);
 
-/// The two angles that can go round, each as the sine and cosine (times a positive number) whose atan2 it is: cheap enough
-/// to be followed from step to step.
+/// The two drift angles that can go through more than a full turn, the half spin and the azimuth. Each is given by its sine and
+/// cosine, both times the same positive number: these are cheap enough to be followed from step to step.
 template <class T>
 struct DriftPhases {
   T half_spin_sine, half_spin_cosine;
   bool azimuth_defined;
   T azimuth_sine, azimuth_cosine;
 };
-/// Reads only `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`.
+/// @param state  of which only `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon` are read
 template <class T>
 DriftPhases<T> drift_phases(const DriftState<T>& state);
 extern template DriftPhases<double> drift_phases(const DriftState<double>&);
 extern template DriftPhases<long double> drift_phases(const DriftState<long double>&);
 extern template DriftPhases<float128> drift_phases(const DriftState<float128>&);
 
-/// A state at an output time with its measures, the angles continuous since the release.
+/// The state at an output time and its measures. Spin and azimuth are followed since the release, and so are continuous.
 template <class T>
 struct DriftSample {
   DriftState<T> state;
   DriftMeasures<T> measures;
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
-  // What the method itself states of its errors, for the scene as given; 0 where it states nothing (rad).
-  T attitude_error = T(0);  ///< bound on that of both attitudes
-  T drift_error = T(0);     ///< bound on that of the drift
+  // Errors that the method itself states for the scene as given (rad); 0 where it states none.
+  T attitude_error = T(0);  ///< bound on the error of both attitudes
+  T drift_error = T(0);     ///< bound on the error of the drift
 };
 
-/// Where the rotating motion of a sample comes from: integrated in its own state, or composed from the reference and the
-/// deviation, which saves a third of the work (body and inertial axes; in the laboratory it is integrated in any case).
+/// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
+/// the deviation, which saves a third of the work (in body and inertial axes; in laboratory axes it is always integrated).
 enum class RotatingMotion { integrated, composed };
 
+/// A problem of which both motions and their deviation are sought.
 template <class T>
 struct DriftProblem : MotionProblem<T> {
-  std::optional<double> threshold_rad;
+  std::optional<double> threshold_rad;  ///< axis drift of which the first passing is sought (rad)
   RotatingMotion rotating = RotatingMotion::integrated;
 };
 
+/// Both motions and the drift at the output times, and how their integration ended. Ended early, it has fewer samples.
 template <class T>
 struct DriftTrajectory {
   RunStatus status = RunStatus::completed;
   std::vector<DriftSample<T>> samples;
   StepCounters counters;
-  std::optional<double> step_s;                 ///< of a fixed-step method, as taken in the first interval
+  std::optional<double> step_s;                 ///< step of a fixed-step method in the first output interval (s)
   std::vector<StopEvent> stops;                 ///< ascending in time
-  std::optional<ThresholdRecord<T>> threshold;  ///< in seconds; where a threshold is asked for
-  std::optional<KickSteps> kick_steps;          ///< those that long_horizon found last
+  std::optional<ThresholdRecord<T>> threshold;  ///< in seconds; none where no threshold is asked for
+  std::optional<KickSteps> kick_steps;          ///< the steps that long_horizon found last
 };
 
-/// @param watch  may end it early with RunStatus::interrupted.
-/// @throws std::logic_error for a reduced form where the model has none or in body axes; for a method that is not built for T:
-/// see `is_built`.
+/// Integrates both motions and their deviation from the release to the last output time.
+/// @param watch  may end the integration early, with RunStatus::interrupted
+/// @throws std::logic_error for the reduced form in body axes or of a model that has none, and for a method that is not built
+/// for T (see `is_built`) or does not suit the model.
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch = {});
 extern template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);

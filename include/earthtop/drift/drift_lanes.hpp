@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Many drifts side by side: Taylor series of symmetric tops without their spin, or of any body, a point in each lane of the
-/// processor's vectors.
+/// Integrates many drifts side by side: by the Taylor series of symmetric tops without their spin, or by those of any body,
+/// with one problem (a point) in each lane of the processor's vectors.
 ///
-/// A point's result depends on it alone, to the last bit: not on its neighbours, on its place among them, on how many there
-/// are, or on the instruction set.
+/// The result for a point depends on that point alone, to the last bit: not on its neighbours, its place among them, the number
+/// of points or the instruction set.
 #pragma once
 
 #include <span>
@@ -13,11 +13,15 @@
 
 namespace earthtop {
 
-/// @param options  of them `form` (general: any body; else reduced), `observer` (reduced: laboratory; general: body; or
-/// inertial: other equations for the same drift), `relative_tolerance` and `step_limit` are read
-/// @param watch  may end it early with RunStatus::interrupted
-/// @param set  which instructions to take; none: the widest
-/// @throws std::logic_error for a model that does not have the form, and for other axes.
+/// Integrates both motions and their deviation of each problem, from its release to its last output time.
+/// @param options  `form` (general: any body; otherwise reduced), `observer` (laboratory for the reduced form, body for the
+/// general one; inertial for either, which gives the same drift by other equations), `relative_tolerance` and `step_limit`
+/// control the integration; the limit of the work (`stops_beyond_estimate`) is estimated from the other options.
+/// @param watch  may end the integrations early, with RunStatus::interrupted
+/// @param set  the instruction set to use; none: the widest that there is
+/// @returns one trajectory for each problem, in the same order
+/// @throws std::logic_error for a model that does not have the form, for an observer for whom the form has no series, and for
+/// an instruction set that is not there.
 std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const DriftProblem<double>> problems,
                                                               const IntegrationOptions& options, const Watch& watch = {},
                                                               std::optional<InstructionSet> set = std::nullopt);

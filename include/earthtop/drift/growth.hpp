@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How fast the smallest disturbance of a motion grows: its variational equations, integrated beside it.
+/// Finds how fast an infinitesimal disturbance of a motion grows, from the variational equations integrated beside the motion.
 #pragma once
 
 #include <optional>
@@ -13,45 +13,46 @@ namespace earthtop {
 /// The motion on the rotating Earth, or the non-rotating prediction.
 enum class MotionKind { rotating, reference };
 
-/// By when a disturbance had grown how far for the first time.
+/// The first time at which a disturbance had grown so far.
 struct GrowthPoint {
   double t_s = 0;
   double log_growth = 0;  ///< natural logarithm of |xi(t)| / |xi(0)|
 };
 
-/// Growth of a disturbance xi = (theta, dw / w0): theta the turn of the attitude in body axes, dw the change of the inertial
-/// rate, w0 the scene's fastest rate. Of a regular motion it grows like the angle w0 t that the motion turns through, as rates
-/// shear phases apart; of an unstable one exponentially.
+/// The growth of a disturbance xi = (theta, dw / w0), where theta is the turn of the attitude in body axes, dw the change of
+/// the inertial rate, and w0 the scene's fastest rate. In a regular motion it grows like the angle w0 t that the motion turns
+/// through, since a change of a rate shears phases apart; in an unstable motion it grows exponentially.
 struct GrowthReport {
-  std::vector<GrowthPoint> rises;       ///< ascending in both; a tenth of an e-folding apart, or more
-  std::optional<double> exponential_s;  ///< when it was a hundred times 1 + w0 t for the first time
-  double mean_exponent_1_s = 0;         ///< log growth at the end over the time
-  /// Finite-time Lyapunov exponent of late times: the slope of log growth less log(1 + w0 t), a line through the second half of
-  /// the time. 0 where that makes less than two e-foldings of the half, as many as an oscillation may make; negative where
-  /// neighbouring motions converge. None where the second half was not reached.
+  std::vector<GrowthPoint> rises;       ///< ascending in time and in growth, at least a tenth of an e-folding apart
+  std::optional<double> exponential_s;  ///< when the growth first exceeded 100 (1 + w0 t) (s); none if it did not
+  double mean_exponent_1_s = 0;         ///< log growth at the end divided by the time (1/s)
+  /// The finite-time Lyapunov exponent at late times (1/s): the slope of a line fitted to log growth - log(1 + w0 t) over the
+  /// second half of the duration. It is 0 where that slope makes less than two e-foldings in the half, which an oscillation may
+  /// make as well, and negative where neighbouring motions converge. None before three quarters of the duration are reached.
   std::optional<double> late_exponent_1_s;
-  double end_s = 0;
-  /// How far the motion itself went from its state at release by `exponential_s`, as seen from the body, of a symmetric one but
-  /// for the turn about its axis: the change of gravity's direction and of rate / w0. Next to 0 for an equilibrium and a steady
-  /// turn.
+  double end_s = 0;  ///< time reached
+  /// How far the motion itself went from its state at release, at most, by `exponential_s` (or the end): the change of
+  /// gravity's direction plus that of rate / w0, both seen from the body. For a symmetric body a turn about its axis does not
+  /// count. Close to 0 for an equilibrium and for a steady turn.
   double departure = 0;
-  /// When friction had braked an upright symmetric top to its critical spin; 0 of one that was released below it.
+  /// When friction had braked an upright symmetric top to its critical spin (s); 0 for a top that was released below it.
   std::optional<double> critical_spin_s;
-  bool completed = false;
+  bool completed = false;  ///< whether the whole duration was integrated
   StepCounters counters;
 
-  /// When the growth first passed exp(log_growth).
+  /// When the growth first passed exp(log_growth) (s); none if it did not.
   std::optional<double> passes_s(double log_growth) const;
 };
 
-/// Integrates the variational equations of three disturbances that are no symmetry's of a body,
+/// Integrates the variational equations
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
-/// from the release to `duration_s`. A body held by a gimbal is disturbed only as the gimbal lets it move.
-/// @param problem  its times are not read
-/// @param relative_tolerance  of the integration. 1e-7 gives some percent of the growth, but its error can look like growth
-/// that is not there, and a motion on a separatrix leaves it by its own error as soon as that has grown: growth that matters
-/// is to be confirmed with a finer one.
-/// @param watch  may end it early, not completed
+/// from the release to `duration_s`, for three disturbances in directions that belong to no symmetry of a body; the largest
+/// growth counts. Applied torques add their change. A body held by a gimbal is disturbed only as the gimbal lets it move.
+/// @param problem  its output times are not read
+/// @param relative_tolerance  of the integration. With 1e-7 the growth is right to some percent. The integration's error can
+/// look like growth, though, and a motion on a separatrix leaves it because of that error: growth that matters should be
+/// confirmed with a smaller tolerance.
+/// @param watch  may end the integration early; the report is then not `completed`
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
                                 double relative_tolerance, const Watch& watch = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How the drift changes with the inputs: its derivatives, from the variational equations of the reference motion and of the
-/// deviation, both differentiated exactly (jets) and integrated beside them.
+/// Finds the derivatives of the drift with respect to inputs, such as moments of inertia or rates at release: from the
+/// variational equations of the reference motion and of the deviation, which are differentiated exactly (by jets) and
+/// integrated beside the two.
 #pragma once
 
 #include <functional>
@@ -12,36 +13,38 @@
 
 namespace earthtop {
 
-/// What the equations read of one input: derivatives of model and release by it, in the model's natural units; and torques of
-/// which the input is the strength, 0 in the motion itself.
+/// The derivatives by one input of everything that the equations read: of the model and of the release, in the model's natural
+/// units. Where the input is the strength of a torque that is 0 in the motion itself, `applied` and `tide` hold that torque at
+/// strength 1.
 struct ProblemDerivative {
   Mat3<double> I_BP_B = Mat3<double>::Zero(), I_BP_B_inverse = Mat3<double>::Zero(), S_BP_B = Mat3<double>::Zero();
   Vec3<double> mass_moment_B = Vec3<double>::Zero(), apparent_gravity_L = Vec3<double>::Zero();
-  Vec3<double> W_IL_L_scaled = Vec3<double>::Zero();  ///< of the Earth's rate over the model's own, unchanged epsilon
+  Vec3<double> W_IL_L_scaled = Vec3<double>::Zero();  ///< of the Earth's rate, over the epsilon of the model (held fixed)
   Quaternion<double> q_LB{0, Vec3<double>::Zero()};
   Vec3<double> w_XB_B = Vec3<double>::Zero();
-  double coriolis = 0, centrifugal = 0;  ///< of the torques' weights
-  double release = 0;                    ///< of the part of the deviation's rate that the release gives it
+  double coriolis = 0, centrifugal = 0;  ///< derivatives of the weights of [F]'s torques
+  double release = 0;                    ///< derivative of the share of the Earth's rate in the deviation's rate at release
   AppliedTorques<double> applied;
   TideSeries<double> tide;
 };
 
-/// A number and its derivatives by the inputs.
+/// A number and its derivatives by the inputs, in their order.
 struct Differentiated {
   double value = 0;
   std::vector<double> derivatives;
 };
 
-/// Inputs followed at once: with more the motion is repeated less often, and each step costs more.
+/// The number of inputs followed at once. With more of them the motion would be repeated less often, but each step cost more.
 inline constexpr std::size_t kInputsAtOnce = 4;
 
-/// How two directions move with one input, by the length of the change, per unit of it (rad).
+/// How far the two axes move with one input: the lengths of their changes per unit of the input (rad), at the end and the
+/// largest of all steps.
 struct Responses {
-  double displacement_final = 0, displacement_largest = 0;  ///< of the reference's axis
-  double drift_final = 0, drift_largest = 0;                ///< of the rotating axis less that of the reference
+  double displacement_final = 0, displacement_largest = 0;  ///< change of the reference's axis
+  double drift_final = 0, drift_largest = 0;                ///< change of the rotating axis less that of the reference's
 };
 
-/// The drift at one time, by all inputs (rad).
+/// The drift at one time (rad) and its derivatives by all inputs (rad per unit of the input).
 struct DriftSensitivity {
   RunStatus status = RunStatus::completed;
   Differentiated axis, attitude, tilt;
@@ -50,7 +53,7 @@ struct DriftSensitivity {
   StepCounters counters;
 };
 
-/// What a step of both motions looks like from outside: time (natural units), the reference, and the rotating motion.
+/// Both motions at the end of a step, as `on_step` sees them; in natural units.
 struct FollowedStep {
   double t;
   Quaternion<double> ref_q_LB;
@@ -59,11 +62,13 @@ struct FollowedStep {
   Vec3<double> w_LB_B;
 };
 
-/// Integrates in body axes, for any scene. The derivatives' errors are held to `relative_tolerance` of their own size, or of a
-/// thousandth of a radian and of the unit of rate: inputs are best measured in units that give derivatives of order 1.
-/// @param inputs  of the model and release of `problem`, any number: they are followed four at a time   @param time_s  after
-/// the release
-/// @param on_step  sees the release and every step; may be null
+/// Integrates both motions' equations and their derivatives by the inputs, in body axes, for any scene. The error of a step is
+/// held to `relative_tolerance` of the size of each derivative, or of a thousandth (of a radian, or of the unit of rate) where
+/// that is smaller. Inputs are therefore best measured in units that give derivatives of order 1.
+/// @param inputs  any number of inputs of the problem's model and release; they are followed kInputsAtOnce at a time
+/// @param time_s  the time after the release at which the derivatives are wanted (s)
+/// @param watch  may end the integration early, with RunStatus::interrupted
+/// @param on_step  sees the release and the end of every step; may be null
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const Watch& watch = {},
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);

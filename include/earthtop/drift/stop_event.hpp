@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// When dry friction brings a motion to rest.
+/// The times at which dry friction brings a motion to rest.
 #pragma once
 
 #include <optional>
 
 namespace earthtop {
 
-/// One of the two predictions.
+/// One of the two motions of a run: the non-rotating prediction, or the motion on the rotating Earth.
 enum class Prediction { reference, rotating };
-/// A motion came to rest in dry friction.
+/// Dry friction has brought a motion to rest.
 struct StopEvent {
   Prediction prediction = Prediction::reference;
   double t_s = 0;
-  double slowing_rad_s2 = 0;        ///< how fast its rate fell at the end
-  std::optional<double> bound_s{};  ///< on the error of the time; none where the second integration knows of no such stop
+  double slowing_rad_s2 = 0;        ///< how fast the size of its rate fell at the end
+  std::optional<double> bound_s{};  ///< bound on the error of `t_s`; none where a second integration has no such stop
 };
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// When the axis drift first passes a threshold: what an integration finds out about it on its way.
+/// What an integration finds out about the time at which the axis drift first passes a threshold.
 #pragma once
 
 #include <array>
@@ -14,33 +14,33 @@ template <class T>
 struct AxisLook {
   T t = T(0);
   T axis = T(0);                              ///< angle between the two axes (rad)
-  T rate = T(0);                              ///< of that angle
-  Vec3<T> difference = Vec3<T>::Zero();       ///< of the two axes, laboratory
-  Vec3<T> difference_rate = Vec3<T>::Zero();  ///< which says how fast the drift can change where `rate` happens to be zero
+  T rate = T(0);                              ///< time derivative of that angle
+  Vec3<T> difference = Vec3<T>::Zero();       ///< rotating axis less reference axis, in laboratory axes
+  Vec3<T> difference_rate = Vec3<T>::Zero();  ///< its time derivative: bounds how fast the drift changes where `rate` is 0
 };
 
-/// What one integration tells of the threshold; times as the integration has them until `in_seconds`.
+/// What one integration tells about the threshold. Times are in the integration's own unit until `in_seconds` converts them.
 ///
-/// An error of the drift moves the passing. By how much is known only when that error is, which the integration itself does not
-/// know: the record keeps what the answer takes. Near the passing that is the drift's rate and curvature; farther away, when
-/// the drift first came within a part of the threshold of it, and when it first was that part above it.
+/// An error of the drift moves the passing. By how much can be told only when that error is known, which is after the
+/// integration. So the record keeps what is needed to tell it: near the passing, the drift's rate and curvature; farther away,
+/// the times at which the drift came within some part of the threshold below it, and exceeded it by that part.
 template <class T>
 struct ThresholdRecord {
-  static constexpr int kParts = 60;  ///< of the threshold: 1, 1/2, 1/4, ...
-  std::optional<AxisLook<T>> passing;
-  T curvature = T(0);       ///< second derivative of the drift there
-  T resolved = T(0);        ///< rate and curvature describe the drift this long before and after the passing
-  T highest = T(0);         ///< the largest drift before the passing, or of all if there is none
-  T turned_back = T(0);     ///< the largest drift before the passing from which it then fell
-  bool fell_after = false;  ///< whether the drift came back below the threshold after the passing
-  bool unresolved = false;  ///< whether the drift oscillates faster than it was looked at: it may have passed before
-  T last_t = T(0);          ///< of the last look
-  /// When the drift was less than this part of the threshold below it, at the earliest.
+  static constexpr int kParts = 60;    ///< number of parts of the threshold that are used: 1, 1/2, 1/4, ...
+  std::optional<AxisLook<T>> passing;  ///< the first passing; none if there was none
+  T curvature = T(0);                  ///< second derivative of the drift there
+  T resolved = T(0);                   ///< how long before and after the passing rate and curvature describe the drift
+  T highest = T(0);                    ///< the largest drift before the passing, or of the whole run if there is none
+  T turned_back = T(0);                ///< the largest drift before the passing from which the drift then fell
+  bool fell_after = false;             ///< whether the drift came back below the threshold after the passing
+  bool unresolved = false;  ///< whether the drift oscillates faster than it was looked at: it may have passed earlier
+  T last_t = T(0);          ///< time of the last look
+  /// For each part: the earliest time at which the drift may have been less than that part of the threshold below it.
   std::array<std::optional<T>, kParts> within;
-  /// When the drift had been this part above it, at the latest.
+  /// For each part: the latest time at which the drift first was that part of the threshold above it.
   std::array<std::optional<T>, kParts> beyond;
 
-  /// The same in seconds. @param exponent  a unit of time is 2^exponent s
+  /// The same record in seconds. @param exponent  the integration's unit of time is 2^exponent s
   ThresholdRecord in_seconds(int exponent) const {
     ThresholdRecord seconds = *this;
     const auto scale_time = [exponent](T& t) { t = real::scale(t, exponent); };

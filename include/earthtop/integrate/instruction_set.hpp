@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The vector instructions that points side by side may be integrated with. All give the same bits.
+/// The vector instruction sets with which many points can be integrated side by side (motion_lanes.hpp, drift_lanes.hpp). All
+/// of them give the same results, to the last bit.
 #pragma once
 
 #include <string_view>
@@ -7,11 +8,11 @@
 
 namespace earthtop {
 
-/// baseline: what every processor of its kind has (SSE2 on x86-64).
+/// `baseline` is what every processor of the architecture has (SSE2 on x86-64).
 enum class InstructionSet { baseline, avx2, avx512 };
 std::string_view to_string(InstructionSet set);
 
-/// Those that the program is built for and this processor has, the widest last.
+/// The instruction sets that the program was built for and that this processor has, the widest last.
 std::vector<InstructionSet> instruction_sets();
 
 }  // namespace earthtop

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Integrates one motion on the rotating Earth by itself, without a reference or a deviation: what a simulator does that
-/// knows of no drift. For comparisons of methods and of models.
+/// Integrates a single motion on the rotating Earth, without a reference motion or a deviation from it, as a simulator does
+/// that knows nothing of drift. Serves to compare methods and models.
 #pragma once
 
 #include <vector>
@@ -13,25 +13,28 @@
 
 namespace earthtop {
 
-/// A top, its release, and when it is looked at.
+/// A top, its release, and the output times.
 template <class T>
 struct MotionProblem {
-  Model<T> model;      ///< in `units`
-  Release<T> release;  ///< SI
+  Model<T> model;      ///< in natural units, see `units`
+  Release<T> release;  ///< in SI units
   NaturalUnits units;
-  T fastest_rate = T(1);        ///< rough bound on the rates of the motion (natural units); sets first and fixed steps
-  std::vector<double> times_s;  ///< output times; the first is the release, 0
-  Pace pace = {};               ///< limits the work of everything that integrates the problem; not known: nothing does
+  T fastest_rate = T(1);        ///< rough upper bound on the motion's rates (natural units); sets first and fixed steps
+  std::vector<double> times_s;  ///< output times (s); the first is the release, 0
+  Pace pace = {};               ///< limits the work of each integration of the problem; no limit while it is not known()
 };
 
-/// Where the variational equations of a problem's motion stop that are followed for `time_s`.
+/// The work at which an integration of the variational equations of the problem's motion is stopped; none where the problem's
+/// pace is not known.
+/// @param time_s  how long the equations are integrated (s)
 template <class T>
 WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, double relative_tolerance) {
   if (!problem.pace.known()) return {};
   return limit_of(variational_work(problem.pace, time_s, relative_tolerance));
 }
 
-/// Whether these options mean the reduced form for this model (reduced_top.hpp). `splitting` knows no other.
+/// Whether these options select the reduced form (reduced_top.hpp) for this model. With ModelForm::automatic they do for a
+/// reducible model, if the observer is the laboratory, or inertial with the method `splitting`, which has no general form.
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
   if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
@@ -39,17 +42,18 @@ bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options
   return (options.observer == Observer::laboratory || splits) && is_reducible(model);
 }
 
-/// What is asked of a motion. A symmetric top's axis alone takes six variables in the reduced form; its attitude nine.
+/// The part of a motion that is wanted. In the reduced form a symmetric top's axis takes six variables, its attitude nine.
 enum class MotionSought { attitude, symmetry_axis };
 
 /// The motion at one instant; SI units.
 template <class T>
 struct MotionSample {
   T t_s = T(0);
-  Quaternion<T> q_LB;  ///< where only the axis is sought: right but for a turn about it, and so is the rate
-  Vec3<T> w_LB_B = Vec3<T>::Zero();
+  Quaternion<T> q_LB;                ///< attitude; where only the axis is sought, right up to a turn about that axis
+  Vec3<T> w_LB_B = Vec3<T>::Zero();  ///< rate relative to the laboratory (rad/s), in the body axes of `q_LB`
 };
 
+/// The motion at the output times, and how its integration ended. Ended early, it has fewer samples.
 template <class T>
 struct MotionTrajectory {
   RunStatus status = RunStatus::completed;
@@ -57,10 +61,11 @@ struct MotionTrajectory {
   StepCounters counters;
 };
 
-/// @param sought  the general form always gives the attitude
-/// @param watch  may end it early with RunStatus::interrupted.
-/// @throws std::logic_error for a method that is not built for T, and for a reduced form where the model has none or in body
-/// axes.
+/// Integrates the problem's motion from the release to the last output time.
+/// @param sought  matters to the reduced form only; the general form always gives the attitude
+/// @param watch  may end the integration early, with RunStatus::interrupted
+/// @throws std::logic_error for a method that is not built for T (see `is_built`) or does not suit the model, and for the
+/// reduced form in body axes or of a model that has none.
 template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options,
                                      MotionSought sought = MotionSought::attitude, const Watch& watch = {});

@@ -8,17 +8,18 @@
 
 namespace earthtop {
 
-/// In whose axes the state lives: the rotating laboratory ([F]'s torques), the body (Euler), or inertial space.
+/// The observer in whose axes the equations are integrated: in the rotating laboratory (with [F]'s non-inertial torques), in
+/// the body (Euler's equations), or in inertial space.
 enum class Observer { laboratory, body, inertial };
 
-/// The scalar of a run: double, long double or float128.
+/// The floating-point type of a run, named by the bits of its significand: double, long double or float128.
 enum class Precision { bits53, bits64, bits113 };
 
-/// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's), extrapolation, taylor and dop853 control their
-/// step; abm8, gauss (collocation, implicit and symmetric) and splitting (a composition of exact flows) have a fixed one;
-/// long_horizon composes exact flows of a symmetric top, in steps that its tolerance (rad, of the axis) decides; closed_form
-/// takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every precision: see
-/// `is_built`.
+/// The method of integration. `automatic` picks one of the others. The methods dopri5, rkf78, bulirsch_stoer (all three from
+/// Boost.Odeint), extrapolation, taylor and dop853 control their step. The step of abm8, gauss (Gauss collocation, implicit and
+/// symmetric) and splitting (a composition of exact flows) is fixed. long_horizon composes exact flows of a symmetric top, in
+/// steps that it chooses by its tolerance (rad, of the axis). closed_form evaluates a formula instead of taking steps, for the
+/// scenes that have one (exact_motion.hpp). Not every method is built for every precision: see `is_built`.
 enum class Method {
   automatic,
   dopri5,
@@ -34,12 +35,12 @@ enum class Method {
   closed_form
 };
 
-/// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
-/// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
+/// The variables that are integrated: `general` means attitude and rates, for any body; `reduced` means the axis and the
+/// transverse rate of a symmetric top, without its spin. `automatic` is decided by `takes_reduced_form`.
 enum class ModelForm { automatic, general, reduced };
 
-/// Which composition of exact flows `splitting` takes, by the names of src/integrate/compositions.hpp; automatic is rkn6, which
-/// takes the least work at every error below 1e-6 rad on the shipped tops.
+/// The composition of exact flows that `splitting` uses; src/integrate/compositions.hpp explains the names. `automatic` is
+/// rkn6, which needs the least work for every error below 1e-6 rad on the shipped tops.
 enum class Composition { automatic, aba82, aba84, aba864, aba1064, rkn6, kahan_li8 };
 
 std::string_view to_string(Observer observer);
@@ -48,40 +49,42 @@ std::string_view to_string(ModelForm form);
 std::string_view to_string(Composition composition);
 std::string_view to_string(Precision precision);
 
-/// Automatic, rkf78, extrapolation, taylor and closed_form in every precision, bulirsch_stoer in double and long double, the
-/// others in double.
+/// Whether a method is built for a precision: automatic, rkf78, extrapolation, taylor and closed_form for every one,
+/// bulirsch_stoer for double and long double, the others for double only.
 bool is_built(Method method, Precision precision);
 
-/// The least relative tolerance: some 45 eps, the rounding of one step's sums. Less no controlled step can meet.
+/// The smallest sensible relative tolerance: about 45 times the precision's epsilon, which is the rounding of the sums in one
+/// step. No step control can meet a smaller one.
 double least_tolerance(Precision precision);
-/// The tolerance of those who name none: 1e-12 in double, 1e-16 in long double, 1e-28 in float128; who asks for more bits
-/// wants their digits.
+/// The relative tolerance where none is given: 1e-12 in double, 1e-16 in long double, 1e-28 in float128. It falls with the
+/// precision, as whoever asks for more bits wants the digits that they allow.
 double default_tolerance(Precision precision);
 
-/// The steps of long_horizon, as one run found them and another may take them over.
+/// The steps of the method long_horizon, as one run has found them, for another run to reuse.
 struct KickSteps {
-  double step_s = 0;      ///< the longest
-  int kicks = 0;          ///< in a step, at Gauss's nodes; 0: those of ABA(8, 6, 4)
-  bool averages = false;  ///< over the nutation
+  double step_s = 0;      ///< longest step (s)
+  int kicks = 0;          ///< number of kicks in a step, at Gauss nodes; 0: the kicks of the composition ABA(8, 6, 4)
+  bool averages = false;  ///< whether the kicks are averaged over the nutation
 };
 
+/// How a problem is to be integrated.
 struct IntegrationOptions {
   Observer observer = Observer::laboratory;
   ModelForm form = ModelForm::automatic;
   Method method = Method::automatic;
-  double relative_tolerance = 1e-12;                 ///< local error per step, against the size of each component group
-  std::optional<double> step_s;                      ///< fixed-step methods; the step taken divides the output step
-  Composition composition = Composition::automatic;  ///< of `splitting`
-  std::int64_t step_limit = 2'000'000'000;
-  bool stops_beyond_estimate = true;    ///< at ten times the work estimated, where the problem's pace is known
-  std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
+  double relative_tolerance = 1e-12;  ///< local error per step, relative to the size of each component group
+  std::optional<double> step_s;       ///< longest step of a fixed-step method (s); the one taken divides each row's interval
+  Composition composition = Composition::automatic;  ///< for the method `splitting`
+  std::int64_t step_limit = 2'000'000'000;           ///< largest number of steps
+  bool stops_beyond_estimate = true;    ///< whether to stop at ten times the work estimated, where the pace is known
+  std::optional<KickSteps> kick_steps;  ///< for long_horizon: the steps to take, instead of searching for them
 };
 
 /// What an integration cost.
 struct StepCounters {
   std::int64_t accepted = 0;
   std::int64_t rejected = 0;
-  std::int64_t evaluations = 0;  ///< of the right-hand side; of a Taylor series, its orders
+  std::int64_t evaluations = 0;  ///< evaluations of the right-hand side; for a Taylor series: orders computed
 };
 
 }  // namespace earthtop

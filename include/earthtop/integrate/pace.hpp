@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How much work an integration takes, before any of it is done: from how far the scene's motion turns, how fast friction
-/// damps it, and what a step of each method covers. Counted in steps and evaluations of the right-hand side, so that every
-/// machine finds the same.
+/// Estimates how much work an integration will take, before it begins: from the angle that the scene's motion turns through,
+/// from how fast friction damps it, and from the angle that a step of each method covers. Work is counted in steps and in
+/// evaluations of the right-hand side, so that every machine finds the same.
 #pragma once
 
 #include <cstdint>
@@ -10,44 +10,47 @@
 
 namespace earthtop {
 
-/// What of a scene decides the number of steps, over its whole duration.
+/// The properties of a scene that decide the number of steps over its whole duration.
 struct Pace {
-  double duration_s = 0;           ///< 0: nothing is known of the scene
-  double rows = 0;                 ///< output times
-  double joints = 0;               ///< other times at which steps end
-  double turning_rad = 0;          ///< what the fastest motion turns through, as seen from the body
-  double reduced_turning_rad = 0;  ///< the same in the reduced form, which leaves the spin out
-  double settled_rad = 0;  ///< what motions would turn through that friction has brought to rest: they bound steps still
-  double looks_rad = 0;    ///< what the watched angles turn through at the most
-  double damping = 0;      ///< integral of the fastest rate at which friction damps a motion (1)
-  double halts = 0;        ///< how often dry friction ends a motion, or turns it round
+  double duration_s = 0;           ///< duration of the scene (s); 0: nothing is known of it
+  double rows = 0;                 ///< number of output times
+  double joints = 0;               ///< number of other times at which steps must end
+  double turning_rad = 0;          ///< angle that the fastest motion turns through, as seen from the body
+  double reduced_turning_rad = 0;  ///< the same angle in the reduced form, which leaves the spin out
+  double settled_rad = 0;  ///< angle that a motion would have turned through after friction stopped it: it still bounds steps
+  double looks_rad = 0;    ///< largest angle that the watched angles turn through
+  double damping = 0;      ///< time integral of the fastest rate at which friction damps a motion (dimensionless)
+  double halts = 0;        ///< how often a motion stops or reverses, so that its friction jumps
   bool known() const { return duration_s > 0; }
 };
 
-/// Of one integration.
+/// The work of one integration: numbers of steps and of evaluations of the right-hand side.
 struct Work {
   double steps = 0;
   double evaluations = 0;
 };
 
-/// Of both motions and the deviation between them, within a factor of a few. @param options  with a method that takes steps of
-/// its own: neither long_horizon nor closed_form   @param reduced  whether it is the reduced form
+/// The work of integrating both motions and the deviation between them, right within a factor of a few.
+/// @param options  with any method but long_horizon and closed_form
+/// @param reduced  whether the reduced form is integrated
 Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool reduced);
 
-/// Of the variational equations of a motion, by the method of order 8 that follows them (drift/growth.hpp, sensitivity.hpp).
-/// @param time_s  how long they are followed
+/// The work of integrating the variational equations of a motion (drift/growth.hpp, drift/sensitivity.hpp) by rkf78, the method
+/// that is used for them.
+/// @param time_s  how long they are integrated (s)
 Work variational_work(const Pace& pace, double time_s, double relative_tolerance);
 
-/// Friction's share of the steps: where it is nearly all, a scene is stiff.
+/// The number of steps that friction takes for the method to stay stable. Where that is nearly all the steps, a scene is stiff.
 double damping_steps(const Pace& pace, const IntegrationOptions& options);
 
-/// Where an integration stops for having taken too much: at ten times the work estimated of it.
+/// The work at which an integration is stopped: ten times its estimate.
 struct WorkLimit {
   static constexpr std::int64_t kNone = std::int64_t{1} << 62;
   std::int64_t steps = kNone;
   std::int64_t evaluations = kNone;
 };
-/// @param least_evaluations  what is granted in any case: ten times the tenth of a second below which nothing is promised
+/// The limit that belongs to an estimate.
+/// @param least_evaluations  granted in any case: ten times the tenth of a second below which the estimate promises nothing
 WorkLimit limit_of(const Work& estimate, double least_evaluations = 1e6);
 
 }  // namespace earthtop

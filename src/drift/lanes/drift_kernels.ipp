@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The series of a symmetric top's reference and deviation (reduced_drift_system.hpp), for points side by side, with as few
-/// products as the equations leave:
+/// The series of a symmetric top's reference and deviation (reduced_drift_system.hpp), for points side by side. The equations
+/// are written with as few products as possible:
 ///
 ///   dn/dt = s ,  du/dt = (m l / I1) n x g - b s ,  s = u x n ,  da/dt = (u - (u.n) n) x a
 ///   dV/dt = (u + c n) x V + (1 - r) k s + (m l / I1) n x F ,  c = b + (r - 1) epsilon k ,  F = (D^T g_rot - g) / epsilon
 ///
-/// In laboratory axes D turns at v = V + k n on one side and at W on the other, which spares the turn of W:
+/// In laboratory axes D turns at v = V + k n on one side and at W on the other, so that W need not be turned by it:
 ///   dw/dt = -epsilon^2 y.(v - W) / 2 ,  dy/dt = (w (v - W) + epsilon y x (v + W)) / 2
 ///   F = (2 / |e|^2) (-w c + epsilon y x c) ,  c = y x g
 ///
-/// In inertial axes it turns at v alone, and g_rot = g + epsilon h turns with the Earth:
+/// In inertial axes D turns at v alone, and gravity g_rot = g + epsilon h turns with the Earth:
 ///   dh/dt = W x (g + epsilon h) ,  F = h + (2 / |e|^2) (-w c + epsilon y x c) ,  c = y x (g + epsilon h)
 ///
 /// W stands for the Earth's rate over epsilon.
@@ -33,7 +33,8 @@ class DriftSeries {
 
  private:
   static constexpr int kN = 0, kU = 3, kA = 6, kE = 9, kY = 10, kV = 13, kH = 16;
-  // u without its part along n; u + c n; the rate that D is turned at; F; and in inertial axes y x (g + epsilon h).
+  // Further series, in this order: u without its part along n; u + c n; the rate d at which D turns, v - W or in inertial axes
+  // v; F; and in inertial axes c = y x (g + epsilon h).
   static constexpr int kAcross = kVariables, kCarrier = kAcross + 3, kTurn = kCarrier + 3, kF = kTurn + 3, kC = kF + 3;
 
  public:
@@ -52,8 +53,8 @@ class DriftSeries {
         W_{load(constants[DriftConstants::W_scaled], chunk), load(constants[DriftConstants::W_scaled + 1], chunk),
            load(constants[DriftConstants::W_scaled + 2], chunk)} {}
 
-  /// The norms of n and e, and u.n, are constant along the exact motion; their round-off must neither scale a torque nor spin
-  /// the frame.
+  /// Notes the norms of n and e, and u.n, which are constant along the exact motion: their round-off must neither scale a
+  /// torque nor spin the frame.
   EARTHTOP_LANE_INLINE void start(const C& c) {
     const Vec n = c.vector(0, kN), y = c.vector(0, kY);
     const Pack w = c.get(0, kE);
@@ -75,7 +76,7 @@ class DriftSeries {
     const TwoVectors frame = reference_turn(c, k);
     const Vec& s = frame.first;
     c.put(k + 1, kN, factor * s);
-    const Pack torque = moment_ * gravity_;  // n x g of a gravity along the vertical
+    const Pack torque = moment_ * gravity_;  // times n x Up: gravity is along the vertical
     c.put(k + 1, kU,
           factor * Vec{torque * n.y - b_ * s.x - b_rest_ * s.x, -torque * n.x - b_ * s.y - b_rest_ * s.y,
                        -b_ * s.z - b_rest_ * s.z});
@@ -98,7 +99,7 @@ class DriftSeries {
   }
 
  private:
-  // Products with a factor in common share its loads; each loop's sums and factors fit the registers.
+  // Products with a common factor share a loop, and load it once; the sums and factors of each loop fit into the registers.
   struct TwoVectors {
     Vec first, second;
   };
@@ -123,7 +124,7 @@ class DriftSeries {
     }
     return {plus - minus, torque_plus - torque_minus};
   }
-  /// What the deviation e = (w, y) makes with the rate t that D is turned at, and with gravity.
+  /// Products of the deviation e = (w, y) with the rate t at which D turns, and with gravity.
   struct Deviation {
     Vec scaled, cross;  ///< w t, y x t
     Pack dot;           ///< y.t
@@ -153,7 +154,7 @@ class DriftSeries {
                  -epsilon_ * (gravity_plus.z + gravity_minus.z)};
     return {scaled, plus - minus, along.x + along.y + along.z, gravity};
   }
-  /// F.
+  /// F, the difference of gravity as seen from the two bodies, divided by epsilon.
   EARTHTOP_LANE_INLINE Vec gravity_difference(const C& c, int k, const Deviation& deviation) const {
     if constexpr (kInertial) {
       const Vec y = c.vector(k, kY), of_h = epsilon_ * deviation.gravity;

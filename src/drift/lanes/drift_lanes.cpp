@@ -18,7 +18,7 @@
 namespace earthtop {
 namespace {
 
-/// A symmetric top without its spin, in laboratory or in inertial axes.
+/// The drift of a symmetric top without its spin, in laboratory or in inertial axes.
 template <Observer O>
 class ReducedTopDrift : public ReducedDriftSystem<double, O> {
  public:
@@ -49,7 +49,7 @@ class ReducedTopDrift : public ReducedDriftSystem<double, O> {
   const Model<double>& model_;
 };
 
-/// What the kernels of any body's drift read.
+/// Puts in the constants that the kernels of any body's drift read.
 template <class Put>
 void put_general_constants(const Model<double>& model, const Put& put) {
   using Constants = lanes::GeneralDriftConstants;
@@ -69,7 +69,7 @@ void put_general_constants(const Model<double>& model, const Put& put) {
   put(Constants::epsilon, model.epsilon);
 }
 
-/// Any body in its own axes, the deviation as the laboratory sees it.
+/// The drift of any body in its own axes, with the deviation as seen from the laboratory.
 class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, RotatingMotion::composed> {
  public:
   using Base = DriftSystem<double, Observer::body, SceneKind::plain, RotatingMotion::composed>;
@@ -91,7 +91,7 @@ class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, R
   const DriftProblem<double>& problem_;
 };
 
-/// Any body in its own axes, the deviation as inertial space sees it.
+/// The drift of any body in its own axes, with the deviation as seen from inertial space.
 class InertialBodyDrift {
  public:
   using Outer = DriftSystem<double, Observer::inertial, SceneKind::plain, RotatingMotion::composed>;
@@ -118,7 +118,7 @@ class InertialBodyDrift {
   }
   double largest_step() const { return 0; }
   void follow(const State&) {}
-  /// What the search for a threshold integrates.
+  /// The system that the search for a threshold integrates.
   const Flow& flow() const { return outer_; }
   Flow::State flow_state(const State& x) const { return in_outer_axes(x); }
   DriftState<double> shared_state(const State& x, double t) const { return outer_.shared_state(in_outer_axes(x), t); }
@@ -129,7 +129,7 @@ class InertialBodyDrift {
   }
 
  private:
-  /// Reference and deviation as `inertial_deviation_equation` has them.
+  /// Reference and deviation in the variables of `inertial_deviation_equation`.
   Outer::State in_outer_axes(const State& x) const {
     const Motion<double> reference = drift_state::load_motion(x, drift_state::kReference);
     const Deviation<double> deviation = drift_state::load_deviation(x);
@@ -148,7 +148,7 @@ class InertialBodyDrift {
 
 static_assert(lanes::are_groups_of<InertialBodyDrift>(lanes::kInertialBodyDriftGroups));
 
-/// A point on its way through a lane. @tparam Drift  whose equations
+/// A point on its way through a lane. @tparam Drift  the system that it integrates
 template <class Drift>
 class DriftPoint {
  public:

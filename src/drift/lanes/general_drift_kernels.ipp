@@ -6,12 +6,12 @@
 ///   F = (R_rot^T g_rot - R_ref^T g) / epsilon
 ///
 /// Seen from the laboratory (deviation.hpp) the attitude deviation (w, epsilon y) turns at Dw on one side and at W_B = R_ref^T
-/// W on the other, which spares the turn of W:
+/// W on the other, so that W need not be turned by it:
 ///   dw/dt = -epsilon^2 y.d / 2 ,  dy/dt = w d / 2 + y x (w_ref + epsilon (Dw + W_B) / 2) ,  d = Dw - W_B
 ///   F = (2 / |e|^2) (-w c + epsilon y x c) ,  c = y x g_B
 ///
-/// Seen from inertial space it turns at Dw alone, d = Dw and W_B = 0 above, and gravity g + epsilon h turns with the Earth.
-/// What the reference sees of W, g and h is integrated too, instead of being taken from q:
+/// Seen from inertial space it turns at Dw alone (above, d = Dw and W_B = 0), and gravity g + epsilon h turns with the Earth.
+/// W, g and h as seen from the reference body are integrated too, instead of being derived from q:
 ///   dW_B/dt = W_B x w_ref ,  dg_B/dt = g_B x w_ref ,  dh_B/dt = h_B x w_ref + W_B x (g_B + epsilon h_B)
 ///   F = h_B + (2 / |e|^2) (-w c + epsilon y x c) ,  c = y x (g_B + epsilon h_B)
 ///
@@ -36,8 +36,8 @@ class GeneralDriftSeries {
 
  private:
   static constexpr int kQ = 0, kRate = 4, kE = 7, kY = 8, kP = 11;
-  static constexpr int kWB = 14, kGB = 17, kHB = 20;  // inertial
-  // Theta w_ref; Dw; w_rot; d; what y x goes with; all of gravity; c.
+  static constexpr int kWB = 14, kGB = 17, kHB = 20;  // inertial only
+  // Further series, in this order: Theta w_ref; Dw; w_rot; d; the factor of y x ... in dy/dt; gravity g_B + epsilon h_B; c.
   static constexpr int kL = kVariables, kDw = kL + 3, kRotating = kDw + 3, kD = kRotating + 3, kMean = kD + 3,
                        kGravity = kMean + 3, kC = kGravity + 3;
 
@@ -55,7 +55,7 @@ class GeneralDriftSeries {
         epsilon_(load(constants[GeneralDriftConstants::epsilon], chunk)),
         W_(vector(constants, GeneralDriftConstants::W_scaled, chunk)) {}
 
-  /// The norms of q and e are constant along the exact motion; their round-off must not scale a torque.
+  /// Notes the norms of q and e, which are constant along the exact motion: their round-off must not scale a torque.
   EARTHTOP_LANE_INLINE void start(const C& c) {
     Pack of_q{};
     for (int i = 0; i < 4; ++i) of_q += c.get(0, kQ + i) * c.get(0, kQ + i);
@@ -102,7 +102,7 @@ class GeneralDriftSeries {
   EARTHTOP_LANE_INLINE static Vec vector(const Row* constants, int row, int chunk) {
     return {load(constants[row], chunk), load(constants[row + 1], chunk), load(constants[row + 2], chunk)};
   }
-  /// A symmetric matrix's part beside the diagonal times v.
+  /// The product of v with a symmetric matrix that is zero on the diagonal and has the elements m beside it.
   EARTHTOP_LANE_INLINE static Vec beside_times(const Vec& m, const Vec& v) {
     return {m.x * v.y + m.y * v.z, m.x * v.x + m.z * v.z, m.y * v.x + m.z * v.y};
   }
@@ -114,7 +114,7 @@ class GeneralDriftSeries {
            beside_times(inverse_beside_, v);
   }
 
-  /// q w_ref / 2.
+  /// Puts in dq/dt = q w_ref / 2.
   EARTHTOP_LANE_INLINE static void put_attitude(const C& c, int k, Pack half) {
     Vec scaled{}, along{}, plus{}, minus{};
     const Pack *q = c.at(0) + kQ, *w = c.at(k) + kRate;
@@ -132,7 +132,8 @@ class GeneralDriftSeries {
   struct Seen {
     Vec W, gravity;
   };
-  /// R_LB^T u = ((w^2 - v^2) u + 2 v (v.u) - 2 w v x u) / |q|^2 of the Earth's rate and of gravity, which is vertical.
+  /// The Earth's rate and gravity, which is vertical, as seen from the reference body:
+  /// R_LB^T u = ((w^2 - v^2) u + 2 v (v.u) - 2 w v x u) / |q|^2 for q = (w, v).
   EARTHTOP_LANE_INLINE Seen seen_from_body(const C& c, int k) const {
     Vec vv{}, mixed{}, wv{};
     Pack ww{};
@@ -152,7 +153,7 @@ class GeneralDriftSeries {
     return {inverse_norm_squared_ * (difference * W_ + two * along - two * cross(wv, W_)), gravity};
   }
 
-  /// W, g and h in the reference's axes.
+  /// Puts in the time derivatives of W, g and h as seen from the reference body.
   EARTHTOP_LANE_INLINE static void put_what_turns(const C& c, int k, Pack factor) {
     Vec W_plus{}, W_minus{}, g_plus{}, g_minus{}, h_plus{}, h_minus{};
     const Pack *w = c.at(0) + kRate, *with = c.at(k);
@@ -172,6 +173,7 @@ class GeneralDriftSeries {
     c.put(k + 1, kHB, factor * (h_plus - h_minus));
   }
 
+  /// Products that the equations of the deviation need.
   struct Deviation {
     Vec scaled;  ///< w d
     Pack dot;    ///< y.d
@@ -191,7 +193,7 @@ class GeneralDriftSeries {
     }
     return {scaled, along.x + along.y + along.z, plus - minus, c_plus - c_minus};
   }
-  /// F.
+  /// F, the difference of gravity as seen from the two bodies, divided by epsilon.
   EARTHTOP_LANE_INLINE Vec gravity_difference(const C& c, int k) const {
     Vec scaled{}, plus{}, minus{};
     const Pack *e = c.at(0) + kE, *of_c = c.at(k) + kC;
@@ -208,7 +210,7 @@ class GeneralDriftSeries {
   struct Rates {
     Vec reference, deviation;
   };
-  /// (Theta w_ref) x w_ref, and p x w_rot + (Theta w_ref) x Dw.
+  /// The torque-free parts of the rates: (Theta w_ref) x w_ref, and p x w_rot + (Theta w_ref) x Dw.
   EARTHTOP_LANE_INLINE static Rates momentum_rates(const C& c, int k) {
     Vec plus{}, minus{}, p_plus{}, p_minus{};
     const Pack *left = c.at(0), *with = c.at(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The turn of a deviation quaternion e = (w, epsilon y) as a series: (R(e)^T - 1) / epsilon.
+/// The rotation by a deviation quaternion e = (w, epsilon y) as a series: (R(e)^T - 1) / epsilon.
 #pragma once
 
 #include "integrate/state_vectors.hpp"
@@ -7,7 +7,8 @@
 
 namespace earthtop {
 
-/// M = s (-w [y]x + epsilon (y y^T - y.y)) with s = 2/|e|^2, which is constant along the exact motion.
+/// The matrix M = (R(e)^T - 1) / epsilon = s (-w [y]x + epsilon (y y^T - y.y)), where s = 2/|e|^2 is constant along the exact
+/// motion.
 template <class T>
 class DeviationTurn {
  public:
@@ -17,7 +18,7 @@ class DeviationTurn {
     scale_ = T(2) / (w * w + epsilon * epsilon * y.dot(y));
     epsilon_ = epsilon;
   }
-  /// Puts the factors in for order k, from this lane on.
+  /// Puts in the factors of order k, into kLanes lanes from this one on.
   template <class ProductsOfSystem>
   static void put(ProductsOfSystem& products, int k, int lane, T w, const Vec3<T>& y) {
     products.put_scaled(k, lane, w, y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The Taylor series of any body's reference and deviation in body axes (drift_system.hpp), a plain scene.
+/// The Taylor series of any body's reference and deviation in body axes (drift_system.hpp), for a plain scene.
 #pragma once
 
 #include "drift/taylor/deviation_turn.hpp"
@@ -10,7 +10,7 @@
 
 namespace earthtop {
 
-/// Of the state: reference q_LB (4), w_IB_B (3); deviation w, y (3), p (3).
+/// The series of the state: reference q_LB (4), w_IB_B (3); deviation w, y (3), p (3).
 template <class T>
 class GeneralDriftSeries {
  public:
@@ -37,7 +37,7 @@ class GeneralDriftSeries {
     DeviationTurn<T>::put(first_, k, kTurn, w, y);
     first_.convolve(k);
 
-    // Vectors of the laboratory as the reference sees them, and what the deviation's turn adds.
+    // Vectors of the laboratory as seen from the reference body, and how the deviation's turn changes them.
     const Vec3<T> W_ref_B = attitude_.into_body(first_, kVectors, model_.W_IL_L_scaled);
     const Vec3<T> gravity_ref_B = attitude_.into_body(first_, kVectors, model_.apparent_gravity_L);
     const Mat3<T> M = turn_.matrix(first_, kTurn);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The Taylor series of a symmetric top's reference and deviation without its spin (reduced_drift_system.hpp), in laboratory
-/// axes: all of it quadratic but for the turn of the deviation, whose coefficients are found first.
+/// axes. The equations are quadratic except for the turn of the deviation, whose coefficients are found first.
 #pragma once
 
 #include "drift/deviation_state.hpp"
@@ -13,14 +13,14 @@ namespace earthtop {
 /// The constants of the motion that the reduced deviation equations read.
 template <class T>
 struct ReducedDriftConstants {
-  NutationRate<T> b;         ///< of the reference
-  T k;                       ///< deviation of the spin over epsilon
+  NutationRate<T> b;         ///< b of the reference
+  T k;                       ///< deviation of the spin, divided by epsilon
   T of_axis_rate, of_cross;  ///< factors of s and of n x V in dV/dt
   ReducedDriftConstants(const ReducedTop<T>& top, T w3, T spin_deviation, T epsilon)
       : b(top, w3), k(spin_deviation), of_axis_rate((T(1) - top.spin_ratio) * k), of_cross(b.value - epsilon * of_axis_rate) {}
 };
 
-/// Of the state n, u, a, w, y, V.
+/// The series of the state n, u, a, w, y, V.
 template <class T>
 class ReducedDriftSeries {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The kernel for an instruction set.
+/// Chooses the kernel for an instruction set.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace earthtop::lanes {
 
-/// @param asked  none: the widest that there is. @throws std::logic_error for one that this processor or program has not
+/// The instruction set to take. @param asked  none: the widest that there is
+/// @throws std::logic_error for one that this processor or program does not have
 inline InstructionSet set_taken(std::optional<InstructionSet> asked) {
   static const std::vector<InstructionSet> sets = instruction_sets();
   if (!asked) return sets.back();
@@ -23,7 +24,7 @@ inline InstructionSet set_taken(std::optional<InstructionSet> asked) {
 }  // namespace earthtop::lanes
 
 #ifdef EARTHTOP_WIDE_LANES
-/// Of the kernels `name`_baseline, `name`_avx2, `name`_avx512.
+/// One of the kernels `name`_baseline, `name`_avx2 and `name`_avx512.
 #define EARTHTOP_CHOOSE_KERNEL(set, name) \
   ((set) == InstructionSet::avx512 ? name##_avx512 : (set) == InstructionSet::avx2 ? name##_avx2 : name##_baseline)
 #else

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The Taylor stepper (taylor_stepper.hpp) for points side by side. Included by sources that are compiled for one instruction
-/// set each: all of it is local to the source, and nothing of the standard library or of Eigen is used.
+/// The Taylor stepper (taylor_stepper.hpp) for points side by side. It is included by sources that are each compiled for one
+/// instruction set: everything in it is local to the source, and it uses nothing of the standard library or of Eigen.
 ///
-/// A lane's arithmetic is the same whatever the width and whatever its neighbours do: sums and products only, in one order,
-/// never contracted; no function whose last digit a library decides.
+/// The arithmetic of a lane is the same whatever the width of the vectors and whatever its neighbours do: basic operations in
+/// one fixed order, never contracted, and no function whose last digit depends on a library.
 #pragma once
 
 #include "integrate/lanes/block.hpp"
@@ -27,7 +27,7 @@ EARTHTOP_LANE_INLINE Bits spread_bits(long long x) { return x - Bits{}; }
 EARTHTOP_LANE_INLINE Pack larger(Pack a, Pack b) { return a > b ? a : b; }
 EARTHTOP_LANE_INLINE Pack smaller(Pack a, Pack b) { return a < b ? a : b; }
 
-/// A chunk's part of a row of doubles.
+/// The part of a row of doubles that belongs to one chunk, as many lanes as a vector of the processor holds.
 using RowPart = double __attribute__((vector_size(8 * kWidth), may_alias));
 EARTHTOP_LANE_INLINE Pack load(const Row& row, int chunk) { return reinterpret_cast<const RowPart*>(row.lane)[chunk]; }
 EARTHTOP_LANE_INLINE void store(Row& row, int chunk, Pack value) { reinterpret_cast<RowPart*>(row.lane)[chunk] = value; }
@@ -43,14 +43,15 @@ EARTHTOP_LANE_INLINE Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Adds the two halves of a x b to their sums, which are subtracted at the end: no sum waits for another.
+/// Adds the positive and the negative products of a x b to sums of their own, which are subtracted at the end: so no sum waits
+/// for another.
 EARTHTOP_LANE_INLINE void add_cross(const Vec& a, const Pack* b, Vec& plus, Vec& minus) {
   plus.x += a.y * b[2], minus.x += a.z * b[1];
   plus.y += a.z * b[0], minus.y += a.x * b[2];
   plus.z += a.x * b[1], minus.z += a.y * b[0];
 }
 
-/// Of one chunk: the coefficients of order k, `kStored` packs in a row, follow those of order k - 1.
+/// The series of one chunk: the coefficients of order k, `kStored` packs in a row, follow those of order k - 1.
 template <int kStored>
 struct Coefficients {
   Pack* first;
@@ -74,10 +75,10 @@ struct Coefficients {
   }
 };
 
-/// log2 of a positive number, to 2e-6; of 0 or beyond the numbers some -1023 or 1024.
+/// log2 of a positive number, to 2e-6; about -1023 for 0, and about 1024 for infinity.
 EARTHTOP_LANE_INLINE Pack logarithm(Pack x) {
   const Bits bits = reinterpret_cast<Bits>(x);
-  // 2^52 + n has n as its last digits.
+  // The last bits of the double 2^52 + n are n.
   const Bits offset = spread_bits(0x4330000000000000);
   const Bits biased = (bits >> 52) & spread_bits(0x7ff);
   const Pack exponent = reinterpret_cast<Pack>(biased | offset) - spread(4503599627370496.0 + 1023.0);
@@ -88,9 +89,9 @@ EARTHTOP_LANE_INLINE Pack logarithm(Pack x) {
   return exponent + (spread(0.5) + odd);
 }
 
-/// 2^x to 3e-6, of numbers well within the exponents.
+/// 2^x to 3e-6, for x well within the range of exponents.
 EARTHTOP_LANE_INLINE Pack power_of_two(Pack x) {
-  const Pack rounder = spread(6755399441055744.0);  // 1.5 * 2^52: added, it rounds to a whole number, in the last digits
+  const Pack rounder = spread(6755399441055744.0);  // 1.5 * 2^52: adding it rounds x to a whole number, in the last bits
   const Pack shifted = x + rounder, f = x - (shifted - rounder);
   const Pack part =
       spread(1.0) +
@@ -101,13 +102,13 @@ EARTHTOP_LANE_INLINE Pack power_of_two(Pack x) {
   return reinterpret_cast<Pack>(reinterpret_cast<Bits>(part) + whole);
 }
 
-/// One chunk of a block through one step.
+/// Takes one chunk of a block through one step.
 /// @tparam Series  the equations, with
-///   kVariables, kStored   of the state, and of all series kept, the state first
-///   kGroups               an array of Group
+///   kVariables, kStored   number of state variables, and of all series kept, of which the state's are the first
+///   kGroups, kGroupCount  the component groups of the state, and their number
 ///   Series(constants, chunk)
-///   start(c)              from the state in the coefficients of order 0
-///   extend(c, k)          from all coefficients up to those of the state of order k, the state's of order k + 1
+///   start(c)              is given the state, as coefficients of order 0
+///   extend(c, k)          finds the state's coefficients of order k + 1 from all those up to order k
 template <class Series>
 struct Chunk {
   static constexpr int n = Series::kVariables, kStored = Series::kStored;
@@ -131,7 +132,7 @@ struct Chunk {
     return sum;
   }
 
-  /// What the step adds to a few components until dt, their rests included.
+  /// The change of kCount components from the beginning of the step to the time dt after it, including their rests.
   template <int kCount>
   EARTHTOP_LANE_INLINE static void add_change(const Coefficients<kStored>& c, int order, int begin, Pack dt, const Row* rest,
                                               int chunk, Pack* change) {
@@ -162,7 +163,7 @@ struct Chunk {
     store(block.step, chunk, h);
     Pack change[n], unfinite{};
     find_change(c, order, h, block.rest, chunk, change);
-    // Compensated: what the sum leaves out of the state goes into the next one.
+    // The sum is compensated: what rounding leaves out of it goes into the next step's.
     for (int i = 0; i < n; ++i) {
       const Pack x = c.get(0, i), sum = x + change[i];
       store(block.rest_before[i], chunk, load(block.rest[i], chunk));

@@ -16,7 +16,7 @@ class MotionSeries {
   static constexpr const Group* kGroups = kMotionGroups;
 
  private:
-  static constexpr int kN = 0, kU = 3, kA = 6, kAcross = 9;  // u without its part along n
+  static constexpr int kN = 0, kU = 3, kA = 6, kAcross = 9;  // n, u, a, and u without its part along n
 
  public:
   static constexpr int kStored = kAttitude ? kAcross + 3 : kVariables;
@@ -41,7 +41,7 @@ class MotionSeries {
     const Vec s = c.cross(k, kU, kN);
     c.put(k + 1, kN, factor * (s - cross(W_, n)));
     const Vec Wu = cross(W_, u);
-    // n x g of a gravity along the vertical
+    // n x g for a gravity along the vertical
     c.put(k + 1, kU,
           factor * Vec{moment_ * n.y - b_ * s.x - (b_rest_ * s.x + Wu.x), -moment_ * n.x - b_ * s.y - (b_rest_ * s.y + Wu.y),
                        -b_ * s.z - (b_rest_ * s.z + Wu.z)});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Takes many points through a kernel, eight at a time: each lane has its own clock, step and rows, and takes the next point as
-/// soon as its own is done. What a lane does is what the driver's `run_dense` does with a stepper of its own; lanes share the
-/// order of the series and the tolerance, and nothing else.
+/// Takes many points (problems) through a kernel, eight at a time. Each lane has its own clock, step and rows, and takes the
+/// next point as soon as its own is done. A lane does what the driver's `run_dense` does with its stepper; lanes share nothing
+/// but the order of the series and the tolerance.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,28 @@
 
 namespace earthtop::lanes {
 
-/// What all points of a batch share.
+/// The settings that all points of a batch share.
 struct Plan {
   const Kernel* kernel;
   int order;
-  double last_term;  ///< of the series against its group
+  double last_term;  ///< size of a series' last term relative to that of its component group
 };
 
-/// The last term is that of `TaylorStepper`, the order the one of least work for tops under many nutations: above the one that
-/// a series with a near singularity takes.
+/// The plan for a tolerance. The last term is that of `TaylorStepper`. The order is the one of least work for tops with many
+/// nutations; it is higher than that for a series with a near singularity.
 inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
   const double last_term = 1e-4 * relative_tolerance;
   return {&kernel, std::clamp(static_cast<int>(1 - 0.7 * real::log(last_term)), 6, kMostOrder), last_term};
 }
 
 /// One point in its lane.
-/// @tparam Point  with
-///   System                     a reduced system: the `Shape` of its states, typical_state()
-///   kVariables                 of the kernel's state; those beyond the system's begin at 0
-///   system(), times(), drive() the output times and the driver's options in natural units
-///   constants(rows, lane)      puts what the equations read into the lane's place
-///   on_step(t, x), on_row(row, x)
-///   finish(status, counters)
+/// @tparam Point  has
+///   System                     the point's system, with the `Shape` of its states and initial_state(), typical_state() if any
+///   kVariables                 number of the kernel's state variables; those that the system does not have begin at 0
+///   system(), times(), drive() the system, the output times and the driver's options; in natural units
+///   constants(rows, lane)      puts the constants of the equations into the lane's place
+///   on_step(t, x), on_row(row, x)    see the states, as in the driver
+///   finish(status, counters)   is called at the end
 template <class Point>
 class Lane {
  public:
@@ -54,7 +54,7 @@ class Lane {
         point_(std::forward<Arguments>(arguments)...),
         clock_(point_.times().front(), point_.times().back()) {}
 
-  /// Puts the point at its release into the lane. @returns whether there is a step to take
+  /// Puts the point, at its release, into the lane. @returns whether there is a step to take
   bool begin() {
     const State x = point_.system().initial_state();
     GroupScales<double, typename System::Shape> scales;
@@ -73,7 +73,7 @@ class Lane {
     return true;
   }
 
-  /// Before a step. @returns whether it may be taken
+  /// Prepares a step. @returns whether it may be taken
   bool prepare() {
     const auto& times = point_.times();
     if (const RunStatus status = may_go_on(point_.drive(), counters_, clock_.now(), times.front(), times.back());
@@ -83,7 +83,7 @@ class Lane {
     return true;
   }
 
-  /// After it. @returns whether there is anything to see of it
+  /// Accepts the step that the kernel has taken. @returns whether the point goes on, with states of that step to be seen
   bool accept() {
     ++counters_.accepted;
     counters_.evaluations += block_.order;
@@ -100,9 +100,9 @@ class Lane {
     return true;
   }
 
-  /// Goes on to the next state within the step that someone wants to see, and shows those at its end.
-  /// @param after  set to its time after the beginning of the step
-  /// @returns whether there is one before the end: `see` is to be called with it
+  /// Goes on to the next state within the step that a row or the watcher asks for. States at the step's end are shown here.
+  /// @param after  set to the time of that state after the beginning of the step
+  /// @returns whether there is such a state before the step's end: `see` is to be called with it
   bool next_look(double& after) {
     const auto& times = point_.times();
     while (piece_ <= pieces_) {
@@ -119,7 +119,7 @@ class Lane {
     }
     return false;
   }
-  /// The state asked for, from rows of states.
+  /// Shows the state that was asked for. @param x  the states of all lanes at the times asked for
   void see(const Row* x) {
     State seen;
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = x[i].lane[lane_];
@@ -133,7 +133,7 @@ class Lane {
     }
   }
 
-  /// @returns whether the point goes on
+  /// Goes on to the end of the step. @returns whether the point has another step to take
   bool advance() {
     clock_.advance(step_);
     return row_ < point_.times().size() || end(RunStatus::completed);
@@ -155,11 +155,12 @@ class Lane {
   std::size_t row_ = 1;
   double step_ = 0;
   bool lands_ = false;
-  int piece_ = 1, pieces_ = 1;  ///< of the step, as the watcher sees it
+  int piece_ = 1, pieces_ = 1;  ///< the pieces in which the watcher sees the step
   bool looks_at_row_ = false;
 };
 
-/// @param arguments  of a point's number, those of its Point, as a tuple
+/// Gives the points of a batch to the lanes.
+/// @tparam Arguments  a function that takes the number of a point to the arguments of its Point, as a tuple
 template <class Point, class Arguments>
 class Schedule {
  public:
@@ -184,7 +185,8 @@ class Schedule {
  private:
   static constexpr std::size_t kLaneCount = kLanes;
 
-  /// The next point whose release leaves something to do; or an idle lane, whose numbers are zeros.
+  /// Fills the lane with the next point that has a step to take. If there is none, the lane idles; its numbers are then
+  /// harmless.
   void refill(std::size_t l) {
     lanes_[l].reset();
     while (next_ < count_) {
@@ -211,7 +213,7 @@ class Schedule {
     return any;
   }
 
-  /// All lanes' rows within the step, and what their watchers want to see.
+  /// Shows the rows of all lanes within the step, and the states that their watchers ask for.
   void show() {
     for (;;) {
       Row after{};
@@ -239,7 +241,7 @@ void run_in_lanes(const Plan& plan, std::size_t count, const Arguments& argument
   Schedule<Point, Arguments>(plan, count, arguments).run();
 }
 
-/// Whether a kernel's groups are those that the system is measured by.
+/// Whether the component groups of a kernel are those of the system.
 template <class System, std::size_t kMost>
 constexpr bool are_groups_of(const Group (&groups)[kMost]) {
   constexpr auto expected = System::Shape::groups();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The products that an attitude takes part in: its own rate, and vectors of the laboratory seen from the body.
+/// The products of series that contain an attitude quaternion: its own rate of change, and vectors of the laboratory seen from
+/// the body.
 #pragma once
 
 #include "earthtop/frames/rotation.hpp"
@@ -13,29 +14,31 @@ Quaternion<T> load_quaternion(const std::array<T, N>& x, std::size_t at) {
   return {x[at], load_vector(x, at + 1)};
 }
 
+/// Puts the factors of these products into lanes (`put_...`) and reads the results from them. Each kind takes the given number
+/// of lanes, from the lane that the caller names.
 template <class T>
 class AttitudeSeries {
  public:
   static constexpr int kRateLanes = 12, kUpLanes = 6, kVectorLanes = 10;
 
-  /// |q| is constant along the exact motion; its round-off must not scale a torque.
+  /// Notes |q|, which is constant along the exact motion: its round-off must not scale a torque.
   void start(const Quaternion<T>& q) { inverse_norm_squared_ = T(1) / (q.w * q.w + q.v.dot(q.v)); }
 
-  /// The factors of order k, from this lane on, of q w_B.
+  /// Puts in the factors of q w_B at order k.
   template <class ProductsOfSystem>
   static void put_rate(ProductsOfSystem& products, int k, int lane, const Quaternion<T>& q, const Vec3<T>& w_B) {
     products.put_scaled(k, lane, q.w, w_B);
     products.put_parallel(k, lane + 3, q.v, w_B);
     products.put_cross(k, lane + 6, q.v, w_B);
   }
-  /// q w_B / 2.
+  /// q w_B / 2 at the order last convolved.
   template <class ProductsOfSystem>
   static Quaternion<T> half_product(const ProductsOfSystem& products, int lane) {
     const Vec3<T> v = products.vector(lane) + products.cross(lane + 6);
     return {-products.sum_of_three(lane + 3) / T(2), v / T(2)};
   }
 
-  /// Those of the vertical seen from the body.
+  /// Puts in the factors of the vertical as seen from the body.
   template <class ProductsOfSystem>
   static void put_up(ProductsOfSystem& products, int k, int lane, const Quaternion<T>& q) {
     products.put(k, lane, q.v[0], q.v[2]);
@@ -45,7 +48,8 @@ class AttitudeSeries {
     products.put(k, lane + 4, q.v[0], q.v[0]);
     products.put(k, lane + 5, q.v[1], q.v[1]);
   }
-  /// R_LB^T z = (2 (x z - w y), 2 (y z + w x), |q|^2 - 2 (x^2 + y^2)) / |q|^2.
+  /// The vertical as seen from the body, R_LB^T z = (2 (x z - w y), 2 (y z + w x), |q|^2 - 2 (x^2 + y^2)) / |q|^2 for
+  /// q = (w, x, y, z).
   template <class ProductsOfSystem>
   Vec3<T> up(const ProductsOfSystem& products, int k, int lane) const {
     const T s = T(2) * inverse_norm_squared_;
@@ -53,7 +57,7 @@ class AttitudeSeries {
             T(k == 0 ? 1 : 0) - s * (products.at(lane + 4) + products.at(lane + 5))};
   }
 
-  /// Those of any vectors of the laboratory seen from the body.
+  /// Puts in the factors of any constant vectors of the laboratory as seen from the body.
   template <class ProductsOfSystem>
   static void put_vectors(ProductsOfSystem& products, int k, int lane, const Quaternion<T>& q) {
     products.put_parallel(k, lane, q.v, q.v);
@@ -61,7 +65,7 @@ class AttitudeSeries {
     products.put_scaled(k, lane + 6, q.w, q.v);
     products.put(k, lane + 9, q.w, q.w);
   }
-  /// R_LB^T u_L = ((w^2 - v^2) u + 2 v (v.u) - 2 w v x u) / |q|^2 of a constant vector.
+  /// A constant vector as seen from the body, R_LB^T u_L = ((w^2 - v^2) u + 2 v (v.u) - 2 w v x u) / |q|^2 for q = (w, v).
   template <class ProductsOfSystem>
   Vec3<T> into_body(const ProductsOfSystem& products, int lane, const Vec3<T>& u_L) const {
     const Vec3<T> vv = products.vector(lane), mixed = products.vector(lane + 3), wv = products.vector(lane + 6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The Taylor series of any body's motion in body axes (equations.hpp), a plain scene.
+/// The Taylor series of any body's motion in body axes (equations.hpp), for a plain scene.
 #pragma once
 
 #include "earthtop/model/equations.hpp"
@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// Of the state q_LB (4), w_IB_B (3).
+/// The series of the state q_LB (4), w_IB_B (3).
 template <class T>
 class GeneralMotionSeries {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Theta^-1 times a vector: by division where the body axes are principal axes. The rounding of an inverse, the same at every
-/// step, would add up to a phase.
+/// Theta^-1 times a vector. Where the body axes are principal axes, it divides by the moments: the rounding of an inverse would
+/// be the same at every step and add up to a phase error.
 #pragma once
 
 #include "earthtop/model/model.hpp"

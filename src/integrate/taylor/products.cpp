@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrate/taylor/products.hpp"
 
-// One binary for every processor: the loop is compiled for the wider vectors too and chosen when the program starts. No
-// contraction into fused operations (-ffp-contract=off): all give the same bits.
+// The loop is compiled for several widths of vectors, and the one for the processor at hand is chosen when the program starts.
+// Without contraction into fused operations (-ffp-contract=off) all of them give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define EARTHTOP_FOR_EACH_PROCESSOR [[gnu::target_clones("avx512f", "avx2", "default")]]
 #else
@@ -12,7 +12,7 @@
 namespace earthtop::taylor {
 namespace {
 
-/// Blocks of eight lanes side by side: their sums do not wait for each other.
+/// Convolves some blocks of eight lanes together, since their sums do not have to wait for each other.
 template <int kBlocks>
 [[gnu::always_inline]] inline void convolve_blocks(const double* left, const double* right, int order, int lanes, double* sum) {
   constexpr int kLanes = 8 * kBlocks;

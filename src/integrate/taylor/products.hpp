@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Products of power series, many at a time: what a quadratic system costs to expand.
+/// Computes products of power series, many at a time. Expanding a quadratic system costs little else.
 ///
-/// The coefficient of order k of a product is sum_j left_j right_(k-j). Each product is a lane; lanes stand side by side, so
-/// that one sweep over j serves all of them with vector instructions, and every lane is summed in the same order whatever the
-/// processor has.
+/// The coefficient of order k of a product is sum_j left_j right_(k-j). Each product is a lane. Lanes are stored side by side,
+/// so that one sweep over j serves all of them with vector instructions; every lane is summed in the same order on every
+/// processor.
 #pragma once
 
 #include <array>
@@ -27,27 +27,28 @@ void convolve_inner(const T* left, const T* right, int order, int lanes, T* sum)
     for (int l = 0; l < lanes; ++l) sum[l] += left[j * lanes + l] * right[(order - j) * lanes + l];
 }
 
-/// kLanes products. At each order the factors are put in, then all are convolved, then they can be read. The two terms with the
-/// factors just put are kept apart: numbers stored one by one and loaded at once as a vector would stall.
+/// A set of kLanes products. At each order the factors are put in, then all products are convolved, then they can be read. The
+/// two terms with the factors just put in are summed apart from the others: loading numbers as a vector right after they were
+/// stored one by one would stall the processor.
 template <class T, int kLanes>
 class Products {
  public:
-  /// One lane.
+  /// Puts the factors of one product into a lane.
   void put(int order, int lane, T left, T right) {
     const auto row = static_cast<std::size_t>(order) * kPadded, l = static_cast<std::size_t>(lane);
     left_[row + l] = left;
     right_[row + l] = right;
     outer_[l] = order == 0 ? left * right : left_[l] * right + left * right_[l];
   }
-  /// Three lanes: a b_i for a scalar a.
+  /// Takes three lanes for the products a b_i with a scalar a.
   void put_scaled(int order, int lane, T a, const Vec3<T>& b) {
     for (int i = 0; i < 3; ++i) put(order, lane + i, a, b[i]);
   }
-  /// Three lanes: a_i b_i.
+  /// Takes three lanes for the products a_i b_i.
   void put_parallel(int order, int lane, const Vec3<T>& a, const Vec3<T>& b) {
     for (int i = 0; i < 3; ++i) put(order, lane + i, a[i], b[i]);
   }
-  /// Six lanes: a x b.
+  /// Takes six lanes for a x b.
   void put_cross(int order, int lane, const Vec3<T>& a, const Vec3<T>& b) {
     for (int i = 0; i < 3; ++i) {
       put(order, lane + i, a[(i + 1) % 3], b[(i + 2) % 3]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The Taylor series of a symmetric top's motion without its spin (reduced_top.hpp): two cross products an order.
+/// The Taylor series of a symmetric top's motion without its spin (reduced_top.hpp); it takes two cross products at each order.
 #pragma once
 
 #include "earthtop/integrate/motion_integration.hpp"
@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// Of the state n, u and, where the attitude is sought, a; laboratory axes.
+/// The series of the state n, u and, where the attitude is sought, a; in laboratory axes.
 template <class T, MotionSought S>
 class ReducedMotionSeries {
  public:
@@ -19,7 +19,7 @@ class ReducedMotionSeries {
   ReducedMotionSeries(const ReducedTop<T>& top, const NutationRate<T>& b, const Vec3<T>& W_L, const Vec3<T>& gravity_L)
       : top_(top), b_(b), W_L_(W_L), gravity_L_(gravity_L) {}
 
-  /// The norm of n and u.n are constant along the exact motion; their round-off must neither scale the torque nor spin the
+  /// Notes |n| and u.n, which are constant along the exact motion: their round-off must neither scale the torque nor spin the
   /// frame.
   void start(const State& x) {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3);

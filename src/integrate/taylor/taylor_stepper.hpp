@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Taylor series of adaptive order and step, on odeint's dense-output-stepper concept: the series of the step is its dense
-/// output, as accurate between the ends as at them.
+/// Integrates by Taylor series with adaptive order and step, on odeint's dense-output-stepper concept. The series of a step is
+/// its dense output, which is as accurate within the step as at its ends.
 ///
-/// A. Jorba and M. Zou, Experimental Mathematics 14 (2005) 99: the step is where the last terms of the series meet the
-/// tolerance; the order is the one of least work for the way made, found from step to step. As the series is known before the
-/// step is chosen, no step is ever rejected.
+/// After A. Jorba and M. Zou, Experimental Mathematics 14 (2005) 99: the step is the one for which the last terms of the series
+/// meet the tolerance; the order, adapted from step to step, is the one of least work per unit of time. As the series is known
+/// before the step is chosen, no step is ever rejected.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@
 
 namespace earthtop::taylor {
 
-/// @tparam System  with the `Shape` of its states, and `Series`, which finds the coefficients:
-///   start(x)                    takes the state at the beginning of a step
-///   extend(k, x_k, x_next)      from the coefficients of order k, after all lower ones, those of order k + 1
+/// @tparam System  has the `Shape` of its states, and a `Series` that finds the coefficients:
+///   start(x)                    is given the state at the beginning of a step
+///   extend(k, x_k, x_next)      finds the coefficients of order k + 1 from those of order k; called for k = 0, 1, 2, ...
 template <class T, class System>
 class TaylorStepper {
  public:
@@ -38,26 +38,26 @@ class TaylorStepper {
         scales_(&scales),
         order_(std::clamp(static_cast<int>(1 - 0.6 * log_tolerance_), kLeastOrder, kMostOrder<T>)) {}
 
-  /// @param longest  no step is longer; a negative or no number: none is
+  /// @param longest  limit to all steps; 0 or less: no limit
   void initialize(const State& x, T t, T longest = T(0)) {
     x_ = x;
     rest_.fill(T(0));
     time_ = t;
     limit_step(longest);
   }
-  /// Digits that the state has no room for.
+  /// Adds digits of the initial state for which its numbers have no room.
   void add_rest(const State& rest) { rest_ = rest; }
   void limit_step(T longest) { longest_ = longest; }
 
-  /// From the current state over one step. @returns its beginning and end
+  /// Takes one step from the current state. @returns the times of its beginning and end
   std::pair<T, T> do_step(Series& series) {
     coefficients_[0] = x_;
     series.start(x_);
     for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
     degree_ = order_;
     step_ = choose_step();
-    // Compensated: what the sum leaves out of the state goes into the next one. Of a slow motion under a fast one only that
-    // part of the round-off builds up, and it is the one that a step keeps.
+    // The sum is compensated: what rounding leaves out of it goes into the next step's. In a slow motion under a fast one only
+    // this round-off would build up.
     rest_before_ = rest_;
     const State change = change_after(step_, rest_before_);
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -70,7 +70,7 @@ class TaylorStepper {
     return {before, time_};
   }
 
-  /// The same as a stepper that may reject a step has it: this one never does.
+  /// The interface of steppers that may reject a step; this one never does.
   bool try_step(Series& series) {
     do_step(series);
     return true;
@@ -82,27 +82,28 @@ class TaylorStepper {
   T current_time_step() const { return step_; }
   T previous_time() const { return time_ - step_; }
   const State& previous_state() const { return coefficients_[0]; }
-  /// The state at a time within the last step.
+  /// The state at a time t within the last step.
   void calc_state(T t, State& x) const { state_after(t - previous_time(), x); }
-  /// The same at a time after the beginning of the last step: no digit of it is lost to a late hour.
+  /// The state at the time dt after the beginning of the last step. Late in a run, dt has more digits than t.
   void state_after(T dt, State& x) const {
     x = change_after(dt, rest_before_);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += at(0)[i];
   }
-  /// Evaluations of the last step: each order costs one.
+  /// Evaluations of the last step: one for each order.
   int evaluations() const { return degree_; }
-  /// About how far the unit vectors and quaternions of the state have turned in the last step.
+  /// Roughly the angle by which the state's unit vectors and quaternions have turned in the last step (rad).
   T turned() const { return scales_->turned(at(1), step_) + scales_->turned(at(2), step_ * step_); }
 
  private:
   static constexpr int kLeastOrder = 6;
-  /// The last term against the tolerance: an order or two more buy an error of round-off at the least tolerance.
+  /// The size of the last term relative to the tolerance. At the least tolerance the order or two that this costs bring the
+  /// error down to round-off.
   static constexpr double kLastTerm = 1e-4;
 
   State& at(int k) { return coefficients_[static_cast<std::size_t>(k)]; }
   const State& at(int k) const { return coefficients_[static_cast<std::size_t>(k)]; }
 
-  /// What the step adds to the state at its beginning until dt, the rest of the sums before it included.
+  /// The change of the state from the beginning of the step to the time dt after it, including the rest of the sums before.
   State change_after(T dt, const State& rest) const {
     State x = at(degree_);
     for (int k = degree_ - 1; k > 0; --k)
@@ -116,7 +117,7 @@ class TaylorStepper {
     const double size = static_cast<double>(scales_->largest_ratio(at(k)));
     return size > 0 ? (log_tolerance_ - real::log(size)) / k : kUnlimited;
   }
-  /// The last two terms count, as one of them may vanish by symmetry.
+  /// The step for which the last two terms meet the tolerance; the last one alone may vanish by symmetry.
   T choose_step() {
     const double last = log_step(order_), before = log_step(order_ - 1);
     const double log_h = std::min(last, before);
@@ -124,7 +125,7 @@ class TaylorStepper {
     const T h = log_h < kUnlimited / 2 ? T(real::exp(log_h)) : longest_;
     return longest_ > T(0) && !(h < longest_) ? longest_ : h;
   }
-  /// One order up or down, whichever way less work for each unit of time lies; a step that is cut short needs no higher one.
+  /// Changes the order by one, up or down, towards less work per unit of time. A step that is cut short needs no higher order.
   void adapt_order(double log_h, double log_h_below) {
     const double log_longest = longest_ > T(0) ? real::log(static_cast<double>(longest_)) : kUnlimited;
     const auto log_work = [&](int order, double log_step) {
@@ -141,7 +142,7 @@ class TaylorStepper {
   const GroupScales<T, typename System::Shape>* scales_;
   int order_, degree_ = 0;
   T longest_ = T(0), time_ = T(0), step_ = T(0);
-  State x_{}, rest_{}, rest_before_{};  ///< the state now, and what its sums left out: now, and at the beginning of the step
+  State x_{}, rest_{}, rest_before_{};  ///< the state, and what its sums left out: at the end and the beginning of the step
   std::array<State, kMostOrder<T> + 1> coefficients_{};
 };
 
