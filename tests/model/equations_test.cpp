@@ -12,7 +12,7 @@ using test::for_each_scalar;
 using test::identical;
 using test::Random;
 
-/// An asymmetric body with products of inertia and its centre of mass off every axis.
+/// An asymmetric body with products of inertia, and its centre of mass off every axis.
 BodySpec asymmetric() {
   BodySpec spec;
   spec.mass_kg = 0.5;
@@ -191,7 +191,7 @@ TEST(Equations, InertialSpinOfASymmetricTopDoesNotChange) {
   });
 }
 
-/// The derivative of f along the flow of the body equation, at t = 0.
+/// The derivative of f along the flow of the body equation at t = 0.
 template <class F>
 float128 along_the_flow(const Model<float128>& model, const Motion<float128>& x, float128 h, const F& f) {
   const Motion<float128> rate = body_equation<true, SceneKind::plain, float128>(model, x, model.apparent_gravity_L);
