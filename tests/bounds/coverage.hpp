@@ -16,8 +16,8 @@ struct BoundedError {
 struct Coverage {
   Method method = Method::automatic;
   VerdictReport verdict;
-  BoundedError axis, attitude;  ///< of the drift
-  BoundedError states;          ///< of the two attitudes themselves
+  BoundedError axis, attitude;  ///< the drift's
+  BoundedError states;          ///< the two attitudes' own
   double used = 0;              ///< largest ratio of an error to its bound, over all three and all rows
   double drift = 0;
   bool tight() const { return axis.tight() && attitude.tight(); }

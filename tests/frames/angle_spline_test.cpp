@@ -75,7 +75,7 @@ TEST(AngleSpline, IsPiecewiseCubicWithTheRightJoints) {
     for (int i = 0; i < n; ++i) table.angle_rad.push_back(random.uniform(-1, 1));
     const AngleSpline<Q> spline(table);
     const Q near = Q(1e-15);  // nothing here is larger than 1e8
-    // Of a piece that begins at knot i: its third derivative, from its linear acceleration.
+    // The third derivative in the piece that begins at knot i, from its linear acceleration.
     const auto jerk = [&](int i) {
       const Q a = table.t_s[static_cast<std::size_t>(i)], b = table.t_s[static_cast<std::size_t>(i) + 1], d = (b - a) / 4;
       const Q first = spline.angle_acceleration(a + d), middle = spline.angle_acceleration(a + 2 * d);

@@ -108,7 +108,7 @@ TEST(Driver, StepsEndAtJoints) {
     // One before the first row, one at a row, two that no step fits between, one after the end.
     Recorder<Kinked> with, without;
     const double error = worst(with, {-0.5, times[1], Kinked::kKink, 5, 5 + 1e-15, 9});
-    // Of a straight line every method makes no error but rounding.
+    // For a straight line every method's only error is rounding.
     EXPECT_LT(error, static_cast<double>(with.counters.evaluations) * 1.2e-16 * 22);
     EXPECT_TRUE(std::is_sorted(with.step_times.begin(), with.step_times.end()));
     for (const double joint : {Kinked::kKink, 5.0})

@@ -273,7 +273,7 @@ TEST(BodyValidity, SlackIs32EpsOfTheLargestPivotMoment) {
   // Largest pivot moment 2: the slack is 64 eps.
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 0}, {1, 1, 2 + 62 * eps})));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {1, 1, 2 + 68 * eps}), "triangle"));
-  // Of the pivot's moments, not of the centre's: 2 about the centre, 8 about the pivot 2.45 m away.
+  // The slack is that of the pivot's moments, not of the centre's: 2 about the centre, 8 about the pivot 2.45 m away.
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 2}, {1 + 4, 1 + 4, 2 + 158 * eps})));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 2}, {1 + 4, 1 + 4, 2 + 164 * eps}), "triangle"));
   // A negative moment about the centre of mass; largest pivot moment 1.5: 48 eps.

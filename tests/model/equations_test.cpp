@@ -84,7 +84,7 @@ TEST(Equations, ObserversAgree) {
     EXPECT_LE(static_cast<double>(largest), static_cast<double>(float128(1.25) * C / steps)) << n;
     if (n == 256) {
       EXPECT_LE(static_cast<double>(largest), 1e-6);
-      // What the Earth's rate did to this motion is far larger.
+      // The effect of the Earth's rate on this motion is far larger.
       const auto at_rest = [&](float128, const Motion<float128>& x) {
         return laboratory_equation<float128>(model, x, g, Vec3<float128>::Zero());
       };

@@ -112,7 +112,7 @@ TEST(Ledger, TorquesAreSumsOverParticles) {
         const char A = observer == LedgerObserver::laboratory ? 'L' : observer == LedgerObserver::platform ? 'P' : 'B';
         Vec3<T> alpha_LB_L = Vec3<T>::Zero();
         if (observer == LedgerObserver::body) {
-          // What each particle needs to follow the body must be what it gets: this is where the acceleration comes from.
+          // The force that each particle needs to follow the body must be the force on it; the acceleration follows from this.
           const Mat3<T> R_LB = rotation_matrix(s.q_LB), theta = test::inertia(s.particles);
           const Vec3<T> w_IB_B = s.w_LB_B + R_LB.transpose() * s.model.W_IL_L;
           const Vec3<T> field_B = R_LB.transpose() * pivot_field<SceneKind::full>(s.model, s.t).rotating_L;

@@ -40,7 +40,7 @@ TEST(Paired, EveryOperationCarriesItsDifference) {
   for (const double epsilon : kEpsilons)
     for (int k = 0; k < 20; ++k) {
       const double sign = random.integer(0, 1) == 0 ? 1 : -1;
-      // Of one sign, so that no operation's terms cancel by more than half.
+      // The numbers have one sign, so that no operation's terms cancel by more than half.
       const Both x(random.uniform(1, 3), random.uniform(4, 5), epsilon), y(sign * random.uniform(1, 3), sign, epsilon);
       const auto p = x.carried, q = y.carried;
       constexpr double kTerms = 8;  // both terms of a sum, over the least of the sum

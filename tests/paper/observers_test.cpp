@@ -237,8 +237,8 @@ struct State {
   Quaternion<T> q_LB, q_NL;
   Mat3<T> R_LB, R_NL;
   Vec3<T> w_LB_B, field_L;
-  T size;       ///< of the torques
-  T condition;  ///< of the inertia tensor
+  T size;       ///< size of the torques
+  T condition;  ///< condition number of the inertia tensor
 
   explicit State(Random& random) : particles(test::exact_particles<T>(random)), body(make_body<T>(test::body_spec(particles))) {
     q_LB = random.quaternion<T>(1.25);  // the norm must not matter

@@ -173,7 +173,7 @@ TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
           if (sample.state.t_s == t) return sample.state;
         throw std::logic_error("no such row");
       };
-      // What is differentiated: L' in A axes; for the observer in the body, in whose axes that is zero, Theta w_IB.
+      // The momentum to be differentiated: L' in A axes. For the body's observer, in whose axes L' is zero, Theta w_IB instead.
       const auto momentum_A = [&](Q t) -> Vec3<Q> {
         const DriftState<Q>& s = state_at(t);
         const Mat3<Q> R_LB = rotation_matrix(s.q_LB);

@@ -31,7 +31,7 @@ struct Option {
   Target target;
   std::string help;
 
-  std::string value;                   ///< what help calls the value of an option: "DIR"
+  std::string value;                   ///< name of the option's value in the help: "DIR"
   bool is_required = false;            ///< the verb cannot do without it
   bool has_commas = false;             ///< one argument may hold several values, separated by commas
   bool is_json_file = false;           ///< shells complete it to directories and *.json

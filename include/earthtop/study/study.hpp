@@ -115,7 +115,7 @@ struct StudyEstimate {
 };
 StudyEstimate estimate(const Study& study);
 
-/// What the check of some of a study's points found, before any of them is computed.
+/// Findings of the check of some of a study's points before any of them is computed.
 struct StudySample {
   std::uint64_t looked_at = 0;
   std::uint64_t refused = 0;
