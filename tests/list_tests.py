@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tells CTest of every test of a GoogleTest program, each with the label of the source file in which it is written.
+"""Registers every test of a GoogleTest program with CTest, each with the label of the source file that contains it.
 
 list_tests.py list PROGRAM FOLDER OUTPUT SOURCE[=LABEL]...  writes OUTPUT, which CTest reads; the tests run in FOLDER
 list_tests.py check CTEST BUILD PROGRAM...                  fails unless CTest has each test of the programs exactly once
 
-GoogleTest tells the source file of every test. So a label is given where the sources are named, in CMakeLists.txt, and one
-list of all tests is made: none can fall between two filters.
+GoogleTest reports the source file of every test. Labels are therefore given with the sources, in CMakeLists.txt, and there is
+one list of all tests, so that no test is missed between two filters.
 """
 import collections
 import json
@@ -38,12 +38,12 @@ def tests_of(program):
 
 
 def quoted(text):
-    """The text as an argument of CMake's, taken as it stands."""
+    """The text as an argument for CMake that is taken literally."""
     return f"[==[{text}]==]"
 
 
 def write_list(program, folder, output, sources):
-    """Writes what CTest reads. A test of a source that is not named is an error: its label is not known."""
+    """Writes the file that CTest reads. A test from a source that is not listed is an error: its label is unknown."""
     labels = dict(source.partition("=")[::2] for source in sources)
     lines = []
     for name, shown, source in tests_of(program):
@@ -58,7 +58,7 @@ def write_list(program, folder, output, sources):
 
 
 def check(ctest, build, programs):
-    """Whether CTest has what the programs have; says what it lacks or has too often."""
+    """Whether CTest has every test of the programs exactly once; prints those that are missing or repeated."""
     listing = subprocess.run([ctest, "--test-dir", build, "--show-only=json-v1"], check=True, stdout=subprocess.PIPE)
     tests = json.loads(listing.stdout)["tests"]
     names = collections.Counter(test["name"] for test in tests)

@@ -8,7 +8,7 @@
 namespace earthtop::study {
 namespace {
 
-/// Rows that results of a batch may have together: some 100 MB.
+/// Largest number of output rows that the results of one batch may hold together, about 100 MB.
 constexpr double kMostRows = 200'000;
 
 double rows_of(const Scenario& scenario) { return 2 + scenario.duration_s / scenario.output_step_s; }
@@ -27,7 +27,7 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const
       return outcome;
     }
   }
-  // One of them is to blame: each by itself.
+  // One of the scenarios caused the error: run each of them alone.
   std::vector<BatchOutcome> outcomes;
   outcomes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) outcomes.push_back(std::move(run_guarded({&scenario, 1}, watch).front()));
@@ -41,7 +41,7 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
   results.reserve(chunk.size());
   std::vector<Scenario> scenarios;
   scenarios.reserve(chunk.size());
-  std::vector<std::size_t> of_scenario;  // index in `results`
+  std::vector<std::size_t> of_scenario;  // index in `results` of each scenario's point
   of_scenario.reserve(chunk.size());
   for (const PlannedPoint& point : chunk) {
     PointResult& result = results.emplace_back();

@@ -15,8 +15,8 @@
 namespace earthtop::study {
 namespace {
 
-/// What follows a dotted path; null where this run has no such member. That some run may have it, the study file's reader has
-/// seen to.
+/// The value that a dotted path leads to; null if this run has no such member. The reader of the study file has already checked
+/// that some run may have it.
 Json follow(const Json& root, const std::vector<std::string>& steps) {
   const Json* at = &root;
   for (const std::string& step : steps) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a study takes from a run.
+/// Collects the values that a study takes from each run.
 #pragma once
 
 #include <optional>
@@ -16,42 +16,42 @@ namespace earthtop::study {
 /// One point's row in the store.
 struct PointResult {
   std::uint64_t number = 0;
-  std::vector<Value> axis_values;  ///< of each axis's first pointer; nothing at the base
-  std::string status;              ///< a RunStatus, "refused", or "accuracy_not_reached"
-  std::string reason;              ///< of a failure; empty where there is none
-  std::string scenario_sha256;     ///< empty where there is no scenario
+  std::vector<Value> axis_values;  ///< value at each axis's first pointer; empty where the axis leaves the base as it is
+  std::string status;              ///< the run's RunStatus, "refused" or "accuracy_not_reached"
+  std::string reason;              ///< why it failed; empty if it did not
+  std::string scenario_sha256;     ///< empty if there is no scenario
   std::vector<Value> values;       ///< one for each quantity
   bool failed() const { return status != "completed"; }
 };
 
-/// The first of a refused scenario's faults in one line, and how many there are beside it.
+/// The first error of a refused scenario in one line, and the number of further errors.
 std::string first_message(const ScenarioReport& report);
 
-/// Whether a path of summary.json needs no rows between release and end.
+/// Whether the value at a path of summary.json can be computed without output rows between release and end.
 bool is_known_at_the_end(std::string_view path);
 
-/// The scenarios of points, each with the overrides that make it.
+/// Makes the scenarios of points from their overrides, and collects the values of their runs.
 class Collector {
  public:
   explicit Collector(const Study& study);
 
-  /// What a point's scenario is, or all that is wrong with it.
+  /// The scenario of a point, or all errors in it.
   ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
 
-  /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
+  /// The scenario of a point. If it is refused, nothing is returned, and `refusal` receives the reason.
   std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
                                    std::string& refusal) const;
 
-  /// Fills in status, reason and values.
+  /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;
 
  private:
   const Study& study_;
-  bool ends_only_;      ///< no rows between release and end are needed
-  bool sensitivities_;  ///< the drift's derivatives are, where the base asks for them
+  bool ends_only_;      ///< no output rows between release and end are needed
+  bool sensitivities_;  ///< the drift's derivatives are needed, if the base asks for them
   struct Path {
     std::string section;             // top-level key of summary.json
-    std::vector<std::string> steps;  // below it
+    std::vector<std::string> steps;  // keys and indices below it
   };
   std::vector<Path> paths_;
 };

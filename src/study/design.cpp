@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 53U;
 
-/// A product or sum that stays at kMostPoints + 1 once it is past it.
+/// A product that is limited to kMostPoints + 1.
 std::uint64_t times_up_to(std::uint64_t a, std::uint64_t b) { return a != 0 && b > kMostPoints / a ? kMostPoints + 1 : a * b; }
 
 double value_of(const StudyAxis::Range& range, std::size_t pointer, double fraction) {
@@ -26,7 +26,7 @@ double value_of(const StudyAxis::Range& range, std::size_t pointer, double fract
   return from + fraction * (to - from);
 }
 
-/// Saltelli's order: of each base point its A, its B, and then A with one axis of B after the other.
+/// Saltelli's order: for each base point first its A, then its B, then A with one column taken from B, axis by axis.
 struct SobolPlace {
   std::uint64_t draw, member;
 };
@@ -60,14 +60,14 @@ PlannedPoint Design::point(std::uint64_t number) {
 
 namespace {
 
-/// The i-th of an axis's values.
+/// The setting for the i-th value of an axis.
 Setting level_setting(const StudyAxis& axis, std::uint64_t i) {
   if (!axis.range) return {false, i, 0};
   const std::uint64_t last = axis.range->points - 1;
   return {false, 0, last == 0 ? 0 : static_cast<double>(i) / static_cast<double>(last)};
 }
 
-/// Where a number from 0 up to 1 falls: within a range, or on one of equally many levels.
+/// The setting for a number 0 <= u < 1: a position within a range, or one of the levels, all equally likely.
 Setting drawn_setting(const StudyAxis& axis, double u) {
   if (axis.range) return {false, 0, u};
   const auto count = static_cast<double>(axis.levels.size());
@@ -105,11 +105,12 @@ void Design::advance_sobol(std::uint64_t draw) {
   for (; sobol_drawn_ <= draw; ++sobol_drawn_) gsl_qrng_get(sobol_.get(), sobol_vector_.data());
 }
 
-/// @param axis  from the number of axes on: those of Saltelli's second matrix
+/// @param axis values from the number of axes on address the second matrix (B) of Saltelli's scheme
 double Design::coordinate(std::uint64_t draw, std::size_t axis) const {
   const StudyDesign& design = study_.design;
   if (design.kind == DesignKind::sobol) {
-    // Turned round by a random number an axis (Cranley and Patterson, 1976): another seed, another sequence as good.
+    // Each axis is shifted (modulo 1) by a random number (Cranley and Patterson, 1976); each seed gives another, equally good
+    // sequence.
     const double turned = sobol_vector_[axis] + unit_number(mixed(design.seed, axis, 0));
     return turned < 1 ? turned : turned - 1;
   }

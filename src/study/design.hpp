@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which points a design takes: from a point's number to where it lies along each axis.
+/// The points of a design: computes from a point's number where the point lies along each axis.
 #pragma once
 
 #include <gsl/gsl_qrng.h>
@@ -17,8 +17,8 @@ namespace earthtop::study {
 /// Where a point lies along one axis.
 struct Setting {
   bool at_base = false;     ///< the axis leaves the base as it is
-  std::uint64_t level = 0;  ///< of a list
-  double fraction = 0;      ///< of a range: 0 at its beginning, 1 at its end
+  std::uint64_t level = 0;  ///< for a list: index of the value
+  double fraction = 0;      ///< for a range: 0 at its beginning, 1 at its end
 };
 
 /// A point of the study: its number and its settings, one for each axis.
@@ -27,12 +27,12 @@ struct PlannedPoint {
   std::vector<Setting> settings;
 };
 
-/// The points of a design, in ascending order; nothing is built but the point asked for.
+/// The points of a design. Each is computed when it is asked for; none is stored.
 class Design {
  public:
   explicit Design(const Study& study);
 
-  /// @param number  below the study's count; of a Sobol design not below that of the call before
+  /// @param number less than the study's count; for a Sobol design, not less than that of the previous call
   PlannedPoint point(std::uint64_t number);
 
  private:
@@ -47,17 +47,17 @@ class Design {
     void operator()(gsl_qrng* generator) const { gsl_qrng_free(generator); }
   };
   std::unique_ptr<gsl_qrng, Free> sobol_;
-  std::uint64_t sobol_drawn_ = 0;     ///< how many vectors have been drawn
-  std::vector<double> sobol_vector_;  ///< the last one
+  std::uint64_t sobol_drawn_ = 0;     ///< number of vectors drawn so far
+  std::vector<double> sobol_vector_;  ///< the last one drawn
 };
 
-/// What a setting makes of the scenario: values for the axis's pointers, as JSON texts.
+/// The changes that a setting makes to the scenario: a value (JSON text) for each of the axis's pointers.
 std::vector<std::pair<std::string, std::string>> changes(const StudyAxis& axis, const Setting& setting);
 
-/// The first pointer's value (JSON): what the results list for the axis; empty at the base.
+/// The value (JSON text) at the axis's first pointer, which the results list for the axis; empty at the base.
 std::string axis_value(const StudyAxis& axis, const Setting& setting);
 
-/// What a point changes of the base: the study's own changes, then each axis's.
+/// All changes that a point makes to the base: the study's own changes first, then those of each axis.
 std::vector<std::pair<std::string, std::string>> overrides(const Study& study, const PlannedPoint& point);
 
 }  // namespace earthtop::study

@@ -20,7 +20,7 @@ constexpr std::size_t kMostLines = 7, kMostPanels = 3, kMostMarked = 60;
 constexpr LineColor kColors[kMostLines] = {LineColor::blue,   LineColor::vermillion, LineColor::green, LineColor::purple,
                                            LineColor::orange, LineColor::sky,        LineColor::grey};
 
-/// Different numbers that an axis takes; 0 where it takes words.
+/// How many different numbers the axis takes; 0 if it takes words.
 std::size_t numbers_of(const std::string& axis, const Json& points) {
   std::set<double> numbers;
   for (const Json& point : points) {
@@ -35,7 +35,7 @@ std::string shown(const Json& value) {
   return value.is_string() ? value.get<std::string>() : written(value);
 }
 
-/// A scale on which numbers that are all positive, and of different sizes, can be told apart.
+/// Logarithmic if all numbers are positive and the largest exceeds a hundred times the smallest, else linear.
 AxisScale scale_of(const std::vector<Line>& lines) {
   constexpr double kManySizes = 100;
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -49,7 +49,7 @@ AxisScale scale_of(const std::vector<Line>& lines) {
   return most > kManySizes * least ? AxisScale::logarithmic : AxisScale::linear;
 }
 
-/// The unit that a name ends with, as in the rest of the program: "drift.axis_final_rad" -> "rad".
+/// The unit with which a name ends, by the naming rule of the whole program: "drift.axis_final_rad" -> "rad".
 std::string unit_of(std::string_view name) {
   for (const auto& [suffix, unit] :
        {std::pair("_rad_s", "rad/s"), std::pair("_m_s2", "m/s^2"), std::pair("_rad", "rad"), std::pair("_deg", "deg"),

@@ -12,10 +12,10 @@
 namespace earthtop::study {
 namespace {
 
-constexpr std::size_t kMostListed = 1000;  // points in the document
-constexpr std::size_t kMostLevels = 500;   // of an axis, in the means along it
+constexpr std::size_t kMostListed = 1000;  // points listed in the document
+constexpr std::size_t kMostLevels = 500;   // groups of one axis for which means are listed
 constexpr std::size_t kMostFailures = 20;
-constexpr int kBins = 10;  // of a range that is drawn from
+constexpr int kBins = 10;  // intervals of a range from which the design draws
 
 Json cell_json(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return *number;
@@ -105,7 +105,7 @@ Json Gathering::fits() {
     const auto line = fits_[f].line();
     const bool power = fit.kind == FitKind::power_law;
     const std::optional<double> none;
-    // Of a power law, a is exp of the line's: its error goes with it.
+    // For a power law, a is the exponential of the line's intercept, and its error is scaled accordingly.
     const auto a = !line ? none : power ? std::optional(real::exp(line->a)) : std::optional(line->a);
     const auto a_error = !line || !line->a_standard_error ? none
                          : power                          ? std::optional(*a * *line->a_standard_error)

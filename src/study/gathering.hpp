@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One pass over a study's points: counts, moments, means along each axis, lines.
+/// Gathers all results of a study in one pass over its points: counts, moments, means along each axis, fitted lines.
 #pragma once
 
 #include <map>
@@ -18,11 +18,12 @@ namespace earthtop::study {
 inline Json number_json(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(); }
 std::optional<double> number_of(const Value& value);
 
-/// Where on an axis a point counts for the means along it: at its value, or of a drawn range in one of ten parts.
+/// The group in which a point counts for the means along an axis: its value, or one of ten intervals if the axis is a range
+/// from which the design draws.
 class AxisLevels {
  public:
   AxisLevels(const StudyAxis& axis, bool drawn) : axis_(axis), binned_(drawn && axis.range) {}
-  /// Its place in order, and what it is called; nothing at the base.
+  /// The group's sort key and its label; nothing for a point at the base.
   std::optional<std::pair<double, std::string>> of(const Value& value);
 
  private:
@@ -37,9 +38,9 @@ class Gathering {
   void include(const PointResult& point);
 
   const std::map<std::string, std::uint64_t>& statuses() const { return statuses_; }
-  const std::vector<Moments>& moments() const { return moments_; }  ///< of each quantity
-  const Json& failures() const { return failures_; }                ///< the first ones
-  Json points() const;                                              ///< all of them; null where they are too many
+  const std::vector<Moments>& moments() const { return moments_; }  ///< one for each quantity
+  const Json& failures() const { return failures_; }                ///< the first few
+  Json points() const;                                              ///< all of them; null if they are too many
   Json marginals() const;
   Json fits();
 
@@ -52,7 +53,7 @@ class Gathering {
   std::vector<AxisLevels> levels_;
   std::vector<std::map<std::pair<double, std::string>, std::vector<Moments>>> along_;
   std::vector<LineFit> fits_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;  // axis and quantity of each fit
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // indices of axis and quantity of each fit
   std::map<std::string, std::uint64_t> statuses_;
   Json failures_ = Json::array(), points_ = Json::array();
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study will be, before any of it is computed: which one it is, how large, how long, and whether its points can be run.
+// What can be said of a study before it is computed: its identity, its size and cost, and whether its points can be run.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace earthtop {
 namespace study {
 namespace {
 
-/// Numbers of points spread over a study, the first and the last among them.
+/// Numbers of points at equal distances over a study, the first and the last among them.
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t wanted) {
   std::vector<std::uint64_t> numbers;
   const std::uint64_t n = std::min(count, wanted);
@@ -28,8 +28,8 @@ std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t wanted) {
   return numbers;
 }
 
-/// Numbers of points of all parts of a study: the first, the last, and one of each of equal parts between them. Within its part
-/// each lies by chance, as equal distances could meet the same few values of an axis again and again.
+/// Numbers of points scattered over a study: the first, the last, and one from each of equal parts between them. The place
+/// within each part is random, because equal distances could meet the same few values of an axis again and again.
 std::vector<std::uint64_t> scattered(std::uint64_t count, std::uint64_t wanted) {
   if (count <= wanted) return spread(count, wanted);
   std::vector<std::uint64_t> numbers = {0};
@@ -42,12 +42,13 @@ std::vector<std::uint64_t> scattered(std::uint64_t count, std::uint64_t wanted) 
   return numbers;
 }
 
-/// A Sobol sequence goes through all points before the one asked for: of a very long one, only its beginning is looked at.
+/// The number of points from which a selection is made. A Sobol sequence has to run through all points before the one asked
+/// for; of a very long one, only the beginning is used.
 std::uint64_t reach(const Study& study, std::uint64_t count, std::uint64_t quick = 1'000'000) {
   return study.design.kind == DesignKind::sobol ? std::min(count, quick) : count;
 }
 
-/// Of refusals for the same keys those with a key of this report's, too.
+/// Keeps those of the common errors that this report has too: errors at the same key.
 void keep_common(std::vector<Diagnostic>& common, const ScenarioReport& report) {
   std::erase_if(common, [&](const Diagnostic& a) {
     return std::none_of(report.errors.begin(), report.errors.end(), [&](const Diagnostic& b) {
@@ -108,7 +109,7 @@ StudySample sample_points(const Study& study) {
   }
   if (sample.refused < sample.looked_at || common.empty()) return sample;
   for (Diagnostic& finding : common)
-    if (study.base_inside) finding.line = finding.column = 0;  // counted in the base alone, not in its file
+    if (study.base_inside) finding.line = finding.column = 0;  // they count from the base's beginning, not from the file's
   common.back().message += sample.looked_at == count
                                ? fmt::format("; so it is at all {} points of the study", count)
                                : fmt::format("; so it is at all {} points looked at, of {}", sample.looked_at, count);
@@ -123,7 +124,7 @@ void require_affordable(const Study& study) {
   const auto limit = study.limits;
   const std::string points = count ? fmt::format("{}", *count) : "more than 9e15";
   if (!count || *count > limit.points) {
-    // To give an idea; nothing of the study is looked at yet.
+    // A rough figure only: nothing of the study has been examined yet.
     const double n = count ? static_cast<double>(*count) : 9e15;
     refuse("/axes",
            fmt::format("the study has {} points, at 10 ms each {:.1g} hours on one core and at 300 bytes each {:.1g} GB; "
@@ -156,7 +157,7 @@ std::string study_sha256(const Study& study) {
     text += "\n";
   }
   for (const StudyQuantity& quantity : study.quantities) text += fmt::format("quantity {} {}\n", quantity.name, quantity.path);
-  // The base as points see it: a comment more or a default written out is no other study.
+  // The scenarios as the points see them: an added comment or a default written out does not make another study.
   const Collector collector(study);
   Design design(study);
   bool seen = false;

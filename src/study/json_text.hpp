@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A node of a study file as JSON text again: what `--set` would be given.
+/// Writes a node of a study file as JSON text, in the form that `--set` takes.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ namespace earthtop::study {
 using Json = nlohmann::ordered_json;
 
 std::string json_text(const input::Node& node);
-/// The shortest digits that read back to the same bits.
+/// The shortest decimal form that reads back as the same double.
 std::string json_text(double number);
 
 }  // namespace earthtop::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Points and results as bytes, between processes of one program on like machines.
+/// Packs points and results into bytes, for messages between processes of one program on machines of the same kind.
 #pragma once
 
 #include <cstdint>

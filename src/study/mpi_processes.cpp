@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Processes that talk through MPI. The first one asks and answers; the others wait for work, compute it, and send it back.
+// Processes that communicate through MPI. The first one hands out work and collects results; the others wait for work, compute
+// it, and send the results back.
 #include <mpi.h>
 
 #include <deque>
@@ -17,7 +18,7 @@ namespace {
 
 enum Tag : int { kStudyText, kChunk, kResults, kGoHome };
 
-/// A message of a tag, or of any; nothing if there is none now.
+/// A received message.
 struct Message {
   int from, tag;
   std::string bytes;
@@ -34,13 +35,14 @@ std::optional<Message> next_message() {
   return message;
 }
 
-/// Waits until the message has been taken: only for those to whom the first process listens.
+/// Returns when the message may be considered sent, which can take until it is received: for workers only, whose messages the
+/// first process always receives.
 void send(int to, Tag tag, const std::string& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
 
-/// Messages of the first process. It does not wait for them to be taken: a worker that waits for its own to be taken would wait
-/// for ever.
+/// Messages that the first process sends. It does not wait until they are received: both sides would wait for ever if the
+/// worker waited, too, for its own message to be received.
 class Outbox {
  public:
   void send(int to, Tag tag, std::string bytes) {
@@ -66,7 +68,7 @@ class Outbox {
   std::deque<Letter> letters_;
 };
 
-/// Waiting does not keep a core busy that another process may compute on.
+/// Sleeps between two looks for messages, so that waiting does not occupy a core on which another process could compute.
 void nap() { std::this_thread::sleep_for(std::chrono::microseconds(500)); }
 
 std::string study_message(const Study& study) {
@@ -90,8 +92,8 @@ bool has_mpi() { return true; }
 struct StudyProcesses::Session {
   int rank = 0, size = 1;
   bool initialized = false;
-  Outbox outbox;              ///< of the first process
-  std::size_t under_way = 0;  ///< chunks that the others have
+  Outbox outbox;              ///< used by the first process
+  std::size_t under_way = 0;  ///< chunks given to the others and not yet answered
 };
 
 StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
@@ -104,9 +106,9 @@ StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
 
 StudyProcesses::~StudyProcesses() {
   if (!session_->initialized) return;
-  if (!is_first() && std::uncaught_exceptions() > 0) MPI_Abort(MPI_COMM_WORLD, 1);  // nobody would know
+  if (!is_first() && std::uncaught_exceptions() > 0) MPI_Abort(MPI_COMM_WORLD, 1);  // the other processes would wait for ever
   if (is_first()) {
-    while (session_->under_way > 0)  // after an error: those who still wait to be heard
+    while (session_->under_way > 0)  // after an error: receive what workers are still sending
       if (const auto message = next_message(); message && message->tag == kResults) --session_->under_way;
     for (int worker = 1; worker < session_->size; ++worker) session_->outbox.send(worker, kGoHome, "");
     session_->outbox.wait();
@@ -164,7 +166,7 @@ class Processes : public Workforce {
         --session_.under_way;
         auto points = results_from(message->bytes);
         results.insert(results.end(), std::make_move_iterator(points.begin()), std::make_move_iterator(points.end()));
-        if (points.empty()) return results;  // interrupted: nothing will come
+        if (points.empty()) return results;  // the worker was interrupted: no more will come
       }
       if (results.empty() && session_.under_way > 0) nap();
     } while (results.empty() && session_.under_way > 0 && std::chrono::steady_clock::now() < until);
@@ -172,7 +174,7 @@ class Processes : public Workforce {
   }
 
  private:
-  /// A worker that has at most one chunk in hand; 0 if all have enough.
+  /// The worker with the fewest chunks, if it has at most one; 0 if all have two.
   unsigned least_busy() const {
     unsigned best = 0;
     for (unsigned worker = 1; worker < in_hand_.size(); ++worker)
@@ -181,7 +183,7 @@ class Processes : public Workforce {
   }
 
   StudyProcesses::Session& session_;
-  std::vector<int> in_hand_;  // chunks that each process has; the first computes none
+  std::vector<int> in_hand_;  // number of chunks that each process has; process 0 computes none
 };
 
 }  // namespace

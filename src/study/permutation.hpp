@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Random numbers and permutations that are functions of a seed and a number: nothing is stored, and any of them can be had
-/// first.
+/// Random numbers and permutations that are pure functions of a seed and a number: nothing is stored, and they can be computed
+/// in any order.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace earthtop::study {
 
-/// A mixture of 64 bits (SplitMix64's finaliser; Steele, Lea, Flood, OOPSLA 2014).
+/// Scrambles 64 bits (SplitMix64's finaliser; Steele, Lea, Flood, OOPSLA 2014).
 constexpr std::uint64_t mixed(std::uint64_t z) {
   z += 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -16,16 +16,16 @@ constexpr std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31U);
 }
 
-/// Of three numbers: which seed, which stream of it, which member of the stream.
+/// Scrambles three numbers: a seed, a stream of random numbers for that seed, and a member of the stream.
 constexpr std::uint64_t mixed(std::uint64_t seed, std::uint64_t stream, std::uint64_t member) {
   return mixed(mixed(mixed(seed) ^ stream) ^ member);
 }
 
-/// From 0 up to, not including, 1, in steps of 2^-53.
+/// A number 0 <= u < 1 from random bits, in steps of 2^-53.
 constexpr double unit_number(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
 
-/// Where a permutation of 0 ... size - 1 sends `i`: a Feistel network of four rounds on the next even number of bits, walked on
-/// until it comes back below `size` (Black and Rogaway, CT-RSA 2002).
+/// The image of `i` under a random permutation of 0 ... size - 1. A Feistel network of four rounds permutes the numbers of the
+/// next even number of bits; it is applied again until the result is below `size` (Black and Rogaway, CT-RSA 2002).
 constexpr std::uint64_t permuted(std::uint64_t i, std::uint64_t size, std::uint64_t seed, std::uint64_t stream) {
   if (size < 2) return i;
   const int half = (static_cast<int>(std::bit_width(size - 1)) + 1) / 2;

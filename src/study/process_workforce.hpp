@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The processes beside the first as a workforce.
+/// The workforce that consists of all processes but the first.
 #pragma once
 
 #include "earthtop/study/processes.hpp"
@@ -7,7 +7,7 @@
 
 namespace earthtop::study {
 
-/// @param processes  with at least one worker; outlives the workforce
+/// @param processes has at least one worker; must outlive the workforce
 std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes);
 
 }  // namespace earthtop::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study's store holds, as one JSON document and as one table.
+// Writes the contents of a study's store as one JSON document and as one table.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace earthtop {
 namespace study {
 namespace {
 
-constexpr std::size_t kMostListedValues = 500;  // of an axis
+constexpr std::size_t kMostListedValues = 500;  // largest list of values of an axis that is written out
 
-/// Another pass: the blocks of Saltelli's scheme.
+/// Sobol indices, from another pass over the points, which gathers the blocks of Saltelli's scheme.
 Json sobol_indices(Store& store, const std::vector<Moments>& moments) {
   const Study& study = store.study();
   const std::size_t inputs = study.axes.size(), quantities = study.quantities.size();
@@ -98,7 +98,7 @@ Json figures_json(const Study& study, const Json& document) {
     std::optional<double> computed;
     try {
       if (const Json& at = document.at(Json::json_pointer(figure.figure)); at.is_number()) computed = at.get<double>();
-    } catch (const Json::exception&) {  // no such place, or no pointer
+    } catch (const Json::exception&) {  // there is no such place, or it is no pointer
       computed.reset();
     }
     json["computed"] = number_json(computed);

@@ -38,7 +38,7 @@ void remove_store(const fs::path& file) {
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + suffix, ignored);
 }
 
-/// Whether a file is a database without tables: what a kill at the very beginning leaves.
+/// Whether a file is a database without tables, as a process leaves behind that is killed at the very beginning.
 bool is_blank(const fs::path& file) {
   try {
     sqlite::Connection connection(file.string(), sqlite::Connection::Mode::read);
@@ -49,7 +49,7 @@ bool is_blank(const fs::path& file) {
   }
 }
 
-/// @throws ScenarioError where the disk has no room for the study's results
+/// @throws ScenarioError if the disk has no room for the study's results
 void require_room(const fs::path& dir, double bytes) {
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
@@ -60,7 +60,7 @@ void require_room(const fs::path& dir, double bytes) {
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
-/// Whether points of this study have been computed with success already, so that it is not about to begin.
+/// Whether the store holds a point of this study whose run came to its end.
 bool is_under_way(const fs::path& file, const Study& study) {
   std::error_code error;
   if (!fs::exists(file, error) || is_blank(file)) return false;
@@ -68,7 +68,7 @@ bool is_under_way(const fs::path& file, const Study& study) {
   return store.sha256() == study_sha256(study) && store.ended_count() > 0;
 }
 
-/// @param replaced  set where a store of another study, without a point that came to its end, had to go
+/// @param replaced set if a store of another study was replaced because none of its runs had come to its end
 Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
   std::error_code error;
   if (fs::exists(file, error) && is_blank(file)) remove_store(file);
@@ -92,14 +92,14 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
   return Store::create(file, study, options.shard);
 }
 
-/// Hands out the points that are missing, in ascending order.
+/// Hands out the points that the store lacks, in ascending order.
 class MissingPoints {
  public:
   MissingPoints(const Study& study, std::uint64_t count, const StudyShard& shard, Store& store)
       : design_(study), count_(count), shard_(shard), store_(store), at_(shard.k - 1) {}
 
   bool all_given() const { return at_ >= count_; }
-  std::uint64_t left() const { return all_given() ? 0 : (count_ - at_) / shard_.n + 1; }  ///< at most
+  std::uint64_t left() const { return all_given() ? 0 : (count_ - at_) / shard_.n + 1; }  ///< an upper bound
   Chunk next(std::size_t most) {
     Chunk chunk;
     while (chunk.size() < most && !all_given()) {
@@ -121,11 +121,11 @@ class MissingPoints {
   StudyShard shard_;
   Store& store_;
   std::uint64_t at_, known_until_ = 0;
-  std::vector<std::uint64_t> known_;  // points in the store, from `at_` to `known_until_`
+  std::vector<std::uint64_t> known_;  // numbers of the points in the store, from the last look-ahead up to `known_until_`
 };
 
-/// How many points a chunk has: a tenth of a second of work, as far as it is known by now; less where all would wait for the
-/// last one.
+/// The number of points in a chunk: about a tenth of a second of work, by the speed measured so far; fewer near the end, so
+/// that the workers finish together.
 class ChunkSize {
  public:
   explicit ChunkSize(double seconds_a_point, unsigned workers) : seconds_a_point_(seconds_a_point), workers_(workers) {}
@@ -145,7 +145,7 @@ class ChunkSize {
   unsigned workers_;
 };
 
-/// The loop of one who holds the store: chunks out, results in.
+/// The main loop of the process that holds the store: hands out chunks and stores results.
 StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store& store, Workforce& workforce, unsigned workers,
                       double seconds_a_point) {
   const std::uint64_t count = point_count(study).value_or(0);
@@ -156,7 +156,7 @@ StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store&
   MissingPoints missing(study, count, shard, store);
   ChunkSize size(seconds_a_point, workers);
   const auto start = Clock::now();
-  auto last_told = start, last_commit = start - std::chrono::hours(1);  // the first results are stored at once
+  auto last_told = start, last_commit = start - std::chrono::hours(1);  // so that the first results are stored at once
   bool open_transaction = false;
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {

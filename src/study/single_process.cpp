@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is of processes in a program built without MPI: this one.
+// Stands in for MPI in a program built without it: there is only this process.
 #include <fmt/core.h>
 
 #include <stdexcept>

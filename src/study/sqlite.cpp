@@ -29,8 +29,8 @@ void Connection::be_patient() {
 
 namespace {
 
-/// The process that keeps a lock on one of SQLite's files, as far as the system's list of locks knows it. To open the file and
-/// ask would not do: closing it again would end this process's own locks on it.
+/// The process that holds a lock on one of SQLite's files, as far as the system's list of locks tells. Opening the file to ask
+/// for its locks would be wrong: closing it again would release this process's own locks on it.
 std::string holder_of(const std::string& file) {
   for (const char* suffix : {"", "-shm"}) {
     struct stat of_file = {};
@@ -45,7 +45,7 @@ std::string holder_of(const std::string& file) {
       if (!(words >> number >> kind >> mode >> access >> process >> place) || !place.ends_with(inode)) continue;
       std::string name;
       std::getline(std::ifstream("/proc/" + std::to_string(process) + "/comm"), name);
-      // Of a lock that another machine keeps through the network there is no such process here.
+      // A lock that another machine holds through a network file system has no process here.
       if (!name.empty()) return "process " + std::to_string(process) + " (" + printable(name) + ")";
     }
   }

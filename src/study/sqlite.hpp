@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// SQLite with owners: a connection, and statements that are stepped through.
+/// SQLite's connections and statements, owned by C++ objects.
 #pragma once
 
 #include <sqlite3.h>
@@ -25,9 +25,9 @@ class Statement {
   void bind(int parameter, std::string_view text);
   void bind(int parameter, const Value& value);
 
-  /// @returns whether there is a row
+  /// Goes to the next row. @returns false if there is none
   bool step();
-  /// To be bound and stepped again.
+  /// Makes the statement ready to be bound and stepped again.
   void reset();
   /// Steps to the end and resets.
   void execute();
@@ -49,16 +49,15 @@ class Statement {
 class Connection {
  public:
   enum class Mode { read, write };
-  /// @throws WriteError or ReadError
+  /// @throws WriteError or ReadError, according to the mode, if the file cannot be opened; ScenarioError if it is locked
   Connection(const std::string& file, Mode mode);
 
-  /// From now on what others have locked is waited for: a reader of a store that is being written may meet the moment in which
-  /// its log is taken in. A connection that has just been opened hardly waits: others that use the file are to be named at
-  /// once.
+  /// Makes the connection wait up to ten seconds for locks of others: a reader may meet the moment in which the writer moves
+  /// its log into the store. A new connection waits only 0.2 s, so that a process which uses the file is reported at once.
   void be_patient();
   void execute(const char* sql);
-  /// @throws ScenarioError, with the process as far as it is known, where another one has locked the file and this connection
-  /// is not patient; WriteError, or ReadError of a connection for reading, with SQLite's reason
+  /// @throws ScenarioError, naming the other process if it can be found, if that process has locked the file and this
+  /// connection is not patient; otherwise WriteError (ReadError in read mode) with SQLite's reason
   [[noreturn]] void fail() const;
 
   sqlite3* get() const { return database_.get(); }
@@ -73,7 +72,7 @@ class Connection {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// A name as SQL may take it: in double quotes.
+/// A name in double quotes, as SQL takes it.
 std::string quoted(std::string_view name);
 
 }  // namespace earthtop::study::sqlite

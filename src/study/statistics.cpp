@@ -26,7 +26,7 @@ void LineFit::include(double x, double y) {
 
 void LineFit::flush() {
   if (block_.empty()) return;
-  // Rows of zeros change no sum of squares; the decomposition wants at least as many rows as columns.
+  // The decomposition needs at least as many rows as columns; a row of zeros changes no sum of squares.
   const std::size_t rows = std::max<std::size_t>(block_.size(), 2);
   struct FreeMatrix {
     void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
@@ -55,7 +55,7 @@ std::optional<Line> LineFit::line() {
   gsl_multilarge_linear_solve(0, &c.vector, &residual, &norm, workspace_.get());
   Line line{points_, solution[0], solution[1], {}, {}, {}};
   if (points_ == 2) return line;
-  // Covariance (R^T R)^-1 s^2 of the triangular factor R.
+  // The covariance is s^2 (R^T R)^-1, where R is the triangular factor.
   const gsl_matrix* R = gsl_multilarge_linear_matrix_ptr(workspace_.get());
   const double r00 = gsl_matrix_get(R, 0, 0), r01 = gsl_matrix_get(R, 0, 1), r11 = gsl_matrix_get(R, 1, 1);
   const double s = residual / std::sqrt(static_cast<double>(points_ - 2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a table of points says at a glance, gathered while they go by: moments, straight lines, Sobol indices.
+/// Statistics of a table's points, gathered in one pass: moments, straight lines, Sobol indices.
 #pragma once
 
 #include <gsl/gsl_multilarge.h>
@@ -14,7 +14,7 @@
 
 namespace earthtop::study {
 
-/// Count, mean and spread (Welford's update).
+/// Count, mean, spread and extremes (Welford's update).
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0, squares = 0;  ///< squares: sum of (x - mean)^2
@@ -34,19 +34,19 @@ struct Moments {
   }
 };
 
-/// y = a + b x, with the standard errors that the scatter about the line gives.
+/// y = a + b x, with standard errors estimated from the scatter about the line.
 struct Line {
   std::uint64_t points = 0;
   double a = 0, b = 0;
-  std::optional<double> a_standard_error, b_standard_error, residual_rms;  ///< nothing of two points
+  std::optional<double> a_standard_error, b_standard_error, residual_rms;  ///< none for two points
 };
 
-/// Least squares of points that go by (GSL's sequential QR decomposition).
+/// Least squares for points that are passed one after the other (GSL's sequential QR decomposition).
 class LineFit {
  public:
   LineFit();
   void include(double x, double y);
-  /// Nothing where there are fewer than two points, or all have one x.
+  /// The fitted line; nothing if there are fewer than two points, or if all have the same x.
   std::optional<Line> line();
 
  private:
@@ -67,27 +67,27 @@ struct SobolIndex {
   double total = 0, total_standard_error = 0;
 };
 
-/// Of blocks f(A), f(B), f(A with one column of B) for each input. First order: A. Saltelli et al., Comput. Phys. Commun. 181
-/// (2010) 259, table 2 (b); total order: M. Jansen, Comput. Phys. Commun. 117 (1999) 35. Standard errors by leaving out one of
-/// sixteen groups of blocks after the other.
+/// Sums for Sobol indices over blocks of values: f(A), f(B), and for each input f(A with that input's column taken from B).
+/// First order: A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, table 2 (b). Total order: M. Jansen, Comput. Phys.
+/// Commun. 117 (1999) 35. Standard errors: jackknife over sixteen groups of blocks.
 class SobolSums {
  public:
-  /// @param mean  of f, nearly: it is taken off, as products of large numbers would hide small differences
+  /// @param mean approximate mean of f. It is subtracted, because in products of large numbers small differences would be lost.
   SobolSums(std::size_t inputs, double mean) : inputs_(inputs), mean_(mean) {
     for (auto& group : groups_) group.first.resize(inputs), group.total.resize(inputs);
   }
-  /// @param f_ABi  one for each input
+  /// @param f_ABi one value for each input
   void include(double f_A, double f_B, const std::vector<double>& f_ABi);
   std::uint64_t blocks() const;
-  /// One for each input; none where f does not vary, or there are fewer than two blocks a group.
+  /// One index for each input; empty if f does not vary, or if there are fewer than two blocks per group.
   std::vector<SobolIndex> indices() const;
 
  private:
   static constexpr std::size_t kGroups = 16;
   struct Sums {
     std::uint64_t blocks = 0;
-    double sum = 0, squares = 0;       // of f(A) and f(B)
-    std::vector<double> first, total;  // sum of f_B (f_ABi - f_A), of (f_A - f_ABi)^2 / 2
+    double sum = 0, squares = 0;       // sums of f(A) + f(B) and of their squares, mean subtracted
+    std::vector<double> first, total;  // sums of f_B (f_ABi - f_A) and of (f_A - f_ABi)^2 / 2
   };
   std::size_t inputs_;
   double mean_;

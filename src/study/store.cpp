@@ -30,7 +30,7 @@ std::uint64_t whole_number(const std::string& text) {
   return number;
 }
 
-/// A log that is written first: a reader sees whole transactions only, and a kill loses none that was committed.
+/// Makes SQLite write changes to a log first: readers see whole transactions only, and a kill loses no committed one.
 void set_up(sqlite::Connection& connection) {
   connection.execute("PRAGMA journal_mode = WAL");
   connection.execute("PRAGMA synchronous = NORMAL");
@@ -134,7 +134,7 @@ void Store::insert(const PointResult& point) {
 
 void Store::finish() {
   insert_.reset();
-  // Where someone is reading, the log stays beside it until the last one has gone.
+  // While someone reads the store, the log stays beside it until the last reader has gone.
   const int code = sqlite3_exec(connection_->get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   if (code != SQLITE_OK && (code & 0xff) != SQLITE_BUSY && (code & 0xff) != SQLITE_LOCKED) connection_->fail();
 }

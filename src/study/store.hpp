@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where a study's points are kept: one SQLite file, one row a point, whole after a kill at any moment.
+/// The store of a study's points: one SQLite file with one row per point. It stays intact if the process is killed at any
+/// moment.
 #pragma once
 
 #include <cstdint>
@@ -19,32 +20,32 @@ namespace earthtop::study {
 
 class Store {
  public:
-  /// A new store, empty. @throws WriteError
+  /// Creates an empty store. @throws WriteError
   static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard);
-  /// One that is there. @throws ScenarioError for a file that is no store of this format; ReadError, WriteError
+  /// Opens an existing store. @throws ScenarioError if the file is no store of this format; ReadError, WriteError
   static Store open(const std::filesystem::path& file, sqlite::Connection::Mode mode);
 
-  /// The study as it was when the store was made.
+  /// The study as it was when the store was made, with what `adopt` changed.
   const Study& study() const { return study_; }
   const std::string& sha256() const { return sha256_; }  ///< `study_sha256`
-  /// Takes over what is not part of a study's identity: title, finding, fits, figures. @param study  of the same identity
+  /// Replaces what is not part of a study's identity: title, finding, fits, figures. @param study has the same identity
   void adopt(const Study& study);
   const StudyShard& shard() const { return shard_; }
 
   std::uint64_t count() { return counted(""); }
-  /// Points whose run came to its end, and has numbers.
+  /// Number of points whose run came to its end, so that it has values.
   std::uint64_t ended_count() { return counted(" WHERE status IN ('completed', 'accuracy_not_reached')"); }
   std::uint64_t failed_count() { return counted(" WHERE status <> 'completed'"); }
 
   void begin() { connection_->execute("BEGIN IMMEDIATE"); }
   void insert(const PointResult& point);
   void commit() { connection_->execute("COMMIT"); }
-  /// Forgets the points that failed.
+  /// Deletes the points that failed.
   void remove_failed() { connection_->execute("DELETE FROM point WHERE status <> 'completed'"); }
-  /// Everything in one file, unless someone is reading.
+  /// Moves SQLite's log into the file, so that the store is one file; does nothing while someone else reads it.
   void finish();
 
-  /// The numbers of the points that are there, from `first` up to, not including, `end`, ascending.
+  /// The numbers of stored points in first <= number < end, ascending.
   std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t end);
 
   /// All points in ascending order, one at a time.
@@ -62,7 +63,9 @@ class Store {
   Points points();
   void for_each(const std::function<void(const PointResult&)>& visit);
 
-  /// Of a quantity's numbers in completed points, the one that this share of them is not above; nothing where there are none.
+  /// The quantile of a quantity over the completed points that have a number for it: the value at position share * (count - 1),
+  /// rounded, in ascending order.
+  /// @param count how many such points there are; nothing is returned if it is 0
   std::optional<double> quantile(const std::string& quantity, double share, std::uint64_t count);
 
  private:

@@ -42,8 +42,8 @@ std::string holder(int descriptor) {
   return got > 0 ? printable(std::string_view(text.data(), static_cast<std::size_t>(got))) : "another process";
 }
 
-/// Whether the holder that a lock's file names is a process of this machine that has ended: it is about to let go. The file
-/// begins with "process <id> on <host>".
+/// Whether the holder named in a lock file is a process of this machine that has ended, and whose lock will therefore soon be
+/// free. The file begins with "process <id> on <host>".
 bool has_ended(std::string_view holder) {
   long process = 0;
   std::array<char, 256> host{};
@@ -60,7 +60,8 @@ void refuse_in_use(const std::filesystem::path& store, const std::string& holder
 }
 
 StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() + ".lock"), descriptor_(-1) {
-  // A process that is being killed takes a moment to be gone; one that has just begun has not yet said who it is.
+  // Wait a moment: a process that is being killed needs time to disappear, and one that has just started has not yet written
+  // its name.
   constexpr auto kMoment = std::chrono::milliseconds(200), kPatienceWithTheDead = std::chrono::milliseconds(2000);
   for (const auto start = std::chrono::steady_clock::now();;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
@@ -77,7 +78,8 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       continue;
     }
-    // A holder that ended in between may have taken the file away: then this one is nobody's any more.
+    // A holder that ended meanwhile may have deleted the file; the lock just taken would then be on a file that nobody else
+    // sees.
     struct stat ours = {}, named = {};
     if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &named) == 0 && ours.st_ino == named.st_ino) break;
     ::close(descriptor_);

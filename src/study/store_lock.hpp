@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One process at a time writes to a store.
+/// A lock that lets only one process at a time write to a store.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,14 @@
 
 namespace earthtop::study {
 
-/// @throws ScenarioError: the store is in use by the holder, e.g. "process 12 on host"
+/// Reports that the store is in use by `holder`, e.g. "process 12 on host". @throws ScenarioError always
 [[noreturn]] void refuse_in_use(const std::filesystem::path& store, const std::string& holder);
 
-/// Held while it lives; the system lets go of it when the process ends, however it ends. Beside the store lies a file that
-/// names the holder.
+/// The lock is held as long as the object lives, and the system releases it when the process ends, however it ends. A file
+/// beside the store names the holder.
 class StoreLock {
  public:
-  /// @throws ScenarioError, at once and with who holds it, where another process does; WriteError
+  /// @throws ScenarioError, naming the holder, if another process holds the lock; WriteError
   explicit StoreLock(const std::filesystem::path& store);
   ~StoreLock();
   StoreLock(const StoreLock&) = delete;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies, moves and ends of a Study: much code, which sources that hold one would each compile for themselves.
+// Constructors, assignments and destructor of Study: much code, compiled here once instead of in every source that holds one.
 #include "earthtop/study/study.hpp"
 
 namespace earthtop {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study file's text to a `Study`.
+// Decodes a study file into a `Study`.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace {
 
 using namespace input;
 
-constexpr std::size_t kMostAxes = 20;  // the Sobol sequence at hand has 40 dimensions, and indices take two an axis
+constexpr std::size_t kMostAxes = 20;  // GSL's Sobol sequence has 40 dimensions; Sobol indices need two per axis
 constexpr std::size_t kMostQuantities = 200;
 
-/// What stands at a place of the tree, with the means to complain about it.
+/// A node of the study file, with its JSON pointer and the list to which errors are added.
 struct Given {
   const Node& node;
   std::string pointer;
@@ -41,7 +41,7 @@ bool is_column_name(std::string_view text) {
 
 bool is_pointer(std::string_view text) { return text.size() > 1 && text.front() == '/'; }
 
-/// A number for each pointer: one for all of them, or an array with its own for each.
+/// One number for each pointer, from a single number that holds for all, or from an array with one for each.
 std::optional<std::vector<double>> end_of_range(const Given& end, std::size_t pointers) {
   if (end.node.kind == JsonKind::number) return std::vector<double>(pointers, end.node.number);
   if (end.node.kind == JsonKind::refused) return std::nullopt;

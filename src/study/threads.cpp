@@ -29,7 +29,7 @@ class Threads : public Workforce {
 
   bool wants_work() override {
     const std::lock_guard lock(mutex_);
-    return waiting_.size() < jobs_;  // one in hand and one to come for each
+    return waiting_.size() < jobs_;  // at most one chunk waiting per thread
   }
   void give(Chunk chunk) override {
     {

@@ -34,7 +34,7 @@ std::string plain_text(const Value& value) {
 
 namespace {
 
-/// Whether a spreadsheet would take a word for a formula, and compute it, instead of showing it. A number in a word is none.
+/// Whether a spreadsheet would take a word for a formula and evaluate it. A number written as a word is not a formula.
 bool looks_like_formula(std::string_view word) {
   if (word.empty() || std::string_view("=+-@\t\r\n").find(word.front()) == std::string_view::npos) return false;
   const std::string_view unsigned_part = word.substr(1);

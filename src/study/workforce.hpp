@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Those who compute chunks: threads of this process, or processes elsewhere.
+/// Workers that compute chunks: threads of this process, or other processes.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,18 @@ class Workforce {
   Workforce(const Workforce&) = delete;
   Workforce& operator=(const Workforce&) = delete;
 
-  /// Whether a chunk given now would be begun soon.
+  /// Whether a worker would start soon on a chunk given at this moment.
   virtual bool wants_work() = 0;
   virtual void give(Chunk chunk) = 0;
-  /// Chunks given and not yet given back.
+  /// Number of chunks given whose results have not come back.
   virtual std::size_t under_way() const = 0;
-  /// How many points the chunks under way have done, parts of points included; 0 where nobody knows.
+  /// Number of points that the chunks under way have computed so far, parts of points included; 0 if it is not known.
   virtual double points_begun() const { return 0; }
-  /// What has been computed since the last call; waits until there is something, but no longer than `patience`.
+  /// The results that came since the last call; if there are none, waits for some, but no longer than `patience`.
   virtual std::vector<PointResult> collect(std::chrono::milliseconds patience) = 0;
 };
 
-/// @param jobs  threads, at least 1   @param watch  may stop the runs
+/// @param jobs number of threads, at least 1 @param watch may stop the runs
 std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs, const Watch& watch);
 
 }  // namespace earthtop::study

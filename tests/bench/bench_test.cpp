@@ -73,7 +73,7 @@ TEST(Bench, ErrorsAreThoseAgainstTheReferenceAndFallWithTheTolerance) {
       EXPECT_GT(entry.counters.evaluations, report.entries[i - 1].counters.evaluations);
     }
   }
-  // The error of one entry, taken by hand: against a run of the general model, whose bound says what that is worth.
+  // The error of one entry, computed here by comparison with a run of the general model, whose bound tells how exact that is.
   const BenchEntry& coarse = report.entries[6];
   Scenario fine = scene;
   fine.numerics.observer = Observer::body;
@@ -96,7 +96,8 @@ TEST(Bench, TheReferenceOfAnAsymmetricBodyIsCertifiedToo) {
   EXPECT_NE(reference.source, reference.witness);
 }
 
-// Closed forms are contenders and witnesses: a top at a pole, a free body anywhere, a top on an Earth that stands still.
+// Closed forms take part as contenders and confirm the reference: a top at a pole, a free body anywhere, a top on an Earth at
+// rest.
 TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
   Scenario at_a_pole = testing::toy_top();
   at_a_pole.site.latitude_deg = -90;
@@ -142,7 +143,7 @@ TEST(Bench, CostAtAnErrorLiesOnTheLineBetweenTwoEntries) {
   EXPECT_FALSE(cost_at_error(entries, axis, 1e-10));
 }
 
-/// Entries of given seconds and drift errors (rad); none completed where the error is negative.
+/// Entries with given times (s) and drift errors (rad); a negative error means that the run did not complete.
 BenchReport made_up(const std::vector<std::pair<double, double>>& points) {
   BenchReport report;
   report.scenario = "made-up";
@@ -164,7 +165,7 @@ TEST(Bench, TheParetoFrontIsWhatNothingBeats) {
   // The third is slower and worse than the second; the fourth as exact as the second, but slower; the sixth did not complete.
   BenchReport report = made_up({{1, 1e-3}, {2, 1e-6}, {3, 1e-5}, {4, 1e-6}, {5, 1e-12}, {0.1, -1e-20}, {6, 1e-15}});
   EXPECT_EQ(pareto_front(report, ErrorKind::drift), (std::vector<bool>{true, true, false, false, true, false, true}));
-  // What the reference cannot tell apart is not better: the last two are both good to 1e-9 rad for all it knows.
+  // Errors below the reference's own error do not count as better: the last two are both good to 1e-9 rad, as far as is known.
   report.reference.error.drift = 1e-9;
   EXPECT_EQ(pareto_front(report, ErrorKind::drift), (std::vector<bool>{true, true, false, false, true, false, false}));
   EXPECT_EQ(error_of(report.entries[6], report.reference, ErrorKind::drift), 1e-9);
@@ -185,7 +186,7 @@ TEST(Bench, AFamilyCostsWhatLiesBetweenItsEntriesOrAtMostItsCheapest) {
   EXPECT_FALSE(family_cost(report, all[0], ErrorKind::drift, 1e-12));
 }
 
-// Another library integrates the same motion: its error falls with its tolerance, down to round-off of a difference.
+// Another library integrates the same motion: its error falls with its tolerance, down to the round-off of a difference.
 TEST(Bench, PeersComputeTheSameMotion) {
   Scenario scene = testing::asymmetric_top();
   scene.duration_s = 0.1;
@@ -265,7 +266,7 @@ TEST(Bench, ContendersThatTakeTooLongAreStoppedAndSaySo) {
   EXPECT_EQ(outcome(report.entries[2]), "completed");
 }
 
-// A reference of 64 bits where 113 would take too long: the same motion, to its own stated error.
+// Where a reference of 113 bits would take too long, one of 64 bits gives the same motion, to its own stated error.
 TEST(Bench, TheCheaperReferenceAgreesWithTheOtherWithinItsStatedError) {
   for (Scenario scene : {testing::toy_top(), testing::asymmetric_top()}) {
     scene.duration_s = 0.2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small samples of the coverage of the bounds; the whole tables are made by earthtop-bound-coverage.
+// Small samples of the coverage of the error bounds; earthtop-bound-coverage makes the complete tables.
 #include <gtest/gtest.h>
 
 #include "bounds/coverage.hpp"
@@ -28,8 +28,9 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
   EXPECT_GE(tight, 62);
 }
 
-/// Where rows and second integration err to the same side, and nearly by as much, their distance says little of either error.
-/// That is a matter of chance for any method that a user may name: 8 scenes of each stratum, every method among them.
+/// If the rows and the second integration err in the same direction and by nearly as much, their distance says little about
+/// either error. For methods that a user names, this happens by chance; so 8 scenes of each stratum are tried, with every
+/// method among them.
 TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
   std::array<int, scenario::kMethods.size()> scenes_of{};
   int tight = 0, scenes = 0;
@@ -47,8 +48,8 @@ TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
     EXPECT_GE(scenes_of.at(static_cast<std::size_t>(method)), method == Method::automatic ? 0 : 2) << to_string(method);
 }
 
-/// Methods that err to the same side as the second integration would if that one ran at a looser tolerance: three were beyond
-/// their bound then. In the first one both erred by some 3.5e-10 rad and were 3.5e-11 rad apart.
+/// Cases in which the method errs in the same direction as a second integration with a looser tolerance would; in three of them
+/// the error was then above its bound. In the first one both erred by some 3.5e-10 rad and were only 3.5e-11 rad apart.
 TEST(Bounds, HoldWhereALooserSecondIntegrationErrsAlike) {
   Scenario cusped = parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/cusped-top.json"));
   cusped.numerics.method = Method::rkf78;

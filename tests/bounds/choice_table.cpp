@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// earthtop-effect-choice [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]: over COUNT random scenes in each stratum (16 by
-/// default) how far the drift with effects "auto" is from that with everything on, against the accuracy asked for, and at what
-/// cost; as a Markdown table by accuracy.
+/// earthtop-effect-choice [COUNT [LEAST_PHASE LARGEST_PHASE]] [--scenes]
+/// For COUNT random scenes in each stratum (16 by default), compares the drift with effects "auto" to the drift with all
+/// effects on: the difference against the accuracy asked for, and the cost. Prints a Markdown table by accuracy.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ using namespace earthtop::testing;
 
 constexpr const char* kStart = "2026-03-20T14:46:00Z";
 
-/// Everything without a parameter of its own: the gradient of the normal field, Moon and Sun, the secular pole.
+/// Switches on all effects that need no parameter: the gradient of the normal field, Moon and Sun, the secular pole.
 Scenario with_everything(Scenario s) {
   s.start_utc = kStart;
   s.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
@@ -56,7 +56,7 @@ struct Compared {
   std::string name;
 };
 
-/// Rows that both runs take for reliable.
+/// The largest difference over the rows that both runs consider reliable.
 double difference_of(const RunResult& a, const RunResult& b) {
   double largest = 0;
   for (std::size_t i = 0; i < std::min(a.rows.size(), b.rows.size()); ++i)

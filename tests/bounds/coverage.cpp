@@ -11,7 +11,7 @@
 namespace earthtop::testing {
 namespace {
 
-/// What is judged of a row.
+/// The values of a row that are judged.
 struct JudgedRow {
   float128 axis, attitude;
   Quaternion<float128> q_LB, ref_q_LB;
@@ -31,7 +31,7 @@ double angle_between(const Quaternion<float128>& p, const Quaternion<float128>& 
   return static_cast<double>(float128(2) * real::atan2(norm(d.v), real::abs(d.w)));
 }
 
-/// A row in full, where the run has it so.
+/// A row's values, with all their digits if the run keeps them in extended precision.
 JudgedRow judged_row(const RunResult& result, std::size_t i) {
   const auto judged = [](const auto& r) {
     return JudgedRow{float128(r.drift_axis_rad), float128(r.drift_attitude_rad), widened(r.q_LB), widened(r.ref_q_LB)};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--by-hand] [--scenes] [random-STRATUM-INDEX]: over COUNT random
-/// scenes in each stratum (46 by default) how often the true error is below the stated bound, as a Markdown table by stratum;
-/// with --by-hand of scenes whose method, tolerance, observer and form are chosen by hand, as a table by method; with --scenes
-/// every scene first; or of one scene only. A scene with an error beyond its bound is told with all its input.
+/// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--by-hand] [--scenes] [random-STRATUM-INDEX]
+/// Counts how often the true error is below the stated bound, over COUNT random scenes in each stratum (46 by default), and
+/// prints a Markdown table by stratum. --by-hand: the scenes' method, tolerance, observer and form are chosen at random among
+/// those a user may name, and the table is by method. --scenes: lists every scene first. random-STRATUM-INDEX: only this scene.
+/// A scene whose error exceeds its bound is printed with all its input.
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ using namespace earthtop::testing;
 struct Row {
   int scenes = 0, reliable = 0, reliable_beyond = 0, beyond = 0, beyond_three = 0, tight = 0;
   double worst = 0;
-  std::vector<double> drift_ratios, state_ratios;  ///< bound over error
+  std::vector<double> drift_ratios, state_ratios;  ///< bound divided by error
 };
 
 void include(const Coverage& coverage, Row& row) {

@@ -14,7 +14,7 @@ namespace {
 double sign(Random& random) { return random.coin() ? 1 : -1; }
 double spin_rate(Random& random) { return sign(random) * random.log_uniform(1, 1e5); }
 
-/// Place, Earth, attitude and matching rule.
+/// A scene with random place, Earth, attitude and matching rule.
 Scenario somewhere(Random& random) {
   Scenario s;
   constexpr std::array kSpecial{90.0, -90.0, 0.0};
@@ -31,7 +31,7 @@ Scenario somewhere(Random& random) {
   return s;
 }
 
-/// Moments about the centre of mass from three second moments: always a physical body.
+/// Moments about the centre of mass from three second moments, which always belong to a physical body.
 void set_body(Scenario& s, double s1, double s2, double s3, double mass, const std::array<double, 3>& center) {
   s.body.mass_kg = mass;
   set_principal(s.body, s2 + s3, s1 + s3, s1 + s2);
@@ -230,7 +230,7 @@ Scenario with_effects(Random& random) {
     s.effects.tide = TideSpec{true, {}, {random.uniform(-1, 1), random.uniform(-1, 1), 0.1}, random.log_uniform(0.01, 10), 30};
   return s;
 }
-/// A compass under way, not a settled one: the spin is fast against the torque of its damping.
+/// A gyrocompass in motion, not a settled one: its spin is fast compared with the effect of its damping.
 Scenario level_gimbal(Random& random) {
   Scenario s = any_spin(random);
   s.release.spin_rad_s = sign(random) * random.log_uniform(30, 3e3);
@@ -268,7 +268,7 @@ constexpr Stratum kStrata[] = {
     {"in a gimbal that holds it level", level_gimbal, true},
 };
 
-/// One of the methods that a user may name for this scene.
+/// A random one of the methods that a user may name for this scene.
 Method any_method(const Scenario& scene, Random& random) {
   std::array<Method, scenario::kMethods.size()> allowed;
   std::size_t count = 0;

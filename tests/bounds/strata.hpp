@@ -13,16 +13,16 @@ namespace earthtop::testing {
 struct Stratum {
   std::string_view name;
   Scenario (*make)(Random&);
-  bool own_effects = false;  ///< whether torques beside gravity and the Earth's are its point
+  bool own_effects = false;  ///< torques other than gravity and the Earth's are its subject
 };
 std::span<const Stratum> strata();
 
-/// Scene `index` of a stratum: a dozen rows over a duration in which the fastest rate turns through `least_phase` to
-/// `largest_phase` rad, log-uniformly; the same on every platform.
+/// Scene `index` of a stratum, the same on every platform. It has a dozen rows, over a duration in which the fastest rate turns
+/// through `least_phase` to `largest_phase` rad, distributed log-uniformly.
 Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
 
-/// The same scene in double or long double with whatever numerics a user may name for it: any method that takes it, any
-/// tolerance from 1e-6 to a little above the least one or a fixed step, any observer, either form.
+/// The same scene in double or long double, with random numerics of those that a user may name for it: any method that takes
+/// it, a fixed step or any tolerance from 1e-6 to a little above the least one, any observer, either form.
 Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
 
 }  // namespace earthtop::testing

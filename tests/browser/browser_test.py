@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages of `earthtop report` in a real browser: they load without a complaint, do what they offer, show foreign
-text as text, print, and can be used without a mouse. Status 77 if there is no Chromium (or name one in $CHROMIUM).
+"""Tests the pages of `earthtop report` in a real browser: they load without an error, their controls work, text of others
+is shown as text, they print, and can be used without a mouse. $CHROMIUM may name the browser; status 77 if there is none.
 
 usage: browser_test.py PATH_OF_EARTHTOP [--screenshots DIRECTORY]
 """
@@ -57,7 +57,7 @@ class Report:
 
 
 class Faults:
-    """What was found, by groups of checks."""
+    """The faults found, by groups of checks."""
 
     def __init__(self) -> None:
         self.by_group: dict[int, list[str]] = collections.defaultdict(list)
@@ -83,7 +83,7 @@ class Faults:
 
 
 class Program:
-    """earthtop in a directory of its own."""
+    """Runs earthtop in a directory of its own."""
 
     def __init__(self, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
         self._earthtop = earthtop.resolve()
@@ -125,7 +125,7 @@ class Program:
 
 
 def make_pages(program: Program, faults: Faults) -> list[Report]:
-    """All but those that cannot be made, which are faults."""
+    """Makes all pages; one that cannot be made counts as a fault."""
     toy_top = json.loads((SCENARIOS / "toy-top.json").read_text())
     hostile_top = program.write("hostile.json", {**toy_top, "title": HOSTILE_TITLE, "purpose": HOSTILE_PURPOSE})
     elsewhere = program.write("elsewhere.json", {**toy_top, "site": {**toy_top["site"], "latitude_deg": 46}})
@@ -241,7 +241,7 @@ class Examination:
         self.expect(2, all(re.search(r"\d", text) for text in found), f".headline shows no number: {found}")
 
     def moves(self, milliseconds: int) -> bool:
-        """Whether #time changes within that time; returns as soon as it does."""
+        """Whether #time changes within the given time; returns as soon as it does."""
         return self.page.evaluate(f"""new Promise(done => {{
             const element = document.querySelector('#time');
             const read = () => element.value || element.textContent;
@@ -314,7 +314,7 @@ class Examination:
             self.readout(f"{CURVES}[{index}]", f"chart {index}")
 
     def readout(self, chart: str, name: str) -> None:
-        """It may say how to use it before, so it has to change."""
+        """Checks that the readout changes; before, it may say how to use it."""
         read = f"""(e => e && e.checkVisibility({{opacityProperty: true, visibilityProperty: true}})
                    ? e.textContent.trim() : '')({chart}.querySelector('.readout'))"""
         picture = f"""[...{chart}.querySelectorAll('svg, canvas')].sort((a, b) => b.clientWidth - a.clientWidth)[0]"""
@@ -333,7 +333,7 @@ class Examination:
             self.expect(5, self.page.evaluate(read) != pointed, f"{name}: .readout is the same after ArrowRight")
 
     def keyboard(self) -> None:
-        """Tab from the top of the page until it begins again, or has been pressed more often than there are stops."""
+        """Presses Tab from the top of the page until the focus begins again, or more often than there are stops."""
         self.page.evaluate("document.activeElement?.blur(); scrollTo(0, 0);"
                            "getSelection().removeAllRanges(); document.body.tabIndex = -1; document.body.focus();"
                            "document.body.removeAttribute('tabindex'); window.stops = new Set()")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A headless Chromium driven through the Chrome DevTools Protocol, with Python's standard library only.
 
-Browser starts and always kills the process; Page is one tab. Every wait has an end: Failure is raised there.
+Browser starts the process and always kills it; Page is one tab. Every wait is limited, and raises Failure at its limit.
 """
 
 import base64
@@ -56,7 +56,7 @@ class WebSocket:
         self._send_frame(self.TEXT, text.encode())
 
     def receive(self, end: float) -> str:
-        """The next whole message; `end` is of time.monotonic()."""
+        """The next whole message; `end` is the time limit, by time.monotonic()."""
         while True:
             final, opcode, payload = self._frame(end)
             if opcode == self.PING:
@@ -195,7 +195,7 @@ class Browser:
         return answer["result"]
 
     def post(self, method: str, session: str | None = None, **params: Any) -> int:
-        """Sends without waiting: what an event calls for must not wait for an answer inside another call's wait."""
+        """Sends without waiting for the answer, because a reaction to an event happens within the wait of another call."""
         assert self._socket
         self._ids += 1
         message = {"id": self._ids, "method": method, "params": params}
@@ -203,7 +203,7 @@ class Browser:
         return self._ids
 
     def listen(self, seconds: float) -> None:
-        """Takes events for that long."""
+        """Handles events for the given time."""
         end = time.monotonic() + seconds
         try:
             while True:
@@ -231,7 +231,7 @@ class Browser:
 
 
 class Page:
-    """One tab, and what happened in it since open()."""
+    """One tab, and a record of what happened in it since open()."""
 
     def __init__(self, browser: Browser, target: str, session: str) -> None:
         self._browser = browser
@@ -281,7 +281,7 @@ class Page:
             raise Failure("the page's process crashed")
 
     def open(self, url: str) -> None:
-        """Loads it and waits until it has been painted."""
+        """Loads a page and waits until it has been painted."""
         self._clear()
         result = self.call("Page.navigate", url=url)
         if "errorText" in result:
@@ -302,7 +302,7 @@ class Page:
         return result["result"].get("value")
 
     def frames(self, count: int) -> None:
-        """Waits for that many pictures, so that what an event changed has been drawn."""
+        """Waits for a number of frames, so that what an event changed has been drawn."""
         self.evaluate(f"new Promise(done => {{ let n = {count}; const next = () => n-- ? requestAnimationFrame(next)"
                       " : done(); next(); })")
 
@@ -333,7 +333,7 @@ class Page:
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, y=to_y, button="left", clickCount=1)
 
     def middle(self, element: str) -> tuple[float, float]:
-        """Scrolls what the expression names into view; the middle of it, in the window."""
+        """Scrolls the element of the expression into view. Returns its centre in the window."""
         box = self.evaluate(f"(e => {{ e.scrollIntoView({{block: 'center', behavior: 'instant'}});"
                             " const r = e.getBoundingClientRect();"
                             f" return [r.x + r.width / 2, r.y + r.height / 2]; }})({element})")
@@ -348,14 +348,14 @@ class Page:
         return base64.b64decode(self.call("Page.printToPDF", printBackground=True)["data"])
 
     def screenshot(self, path: pathlib.Path) -> None:
-        """The whole page, down to what one picture can hold."""
+        """A picture of the whole page, as far as one picture can hold it."""
         height = min(16000, self.evaluate("document.documentElement.scrollHeight"))
         clip = {"x": 0, "y": 0, "width": WIDTH, "height": height, "scale": 1}
         path.write_bytes(base64.b64decode(
             self.call("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)["data"]))
 
     def accessible_nodes(self) -> list[tuple[str, str]]:
-        """Role and name, as assistive software is told, of what is not hidden from it."""
+        """Role and name of each element, as reported to assistive software; hidden elements are left out."""
         nodes = self.call("Accessibility.getFullAXTree")["nodes"]
         return [(node.get("role", {}).get("value", ""), node.get("name", {}).get("value", ""))
                 for node in nodes if not node["ignored"]]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The effect budget against runs with and without each effect, and what "auto" takes.
+// Compares the effect budget with runs with and without each effect, and tests which effects "auto" chooses.
 #include "earthtop/budget/budget.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ const EffectEntry& entry_of(const Budget& budget, std::string_view name) {
   return *found;
 }
 
-/// Symmetric, unsymmetric and hanging tops of a few hundred radians, of one matching rule.
+/// Symmetric, asymmetric and hanging tops with one matching rule, each over a few hundred radians.
 std::vector<Scenario> plain_scenes(RatesRelativeTo matching) {
   Scenario toy = toy_top(), asymmetric = testing::asymmetric_top(), hanging = toy_top();
   toy.duration_s = 3;
@@ -75,7 +75,8 @@ TEST(Budget, AGimbalAnswersTheEarthsTorques) {
   EXPECT_NEAR(*entry_of(budget, "coriolis").drift_final_rad, drift, 1e-3 * drift);
 }
 
-/// What an effect does: the reference's axis at its largest distance from that without it, and the drift's change at the end.
+/// The consequences of an effect: the largest distance of the reference's axis from its place without the effect, and the
+/// change of the final drift.
 struct Difference {
   double displacement_rad = 0, drift_final_rad = 0;
 };

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What can go wrong around a run: texts, files, places to write to, signals, surroundings. Always the stated exit status, a
-# message that names the place, the old results as they were, and no temporary file left.
+# Everything that can go wrong around a run: texts, files, output directories, signals, the environment. In each case the exit
+# status is the documented one, the message names the place, old results stay as they were, and no temporary file is left.
 # usage: bad_situations_test.sh PATH_OF_EARTHTOP
 set -u
 # shellcheck source=tests/cli/expect.sh
@@ -14,23 +14,23 @@ tidy_up() {
 }
 trap tidy_up EXIT
 skip() { echo "skipped: $1"; }
-# refused FILE WHAT: status 2, and this on standard error; no results.
+# refused FILE TEXT: the run ends with status 2 and TEXT on standard error, and leaves no results.
 refused() {
   expect 2 run "$1" --out results
   on_stderr "$2"
   [ ! -e results ] || fault "$1: a refused scenario left a directory"
 }
-# set_refused /POINTER=VALUE WHAT: the same for the good scenario with one value changed.
+# set_refused /POINTER=VALUE TEXT: the same for the good scenario with one value changed.
 set_refused() {
   expect 2 run top.json --out results --set "$1"
   on_stderr "$2"
 }
-# nothing_left DIR: no temporary file in it.
+# nothing_left DIR: checks that no temporary file is in it.
 nothing_left() {
   left=$(find "$1" -name '.*.tmp')
   [ -z "$left" ] || fault "left behind: $left"
 }
-# keep DIR: remembers the files in it; intact DIR: they are as they were, and nothing else is there.
+# keep DIR: remembers its files; intact DIR: checks that they are unchanged and that nothing else is there.
 keep() {
   rm -rf kept
   cp -a "$1" kept
@@ -205,7 +205,7 @@ fi
 
 # -- signals. The first command is long to compute, the second long to write.
 sed 's/"duration_s": 0.5, "output_step_s": 0.01/"duration_s": 50000, "output_step_s": 1000/' top.json >long.json
-# stopped STATUS SIGNAL SECONDS ARGUMENTS...: the signal comes after so many seconds; the program ends soon after.
+# stopped STATUS SIGNAL SECONDS ARGUMENTS...: sends the signal after so many seconds; the program must end soon after.
 stopped() {
   wanted=$1
   signal=$2
@@ -237,19 +237,21 @@ for delay in 0.15 0.25 0.35 0.45; do
 done
 for delay in 0.25 0.35; do # what cannot be handled may leave temporaries, and the next run removes them
   timeout -s KILL "$delay" "$tool" run top.json --out old --quiet --set /motion/output_step_s=1e-5 >/dev/null 2>&1
-  # In the moment in which files are put in place, the summary has its temporary name only.
+  # While files are being moved into place, the summary has only its temporary name.
   [ -e old/summary.json ] || ls old/.summary.json.*.tmp >/dev/null 2>&1 || fault "SIGKILL after $delay s: no summary is left"
 done
 expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 nothing_left old
-# As a run leaves it that is killed while it puts its files in place: the same scenario may go on there, another may not.
+# The state that a run leaves if it is killed while it moves its files into place: the same scenario may continue there, another
+# may not.
 mv old/summary.json old/.summary.json.77-0.tmp
 expect 2 run top.json --out old
 on_stderr 'without a summary.json; '
 expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 nothing_left old
 
-# Killed, or refused by the disk, at any of the eight renamings: without its summary.json a result is none, and whole with it.
+# A run that is killed, or stopped by a full disk, at any of the eight renamings: without its summary.json a result does not
+# count.
 export ASAN_OPTIONS=detect_leaks=0 # which cannot be done under strace
 if command -v strace >/dev/null && strace -o /dev/null -e trace=rename true 2>/dev/null; then
   for n in 1 2 5 8; do

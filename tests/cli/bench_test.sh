@@ -87,7 +87,8 @@ on_stdout 'too_slow$'
 on_stdout 'not_tried$'
 on_stdout 'stopped after 0.001 s'
 
-# Without the Earth there is no drift to err in; a scene too long for a reference is cut, and that is said.
+# Without the Earth's rotation there is no drift, so the error of the attitude is used; a scene that is too long for a reference
+# is shortened, and a message says so.
 # shellcheck disable=SC2086
 expect 0 bench top.json $few --set /earth/rotation_rate_rad_s=0 --brief
 on_stdout 'equal attitude error'

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The program as a shell sees it: exit statuses, what goes to which stream, what is left on disk.
+# The program as seen from a shell: exit statuses, what goes to which stream, what is left on disk.
 # usage: cli_test.sh PATH_OF_EARTHTOP
 set -u
 # shellcheck source=tests/cli/expect.sh
@@ -202,7 +202,7 @@ if [ -w /dev/full ]; then
   "$tool" run top.json --out full >/dev/full 2>err.txt
   [ $? -eq 4 ] || fault "full standard output: not exit status 4"
 fi
-# A reader that has seen enough is no fault of anybody's: no word, and the status is the verb's own, or SIGPIPE's.
+# A reader that closes the pipe early is no error: there is no message, and the status is the verb's own, or that of SIGPIPE.
 gone() {
   wanted=$1
   shift

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# earthtop compare as its users call it, and the project's own regression suite: every shipped scenario, as it is run by
-# default, against references of another method in extended precision.
+# earthtop compare as users call it. It is also the project's regression test: every shipped scenario, run with its defaults, is
+# compared with references computed by another method in extended precision.
 #   tests/cli/compare_test.sh PATH-TO-EARTHTOP
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,14 +17,14 @@ on_stdout '"verdict": "same"'
 grep -q '<testsuites name="earthtop compare" tests="[0-9]*" failures="0" errors="0">' regression.xml || fault "not all passed in regression.xml"
 [ "$(grep -c '<testsuite name' regression.xml)" -eq "$(ls "$scenarios"/*.json | wc -l)" ] || fault "a scenario has no reference"
 
-# References know who made them, how exactly, and why.
+# Each reference states its generator, precision, digits and history.
 for file in "$references"/*.json; do
   for key in generator precision digits history; do
     head -n 10 "$file" | grep -q "\"$key\"" || fault "$file does not say its $key"
   done
 done
 
-# Without leave another method is another scenario; a program that forgets the Earth is found out.
+# Another method counts as another scenario unless that is allowed; a program without the Earth's rotation is detected.
 expect 1 compare "$references" runs
 on_stdout 'other scenario: /numerics'
 expect 0 run "$scenarios/toy-top.json" --set /earth/rotation_rate_rad_s=0 --out flat --quiet
@@ -32,7 +32,7 @@ expect 1 compare runs/toy-top flat --allow-change /
 on_stdout 'FAILED  drift_axis_rad'
 on_stdout 'above both errors'
 
-# What is said of the changes is true of them: a key alone, a missing figure.
+# The sentence about the changes is true, if only a key differs and if a figure is missing.
 cp -r runs/toy-top keyless
 sed 's/"tilt_max_rad": [0-9.e-]*,/"tilt_max_rad": null,/' runs/toy-top/summary.json >keyless/summary.json
 expect 1 compare runs/toy-top keyless
@@ -73,7 +73,8 @@ head -c 1000 runs/toy-top/trajectory.csv >cut.csv
 expect 2 compare runs/toy-top/trajectory.csv cut.csv
 on_stderr 'cut.csv:[0-9]*:1: error: the last line has no end'
 
-# A measurement: every tenth row's azimuth, exact to twelve digits where a thousandth of a radian is claimed.
+# A measurement: the azimuth of every tenth row, exact to twelve digits, with a claimed standard error of a thousandth of a
+# radian.
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "t_s,azimuth_rad,azimuth_se_rad" }
          NR % 10 == 2 { printf "%s,%.12f,0.001\n", $1, atan2($at["axis_L_x"], $at["axis_L_y"]) }' runs/toy-top/trajectory.csv >measured.csv
 expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s --json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that never looks whether anybody asks it to stop: it computes, or after the twentieth of a second it waits.
+// Work that never checks whether it is asked to stop. It computes, or waits after the first twentieth of a second.
 #include <unistd.h>
 
 #include <ctime>

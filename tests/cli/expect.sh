@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the shell tests share; sourced with the program's path as $1. Leaves the shell in a new, empty directory, $work.
+# Functions that the shell tests share. Sourced with the program's path as $1; leaves the shell in a new, empty directory,
+# $work.
 tool=$(realpath "$1") || exit 1
 [ -x "$tool" ] || exit 1
 work=$(mktemp -d) || exit 1
@@ -13,14 +14,14 @@ fault() {
   head -n 5 err.txt | sed 's/^/  stderr: /' >&2
   faults=$((faults + 1))
 }
-# A guard against what never ends. It is no limit: on a machine with other work everything takes longer.
+# Stops a program that never ends. It is not a limit on speed: on a busy machine everything takes longer.
 patience=600
-# used_s: whole seconds of the processor that the commands so far have used. (A pipe would ask another shell for its own.)
+# used_s: processor time (whole seconds) that the commands so far have used. (A pipe would measure another shell.)
 take_processor_time() {
   times >times.txt
   used_s=$(awk 'NR == 2 { split($1, u, "[ms]"); split($2, s, "[ms]"); print int(60 * (u[1] + s[1]) + u[2] + s[2]) }' times.txt)
 }
-# expect STATUS ARGUMENTS...: runs the program, keeps its streams in out.txt and err.txt.
+# expect STATUS ARGUMENTS...: runs the program, checks its exit status, and keeps its streams in out.txt and err.txt.
 expect() {
   wanted=$1
   shift

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SIGINT, SIGTERM and SIGHUP end every verb, wherever it is, within 0.2 s of processor time, with status 128 + signal, and leave
-no half-written file.
+"""Tests that SIGINT, SIGTERM and SIGHUP end every verb at any moment, within 0.2 s of processor time, with status 128 + signal,
+and leave no half-written file.
 
 usage: interrupt_test.py PATH_OF_EARTHTOP SCENARIOS PATH_OF_DEAF_PROGRAM [--all]
 --all: many moments of every command, instead of one or two; prints a table.
@@ -59,12 +59,12 @@ def study(name, base, points):
 
 
 def prepared(*arguments):
-    """Something that other verbs read."""
+    """Makes files that other verbs read."""
     subprocess.run([TOOL, *arguments, "--quiet"], check=True, stdout=subprocess.DEVNULL)
 
 
 def measurement(name):
-    """Azimuths of a trajectory, as if measured."""
+    """Writes azimuths of a trajectory as a measurement."""
     with open(name, encoding="utf-8") as source, open("measured.csv", "w", encoding="utf-8") as out:
         columns = source.readline().strip().split(",")
         t, x, y = columns.index("t_s"), columns.index("axis_L_x"), columns.index("axis_L_y")
@@ -132,7 +132,7 @@ def main_cases():
 
 
 def interrupted(command, number, at_s, second):
-    """Where the command ends before that moment, it is interrupted at earlier ones, unless many moments are tried anyway."""
+    """Interrupts the command at `at_s`; if it ends before, at earlier moments, unless many moments are tried anyway."""
     done = Interrupted(command, number, at_s, ".", second)
     for share in () if ALL else (0.6, 0.8, 0.4, 0.2):
         if done.after_s is not None or done.status not in (0, 1):
@@ -169,7 +169,7 @@ def check(name, arguments, number, at_s, second=False):
 
 
 def never_looks():
-    """What ends a program that does not end by itself: its processor time, or that it uses none."""
+    """Checks that a program which ignores the request to stop is ended: by its use of processor time, or by using none."""
     for name, arguments, least_s in (("computes", [], 0.09), ("waits", ["waits"], 0)):
         done = Interrupted([DEAF, *arguments], signal.SIGTERM, 0.03, ".")
         print(f"deaf, {name}: {1000 * done.after_s:.0f} ms, {done.waited_s:.1f} s by the clock")

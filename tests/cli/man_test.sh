@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The manual: a page for the program and for every verb, in each everything that --help knows, and roff that warns of nothing.
+# The manual has a page for the program and for every verb. Each page has all that --help knows, and roff gives no warning.
 # usage: man_test.sh PATH_OF_EARTHTOP
 set -u
 # shellcheck source=tests/cli/expect.sh

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a terminal is told of the progress of run, explain, study, compare and verify: a share that never falls and ends at 100 %;
-where half of the processor time is used up, it says between a quarter and three quarters. Pipes, --quiet, --json and NO_COLOR
-are told nothing.
+"""Tests the progress that run, explain, study, compare and verify show on a terminal: the share never falls and ends at 100 %;
+when half of the processor time is used, it is between a quarter and three quarters. With pipes, --quiet, --json or NO_COLOR
+nothing is shown.
 
-A command is made slow by stopping it after every SLICE_S of processor time for longer than its line takes to be written anew:
-so a second of work is enough to see how the share grows, on any machine.
+The test slows a command down by stopping it after every SLICE_S of processor time for longer than the line's refresh takes. So
+a second of work is enough to see how the share grows, on any machine.
 
 usage: progress_test.py PATH_OF_EARTHTOP SCENARIOS [--all]
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program that is sent a signal when it has used so much processor time, and what it used after it.
+"""Sends a signal to a program when it has used a given processor time, and measures what it uses afterwards.
 
 Processor time is read from the kernel's clock of the process; a loaded machine makes a test slower, not stricter. Signals are
 sent with os.kill: Popen's own way to send one may reap the process, whose use of the processor is then lost.
@@ -14,7 +14,7 @@ PATIENCE = 120  # s by the clock, for what takes a fraction of a second of proce
 
 
 def processor_time(pid):
-    """Seconds that all threads of the process have used, ended ones included; None when nothing of it is left."""
+    """Processor time (s) of all threads of the process, ended ones included; None if the process no longer exists."""
     try:
         return time.clock_gettime((~pid << 3) | 2)  # what clock_getcpuclockid(3) gives
     except OSError:
@@ -22,10 +22,10 @@ def processor_time(pid):
 
 
 class Interrupted:
-    """What came of a command that was sent a signal.
+    """The outcome of a command that was sent a signal.
 
-    at_s: processor time used at the signal; all of it where the command had ended before
-    after_s: processor time between the signal and the end; None where the command had ended before
+    at_s: processor time used before the signal; the total if the command had already ended
+    after_s: processor time between the signal and the end; None if the command had already ended
     waited_s: the same by the clock
     """
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Studies as a shell sees them: exit statuses, resumption after kills, shards, processes, who holds a store.
+# Studies as seen from a shell: exit statuses, resumption after kills, shards, processes, who holds a store.
 # usage: study_test.sh PATH_OF_EARTHTOP
 set -u
 # shellcheck source=tests/cli/expect.sh
@@ -101,7 +101,7 @@ if "$tool" version --json | grep -q '"mpi": true' && command -v mpirun >/dev/nul
   for file in study.csv study.json; do cmp -s whole/$file processes/$file || fault "processes differ in $file"; done
 fi
 
-# Killed fifty times at random moments: nothing that was stored is lost, and the end is the same.
+# A study is killed fifty times at random moments: nothing that was stored is lost, and the final result is the same.
 stored() {
   if [ -e killed/study.sqlite ]; then "$tool" study export killed 2>/dev/null | tail -n +2 | wc -l; else echo 0; fi
 }
@@ -123,7 +123,7 @@ expect 0 study many.json --quiet --out killed
 for file in study.csv study.json; do cmp -s whole/$file killed/$file || fault "after the kills $file differs"; done
 [ -z "$(find killed -name '*.tmp' -o -name '*-wal' -o -name '*.lock')" ] || fault "something is left beside the store"
 
-# While one writes, a second one is told who holds the store; interrupted, the first one keeps what it has.
+# While one process writes, a second one is told who holds the store; if the first one is interrupted, it keeps its points.
 sed 's/"points": 800/"points": 40000/' many.json >long.json
 "$tool" study long.json --jobs 1 --out held >held.txt 2>held.err </dev/null &
 holder=$!

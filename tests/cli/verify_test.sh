@@ -43,12 +43,12 @@ cp known.json pack
 expect 0 verify pack
 on_stdout '^known '
 
-# The pack is inside the program.
+# The hard cases are built into the program.
 expect 0 verify --list
 on_stdout '^h04-pole '
 on_stdout 'invariant kovalevskaya'
 
-# Nothing is run where something is not sound.
+# If any file is refused, nothing is run.
 for arguments in missing.json "known.json plain.json" empty misspelt.json "known.json unsound.json"; do
   # shellcheck disable=SC2086
   expect 2 verify $arguments

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Elliptic integrals and functions against GSL and Boost (double), against 50-digit Boost, and against their identities
-/// in every scalar.
+/// Elliptic integrals and functions, compared with GSL and Boost in double, with Boost in 50 digits, and with their identities
+/// in every scalar type.
 
 #include "closed_form/elliptic.hpp"
 
@@ -31,7 +31,7 @@ Wide wide(T x) {
   return sum;
 }
 
-/// |x - reference| in eps of the reference.
+/// |x - reference| in units of eps times the reference.
 template <class T>
 double error_in_eps(T x, const Wide& reference) {
   return static_cast<double>(abs((wide(x) - reference) / reference)) / static_cast<double>(real::epsilon<T>());
@@ -53,7 +53,8 @@ struct ScalarNames {
 };
 TYPED_TEST_SUITE(Elliptic, Scalars, ScalarNames);
 
-// A duplication step rounds its numbers by about 4 eps / 2 and passes a quarter of it on; sums of positive terms follow: 8 eps.
+// A duplication step rounds its numbers by about 4 eps / 2 and passes on a quarter of that; sums of positive terms follow.
+// Together 8 eps.
 TYPED_TEST(Elliptic, CarlsonIntegralsAreBoostsIn50Digits) {
   using T = TypeParam;
   for (int k = 0; k < 60; ++k) {
@@ -75,7 +76,7 @@ TYPED_TEST(Elliptic, LatticeHasTheQuarterPeriodAndTheNomeAtBothEnds) {
       const T m = flip ? T(1) - small : small, m1 = flip ? small : T(1) - small;
       const elliptic::Lattice<T> l = elliptic::lattice<T>(m, m1);
       EXPECT_LT(real::abs(l.K / elliptic::complete_k<T>(m1) - T(1)), T(8) * real::epsilon<T>());
-      // ln q = -pi K'/K, the logarithm of the nome that stands in the lattice.
+      // ln q = -pi K'/K is the logarithm of the nome, which the lattice stores.
       const T other = elliptic::complete_k<T>(m), ratio = flip ? l.K / other : other / l.K;
       EXPECT_LT(real::abs(real::log(l.q) / (-real::pi<T>() * ratio) - T(1)), T(16) * real::epsilon<T>());
     }
@@ -101,7 +102,7 @@ TYPED_TEST(Elliptic, JacobiFunctionsAreBoostsIn50Digits) {
     const elliptic::JacobiValues<T> j = elliptic::jacobi<T>(x, elliptic::lattice<T>(m, m1));
     Wide cn, dn;
     const Wide sn = boost::math::jacobi_elliptic(Wide(sqrt(wide(m))), wide(x), &cn, &dn);
-    // The argument is reduced with an error of eps per quarter period: 2 eps |x|; then some 8 operations that count.
+    // The argument is reduced with an error of eps per quarter period, 2 eps |x| in all; then some 8 operations contribute.
     const double bound = (16 + 4 * std::abs(static_cast<double>(x))) * static_cast<double>(real::epsilon<T>());
     EXPECT_NEAR(static_cast<double>(wide(j.sn) - sn), 0, bound);
     EXPECT_NEAR(static_cast<double>(wide(j.cn) - cn), 0, bound);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// earthtop-closed-form-errors [COUNT] [REGIME ...]: the errors of the closed forms in double over COUNT random motions per
-/// regime (1000 by default), against 113 bits, as a Markdown table. A regime is named by any part of its name.
+/// earthtop-closed-form-errors [COUNT] [REGIME ...]
+/// Prints, as a Markdown table, the errors of the closed forms in double, compared with 113 bits, over COUNT random motions per
+/// regime (1000 by default). A regime is named by any part of its name.
 
 #include "closed_form/error_table.hpp"
 
@@ -23,7 +24,7 @@ struct Row {
   std::string worst, loosest, tightest;
 };
 
-/// Motions are drawn in blocks, each from its own seed, so that the table does not depend on the number of threads.
+/// Motions are drawn in blocks, each with its own seed, so that the table does not depend on the number of threads.
 constexpr long kBlock = 500;
 
 void add_block(const Regime& regime, unsigned seed, long count, Row& row, std::mutex& lock) {
@@ -45,7 +46,7 @@ void add_block(const Regime& regime, unsigned seed, long count, Row& row, std::m
     if (std::max(rate_used, m.error / m.statement) > std::max(row.rate_used, row.tightness)) row.tightest = m.describe();
     row.rate_used = std::max(row.rate_used, rate_used);
     row.tightness = std::max(row.tightness, m.error / m.statement);
-    // Below a unit of eps the error itself is chance.
+    // Below one eps, the size of the error is a matter of chance.
     const double loose = m.statement / std::max(m.error, 1.11e-16 * (1 + m.phase / 1000));
     if (loose > row.looseness) {
       row.looseness = loose;

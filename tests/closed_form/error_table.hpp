@@ -12,29 +12,29 @@
 
 namespace earthtop::test {
 
-/// One motion at one instant.
+/// The measured errors of one motion at one time.
 struct Measure {
   double error = 0;       ///< angle between double and float128 attitudes (rad)
   double rate_error = 0;  ///< difference of the rates (rad/s)
   double phase = 0;       ///< angle swept: spin + nutation + precession (rad)
-  double statement = 0;   ///< the closed form's own bound of `error`
+  double statement = 0;   ///< the closed form's own bound on `error`
   double rate_statement = 0;
   std::function<double()> kappa;  ///< largest growth of a one-ulp change of an input, in extended precision; costly
   std::function<std::string()> describe;
 };
 
-/// A regime: how to draw and measure one random motion of it.
+/// A regime of motions: draws and measures one random motion.
 struct Regime {
   std::string name;
   std::function<Measure(std::mt19937_64&)> sample;
 };
 
-/// What the closed forms promise: 1e-13 + 4 eps x (phase swept) + 4 eps x kappa (rad).
+/// The error that the closed forms promise not to exceed: 1e-13 + 4 eps x (phase swept) + 4 eps x kappa (rad).
 inline double promised_error(double phase, double kappa) {
   return 1e-13 + 4 * real::epsilon<double>() * phase + 4 * real::epsilon<double>() * kappa;
 }
 
-/// error / promised_error; kappa is computed only where the bound is nearly used up without it.
+/// error / promised_error; the costly kappa is computed only if the bound is nearly used up without it.
 inline double used_part(const Measure& m) {
   const double without = m.error / promised_error(m.phase, 0);
   return without < 0.1 ? without : m.error / promised_error(m.phase, m.kappa());
@@ -54,8 +54,8 @@ inline double angle_between(const Quaternion<float128>& p, const Quaternion<floa
   return static_cast<double>(2 * real::atan2(norm<float128>(turn.v), real::abs(turn.w)));
 }
 
-/// What double says of a motion against what 113 bits say; the phase and the description are the caller's.
-/// @param changed  the state in 113 bits with one of the inputs 0, 1, ... changed by one ulp of double
+/// Compares a motion computed in double with the same motion in 113 bits. The caller fills in the phase and the description.
+/// @param changed returns the state in 113 bits with input 0, 1, ... changed by one ulp of double
 template <class Changed>
 Measure measure_against(const ClosedFormState<double>& state, const ClosedFormState<float128>& exact, int inputs,
                         Changed changed) {
@@ -73,7 +73,7 @@ Measure measure_against(const ClosedFormState<double>& state, const ClosedFormSt
   return m;
 }
 
-/// The regimes of a list of generators, each with a name and a `draw` of what `measure` takes.
+/// The regimes of a list of generators, each of which has a name and a function `draw` that makes the argument of `measure`.
 template <class Generators>
 std::vector<Regime> regimes_of(const std::string& body, const Generators& generators) {
   std::vector<Regime> regimes;

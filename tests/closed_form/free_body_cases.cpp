@@ -16,14 +16,14 @@ double uniform(Engine& g, double low, double high) { return std::uniform_real_di
 double log_uniform(Engine& g, double low, double high) { return std::pow(10.0, uniform(g, low, high)); }
 double either_sign(Engine& g, double x) { return g() & 1 ? x : -x; }
 
-/// Moments in ascending order and the rates about their axes; the order of the body axes is drawn at the end.
+/// Moments in ascending order, and the rates about their axes; `placed` draws the order of the body axes.
 struct Drawn {
   double low = 1, middle = 1, high = 1;
   double w_low = 0, w_middle = 0, w_high = 0;
 };
 
 Drawn physical_moments(Engine& g) {
-  // Second moments of a cloud of mass: their sums in pairs obey the triangle inequality.
+  // Second moments of a mass distribution: their sums in pairs are moments of inertia that satisfy the triangle inequality.
   double s[3] = {uniform(g, 0, 1), uniform(g, 0, 1), uniform(g, 0, 1)};
   std::sort(s, s + 3);
   return {s[0] + s[1], s[0] + s[2], s[1] + s[2], 0, 0, 0};
@@ -32,7 +32,7 @@ void any_rates(Engine& g, Drawn& d) {
   d.w_low = uniform(g, -1, 1), d.w_middle = uniform(g, -1, 1), d.w_high = uniform(g, -1, 1);
 }
 
-/// Units, attitude, order and directions of the body axes, and a time of either sign, of 10^shortest to 10^longest rad.
+/// Draws units, attitude, order and directions of the body axes, and a time of either sign, from 10^shortest to 10^longest rad.
 FreeBodyCase placed(Engine& g, const Drawn& d, double longest = 3, double shortest = -2) {
   FreeBodyCase c;
   int order[3] = {0, 1, 2};
@@ -69,7 +69,7 @@ Drawn circling(Engine& g, bool around_largest) {
 FreeBodyCase around_largest(Engine& g) { return placed(g, circling(g, true), 4); }
 FreeBodyCase around_smallest(Engine& g) { return placed(g, circling(g, false), 4); }
 
-/// At a relative distance from the separatrix.
+/// A motion at a given relative distance from the separatrix.
 FreeBodyCase at_separatrix(Engine& g, double distance, double longest) {
   Drawn d = physical_moments(g);
   any_rates(g, d);
@@ -80,7 +80,7 @@ FreeBodyCase at_separatrix(Engine& g, double distance, double longest) {
 FreeBodyCase rounded_separatrix(Engine& g) { return at_separatrix(g, 0, 2); }
 FreeBodyCase near_separatrix(Engine& g) { return at_separatrix(g, either_sign(g, log_uniform(g, -16, 0)) * 0.999, 2.5); }
 FreeBodyCase exact_separatrix(Engine& g) {
-  // low (middle - low) = high (high - middle) = 6, and equal rates about both axes.
+  // Here low (middle - low) = high (high - middle) = 6, and the rates about both axes are equal.
   Drawn d;
   d.low = 2, d.middle = 5, d.high = 6;
   d.w_low = uniform(g, -1, 1) * (g() % 2 ? 1 : log_uniform(g, -9, 0));
@@ -200,7 +200,7 @@ const std::vector<FreeBodyGenerator>& free_body_generators() {
 
 namespace {
 
-/// The closed form at 113 bits, one of the fourteen inputs optionally changed by one ulp (-1: none).
+/// The closed form in 113 bits, with one of the fourteen inputs changed by one ulp (-1: none).
 ClosedFormState<float128> wide_state(const FreeBodyCase& c, int changed = -1) {
   const auto input = [&](int index, double x) {
     return float128(x) * (index == changed ? 1 + float128(real::epsilon<double>()) : float128(1));
@@ -218,7 +218,7 @@ Measure measure(const FreeBodyCase& c) {
   const ClosedFormState<double> state = free_body<double>(c).at(c.t_s);
   const ClosedFormState<float128> exact = wide_state(c);
   Measure m = measure_against(state, exact, 14, [c](int input) { return wide_state(c, input); });
-  // The angle about L alone: its rate is 2 T / L. The motion in the body would add to it.
+  // The angle about L alone, whose rate is 2 T / L. The motion within the body would add to it.
   Mat3<double> I;
   I << c.moments[0], c.products[2], c.products[1], c.products[2], c.moments[1], c.products[0], c.products[1], c.products[0],
       c.moments[2];

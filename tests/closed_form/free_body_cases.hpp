@@ -10,10 +10,10 @@
 
 namespace earthtop::test {
 
-/// A body, its start and the time asked for; every number is exact in double.
+/// A body, its start and the time of evaluation; every number is exact in double.
 struct FreeBodyCase {
   Vec3<double> moments = Vec3<double>::Ones();
-  Vec3<double> products = Vec3<double>::Zero();  ///< I_23, I_13, I_12; with any the body axes are not principal axes
+  Vec3<double> products = Vec3<double>::Zero();  ///< I_23, I_13, I_12; unless zero, the body axes are not principal axes
   Quaternion<double> q0_NB;
   Vec3<double> w0_NB_B = Vec3<double>::Zero();
   double t_s = 0;
@@ -33,7 +33,7 @@ FreeBody<T> free_body(const Vec3<T>& moments, const Vec3<T>& products, const Qua
   return FreeBody<T>(I, q0_NB, w0_NB_B);
 }
 
-/// The case in any scalar.
+/// The case in any scalar type.
 template <class T>
 FreeBody<T> free_body(const FreeBodyCase& c) {
   const auto vector = [](const Vec3<double>& v) { return Vec3<T>(T(v[0]), T(v[1]), T(v[2])); };

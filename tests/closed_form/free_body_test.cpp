@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The free body's closed form: double against 113 bits in every regime, 113 bits against an independent integration, and
-/// against the closed forms of its special cases.
+/// The free body's closed form: in double compared with 113 bits in every regime; in 113 bits compared with an independent
+/// integration, and with the closed forms of its special cases.
 
 #include "earthtop/closed_form/free_body.hpp"
 
@@ -23,7 +23,7 @@ double apart(const Vec3<Wide>& a, const Vec3<Wide>& b) { return static_cast<doub
 
 class FreeBodyRegimes : public ::testing::TestWithParam<FreeBodyGenerator> {};
 
-// 1e-13 + 4 eps phase + 4 eps kappa is what double promises; the statement of error covers what is lost and is not idle.
+// The error in double stays below 1e-13 + 4 eps phase + 4 eps kappa; the stated error is above it, but not needlessly large.
 TEST_P(FreeBodyRegimes, DoubleKeepsItsPromises) {
   std::mt19937_64 engine(1);
   double largest_error = 0;
@@ -33,8 +33,8 @@ TEST_P(FreeBodyRegimes, DoubleKeepsItsPromises) {
     ASSERT_LE(used_part(m), 1) << to_string(c);
     ASSERT_LE(m.error, m.statement) << to_string(c);
     ASSERT_LE(m.rate_error, m.rate_statement) << to_string(c);
-    // A single error can vanish by chance: half an eps and what that is of the phase always counts. What a tensor's axes lose
-    // by rounding is bounded by the worst that it can do.
+    // A single error can vanish by chance, so the stated error is also allowed to exceed half an eps and the phase's share of
+    // it. For a tensor with products of inertia, the stated error covers the worst case of its rounding, and is not tested.
     if (GetParam().name != "any axes") {
       ASSERT_LE(m.statement, 1000 * std::max(m.error, real::epsilon<double>() / 2 * (1 + m.phase / 1000))) << to_string(c);
     }
@@ -54,9 +54,9 @@ TEST_P(FreeBodyRegimes, LongDoubleKeepsItsStatement) {
   }
 }
 
-// No wider scalar is left at 113 bits: there the motion started again on its way must arrive where the whole one does, within
-// the statements of all three and what the second start loses by its own rounding, the conditions of a start near the
-// separatrix.
+// No wider scalar type is available to check 113 bits. Instead, the motion is started anew on its way and must arrive where the
+// uninterrupted one does, within the stated errors of all three and the rounding of the second start; near the separatrix that
+// rounding is magnified.
 TEST_P(FreeBodyRegimes, Float128ContinuesItself) {
   std::mt19937_64 engine(3);
   for (int k = 0; k < 50; ++k) {
@@ -66,7 +66,7 @@ TEST_P(FreeBodyRegimes, Float128ContinuesItself) {
     const Wide half_t = Wide(c.t_s) / 2;
     const auto half = body.at(half_t), whole = body.at(Wide(c.t_s));
     const auto again = free_body<Wide>(moments, products, half.q_NB, half.w_NB_B).at(half_t);
-    // The second start's rates moved by their statement of error show how much the motion makes of it.
+    // Moving the second start's rates by their stated error shows how much the motion magnifies it.
     double growth = 0;
     for (int i = 0; i < 3; ++i) {
       Vec3<Wide> w = half.w_NB_B;
@@ -91,7 +91,7 @@ struct Scene {
   double I[3], w[3], t_s;
 };
 
-// Plain Euler equations at 113 bits. The integration itself is good to 1e-27 or so, which a change of the step shows.
+// Compares with an integration of Euler's equations in 113 bits, whose own error is about 1e-27, as a change of its step shows.
 TEST(FreeBody, IsWhatIntegrationGives) {
   using enum FreeBodyRegime;
   const Scene scenes[] = {{"rest", at_rest, {1, 2, 3}, {0, 0, 0}, 3},
@@ -129,7 +129,7 @@ TEST(FreeBody, IsWhatIntegrationGives) {
   }
 }
 
-// What one regime gives must be the limit of what its neighbours give.
+// The result in one regime must be the limit of the results in its neighbours.
 TEST(FreeBody, ContinuousAcrossRegimes) {
   const Wide t = 7, tiny = 1e-30;  // a change of the moments by 1e-30 moves the result by 1e-28 at most
   const auto expect_neighbours = [&](const Vec3<Wide>& I, const Vec3<Wide>& w, FreeBodyRegime regime) {
@@ -156,7 +156,7 @@ TEST(FreeBody, ContinuousAcrossRegimes) {
   expect_neighbours(wide_vector(1, 2, 3), wide_vector(0, 1, 0), FreeBodyRegime::principal_axis);
 }
 
-// Rotation about the middle axis stays for ever in exact arithmetic, and the closed form is exact.
+// In exact arithmetic, rotation about the middle axis lasts for ever; the closed form is exact.
 TEST(FreeBody, UnstableAxisStays) {
   const FreeBody<double> body(Vec3<double>(1, 2, 3), Quaternion<double>{}, Vec3<double>(0, 1, 0));
   const auto state = body.at(1e6);
@@ -181,7 +181,7 @@ TEST(FreeBody, WhatIsNoBodyGivesNaN) {
       std::isfinite(FreeBody<double>(Vec3<double>(1, 2, 3), Quaternion<double>{}, Vec3<double>(1, 1, 1)).at(nan).q_NB.w));
 }
 
-// Rates of any size, the least and the largest numbers included.
+// Rates of any size, including the smallest and the largest numbers.
 TEST(FreeBody, EveryScaleOfRates) {
   const Vec3<double> I(1, 2, 3), w(0.5, 1, -0.25);
   const Quaternion<double> q0{0.5, Vec3<double>(0.5, 0.5, -0.5)};
@@ -196,7 +196,7 @@ TEST(FreeBody, EveryScaleOfRates) {
   }
 }
 
-// H10: from a seed e about the other two axes the body flips after about ln(1/e)/s.
+// H10: with initial rates of relative size e about the other two axes, the body flips after about ln(1/e)/s.
 TEST(FreeBody, DzhanibekovFlips) {
   for (const auto& [seed, flip_s] : {std::pair{1e-16, 66.8}, {1e-12, 50.8}, {1e-8, 34.9}, {1e-4, 18.9}}) {
     const FreeBody<double> body(Vec3<double>(1, 2, 3), Quaternion<double>{}, Vec3<double>(seed, 1, seed));
@@ -210,7 +210,7 @@ TEST(FreeBody, SeparatrixInElementaryFunctions) {
   const auto at_0 = separatrix_free_body<Wide>(I, Wide(1.25), Wide(0));
   for (const double t : {-30.0, -2.0, 0.3, 5.0, 30.0}) {
     const auto elementary = separatrix_free_body<Wide>(I, Wide(1.25), Wide(t));
-    // The start's rate is irrational: the elliptic solution stands within 1e-34 of the separatrix, and leaves it by exp(p t).
+    // The initial rate is irrational, so the elliptic solution starts within 1e-34 of the separatrix and leaves it as exp(p t).
     const auto elliptic = FreeBody<Wide>(I, at_0.q_NB, at_0.w_NB_B).at(Wide(t));
     const double growth = std::exp(1.25 * std::sqrt(0.25) * std::abs(t));
     EXPECT_LT(angle_between(elementary.q_NB, elliptic.q_NB), 1e-33 * (30 + growth)) << t;
@@ -237,8 +237,8 @@ TEST(FreeBody, TensorInAnyAxes) {
   EXPECT_EQ(FreeBody<double>(diagonal, Quaternion<double>{}, Vec3<double>(1, 2, -1)).at(4).w_NB_B, given.w_NB_B);
 }
 
-// T9: the tumbling brick of NASA/NESC. Inertial rates after 30 s, and the attitude against the North, East, Down axes of t = 0
-// that turn with the Earth about their x axis.
+// T9: the tumbling brick of NASA/NESC after 30 s: inertial rates, and the attitude relative to the North, East, Down axes of t
+// = 0, which turn with the Earth about their x axis.
 TEST(FreeBody, TumblingBrickOfNasa) {
   const Wide degree = real::pi<Wide>() / 180;
   const Vec3<Wide> I(1894220, 6211019, 7194665), W_N(Wide(729211302386770) / Wide(1e19), Wide(0), Wide(0));

@@ -15,7 +15,7 @@ double uniform(Engine& g, double low, double high) { return std::uniform_real_di
 double log_uniform(Engine& g, double low, double high) { return std::pow(10.0, uniform(g, low, high)); }
 double either_sign(Engine& g, double x) { return g() & 1 ? x : -x; }
 
-/// Body and gravity; `flat` is I3/I1.
+/// A random body and gravity; `flat` is I3/I1.
 LagrangeCase body(Engine& g) {
   LagrangeCase c;
   c.top.I1 = log_uniform(g, -6, 1);
@@ -23,12 +23,12 @@ LagrangeCase body(Engine& g) {
   c.top.mgl = c.top.I1 * log_uniform(g, -1, 4);
   return c;
 }
-/// sqrt(|mgl|/I1) (1/s).
+/// The frequency sqrt(|mgl|/I1) (1/s).
 double frequency(const LagrangeCase& c) { return std::sqrt(std::abs(c.top.mgl) / c.top.I1); }
 /// The spin below which the upright top falls (rad/s).
 double critical_spin(const LagrangeCase& c) { return 2 * frequency(c) * c.top.I1 / c.top.I3; }
 
-/// Start from Euler's angles (z, x, z) and their rates.
+/// Sets the start from Euler's angles (z, x, z) and their rates.
 void start(LagrangeCase& c, double tilt, double azimuth, double spin_angle, double tilt_rate, double azimuth_rate, double w3) {
   const double cs = std::cos(tilt / 2), sn = std::sin(tilt / 2), plus = (azimuth + spin_angle) / 2;
   const double minus = (azimuth - spin_angle) / 2, across = azimuth_rate * std::sin(tilt);
@@ -39,7 +39,7 @@ void start(LagrangeCase& c, double tilt, double azimuth, double spin_angle, doub
 void start_anywhere(Engine& g, LagrangeCase& c, double tilt, double tilt_rate, double azimuth_rate, double w3) {
   start(c, tilt, uniform(g, -3, 3), uniform(g, -3, 3), tilt_rate, azimuth_rate, w3);
 }
-/// A time of some periods of the small oscillation, of either sign, sometimes very short or long.
+/// A time of several periods of the small oscillation, of either sign, sometimes very short or long.
 double some_time(Engine& g, const LagrangeCase& c, double longest = 3) {
   const double rate = frequency(c) + std::abs(c.w0_NB_B[2]) + c.w0_NB_B.norm();
   return either_sign(g, log_uniform(g, -2, longest)) / (rate > 0 ? rate : 1);
@@ -77,7 +77,7 @@ LagrangeCase looping(Engine& g) {
   c.t_s = some_time(g, c, 4);
   return c;
 }
-/// Steady precession at the rate that double arithmetic gives.
+/// Steady precession, at the rate computed in double.
 LagrangeCase steady(Engine& g, bool slow) {
   LagrangeCase c = body(g);
   const double tilt = upright(g), w3 = either_sign(g, critical_spin(c) * (1 + log_uniform(g, -2, 3)));
@@ -104,7 +104,7 @@ LagrangeCase sleeping(Engine& g) {
   c.t_s = some_time(g, c, 4);
   return c;
 }
-/// Upright within 1e-14 ... 0.1, at a spin of `f` times the critical one.
+/// A top within 1e-14 ... 0.1 of the upright position, with `f` times the critical spin.
 LagrangeCase nearly_upright(Engine& g, double f, double longest) {
   LagrangeCase c = body(g);
   start_anywhere(g, c, log_uniform(g, -14, -1), 0, 0, either_sign(g, critical_spin(c) * f));
@@ -117,8 +117,8 @@ LagrangeCase nearly_upright(Engine& g, double f, double longest) {
 LagrangeCase nearly_sleeping(Engine& g) { return nearly_upright(g, uniform(g, 1.01, 5), 3); }
 LagrangeCase falling_sleeper(Engine& g) { return nearly_upright(g, uniform(g, 0.02, 0.99), 2.3); }
 LagrangeCase critical_sleeper(Engine& g) { return nearly_upright(g, 1 + either_sign(g, log_uniform(g, -16, -2)), 3); }
-/// Within 1e-18 ... 1e-6 of the vertical, at the critical spin and the one steady rate there, both more or less exactly: the
-/// three roots of the nutation's cubic nearly meet.
+/// A top within 1e-18 ... 1e-6 of the vertical, near the critical spin and near its single steady rate: the three roots of the
+/// nutation's cubic nearly meet.
 LagrangeCase critical_upright(Engine& g) {
   LagrangeCase c = body(g);
   const double f = frequency(c), tilt = log_uniform(g, -18, -6);
@@ -149,7 +149,7 @@ LagrangeCase tiny_upright(Engine& g) {  // tilts and rates down to the least num
   c.w0_NB_B[1] = size * uniform(g, -1, 1);
   return c;
 }
-/// On the separatrix of the upright position within double rounding: b = beta and P(1) = 0.
+/// A top on the separatrix of the upright position, within the rounding of double: b = beta and P(1) = 0.
 LagrangeCase homoclinic(Engine& g) {
   LagrangeCase c = body(g);
   const double f = frequency(c), w3 = either_sign(g, critical_spin(c) * uniform(g, 0, 0.95));
@@ -198,7 +198,7 @@ LagrangeCase spherical_pendulum(Engine& g) {
   c.w0_NB_B[2] = 0;
   return c;
 }
-/// A pendulum in a plane; `energy` over the upright one's in units of mgl.
+/// A pendulum in a plane; `energy` is relative to the upright position, in units of mgl.
 LagrangeCase plane(Engine& g, double energy) {
   LagrangeCase c = body(g);
   const double f = frequency(c);
@@ -220,8 +220,8 @@ LagrangeCase below_pivot(Engine& g) {
   c.top.mgl = -c.top.mgl;
   return c;
 }
-/// Through the vertical at a distance of 1e-16 ... 1e-3 rad, upper or lower; the pass at some time on the way, seen before or
-/// after.
+/// A top that passes the upper or lower vertical at a distance of 1e-16 ... 1e-3 rad, at a time before or after the time of
+/// evaluation.
 LagrangeCase near_pass(Engine& g, bool upper) {
   LagrangeCase c = body(g);
   const double f = frequency(c), miss = g() % 6 == 0 ? 0 : log_uniform(g, -16, -3);
@@ -268,7 +268,7 @@ LagrangeCase at_rest(Engine& g) {
   return c;
 }
 
-/// Zero, or any size between 1e`low` and 1e`high`, of either sign.
+/// Zero, or a number of size 1e`low` to 1e`high`, of either sign.
 double any_size(Engine& g, double low, double high) { return g() % 8 == 0 ? 0 : either_sign(g, log_uniform(g, low, high)); }
 LagrangeCase anything(Engine& g) {
   LagrangeCase c;
@@ -285,12 +285,12 @@ LagrangeCase anything(Engine& g) {
   c.w0_NB_B[0] = scale * any_size(g, -16, 2);
   c.w0_NB_B[1] = scale * any_size(g, -16, 2);
   c.t_s = some_time(g, c, 3);
-  // Not further than twenty doublings of an instability: beyond, the answer is unknown.
+  // The time is limited to about twenty doublings of an instability; beyond that, the answer is unknown.
   const double f = frequency(c);
   if (f * std::abs(c.t_s) > 15) c.t_s *= 15 / (f * std::abs(c.t_s));
   return c;
 }
-/// Steady rates close to either vertical.
+/// Steady precession close to either vertical.
 LagrangeCase conical(Engine& g) {
   LagrangeCase c = body(g);
   const bool low = g() & 1;

@@ -11,7 +11,7 @@
 
 namespace earthtop::test {
 
-/// A top, its start and the time asked for; every number is exact in double.
+/// A top, its start and the time of evaluation; every number is exact in double.
 struct LagrangeCase {
   SymmetricTop<double> top;
   Quaternion<double> q0_NB;
@@ -26,7 +26,7 @@ struct LagrangeGenerator {
 inline void PrintTo(const LagrangeGenerator& generator, std::ostream* out) { *out << generator.name; }
 const std::vector<LagrangeGenerator>& lagrange_generators();
 
-/// The closed form at 113 bits, one of the eleven inputs optionally changed by one ulp (input 0 ... 10; -1: none).
+/// The closed form in 113 bits, with one of the eleven inputs changed by one ulp (input 0 ... 10; -1: none).
 ClosedFormState<float128> wide_state(const LagrangeCase& c, int changed_input = -1);
 
 Measure measure(const LagrangeCase& c);

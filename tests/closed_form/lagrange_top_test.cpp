@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The heavy symmetric top in closed form: against 113 bits in every regime, against an independent integration, against
-/// closed forms of its own and published values.
+/// The closed form of the heavy symmetric top: compared with 113 bits in every regime, with an independent integration, with
+/// closed forms of special motions, and with published values.
 
 #include "earthtop/closed_form/lagrange_top.hpp"
 
@@ -17,8 +17,8 @@
 namespace earthtop::test {
 namespace {
 
-/// The exact product of long doubles, without a fused one: where the difference cancels all but its last bits, and where it
-/// does not, over all magnitudes that doubles leave.
+/// `less_square`, near - y^2 in long double, must be as exact as with a fused multiplication, though it uses none: where the
+/// difference cancels all but the last bits, and where it does not, over all magnitudes of double.
 TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -49,13 +49,14 @@ TEST_P(LagrangeRegimes, ErrorInDoubleIsWithinThePromiseAndTheStatement) {
     ASSERT_LE(used_part(m), 1) << m.error << " at phase " << m.phase << ": " << to_string(c);
     ASSERT_LE(m.error, m.statement) << to_string(c);
     ASSERT_LE(m.rate_error, m.rate_statement) << to_string(c);
-    // Below half a unit of eps the error is chance, not what a statement can know.
+    // Below half an eps, the size of the error is a matter of chance, which the stated error cannot know.
     loose += m.statement > 1000 * std::max(m.error, 1.11e-16 * (1 + m.phase / 1000));
   }
   EXPECT_LE(loose, kTops / 20);
 }
 
-// Extrapolation of order 28 with half a radian a step: about 1e-28; 113-bit theta series: 1e-31 times the conditioning.
+// Errors of the two: extrapolation of order 28 with half a radian per step, about 1e-28; theta series in 113 bits, 1e-31 times
+// the conditioning.
 TEST_P(LagrangeRegimes, IntegrationAt113BitsAgrees) {
   std::mt19937_64 engine(7);
   for (int k = 0; k < 2; ++k) {
@@ -78,7 +79,7 @@ TEST_P(LagrangeRegimes, LongDoubleIsWithinItsStatement) {
                              {c.w0_NB_B[0], c.w0_NB_B[1], c.w0_NB_B[2]});
     const ClosedFormState<T> state = top.at(c.t_s);
     const ClosedFormState<float128> exact = wide_state(c);
-    // The float128 state has an error of its own, on the separatrix a visible one.
+    // The float128 state has an error of its own, which is visible on the separatrix.
     EXPECT_LE(angle_between(wide(state.q_NB), exact.q_NB), static_cast<double>(state.attitude_error + exact.attitude_error));
     EXPECT_LE(static_cast<double>(norm<float128>(wide(state.w_NB_B) - exact.w_NB_B)),
               static_cast<double>(state.rate_error + exact.rate_error));
@@ -98,7 +99,8 @@ LagrangeCase scene(SymmetricTop<double> top, double tilt, const Vec3<double>& w0
   return c;
 }
 
-// The events that a motion passes within a few nutations: both sides of each, at 113 bits, against the integration.
+// Compares the closed form in 113 bits with the integration on both sides of each event that a motion passes within a few
+// nutations.
 void expect_truth(const LagrangeCase& c, double t, int steps, double bound = 1e-25) {
   LagrangeCase at = c;
   at.t_s = t;
@@ -125,11 +127,12 @@ TEST(LagrangeTop, HomoclinicExcursionIsCrossed) {
   expect_truth(c, 20, 80);
   const double period = LagrangeTop<double>(c.top, c.q0_NB, c.w0_NB_B).nutation_period_s();
   EXPECT_LT(period, 40);
-  // Each pass of the vertical parts neighbours by 1e6 or more on the way in and out: 1e-32 becomes 1e-20.
+  // Each pass of the vertical separates neighbouring motions by a factor of 1e6 or more on the way in and out: 1e-32 becomes
+  // 1e-20.
   expect_truth(c, 1.2 * period, 200, 1e-19);
 }
 
-// At the critical spin and the steady rate close to the vertical the three roots of the nutation's cubic nearly meet.
+// At the critical spin, with the steady rate and close to the vertical, the three roots of the nutation's cubic nearly meet.
 TEST(LagrangeTop, NearlyTripleRootAtTheVerticalKeepsEveryDigit) {
   const auto expect_all_digits = [](const LagrangeCase& c) {
     const ClosedFormState<float128> truth = integrated(c, float128(c.t_s), 4), exact = wide_state(c);
@@ -168,7 +171,7 @@ TEST(LagrangeTop, NearlyTripleRootAtTheVerticalKeepsEveryDigit) {
   }
 }
 
-// H9: 1/cos(tilt) = 1 + sech(g' t); round-off grows by exp(g' t), so the error statement is the tolerance.
+// H9: 1/cos(tilt) = 1 + sech(g' t). Round-off grows as exp(g' t), so the stated error is the tolerance.
 TEST(LagrangeTop, HomoclinicTopFollowsItsClosedForm) {
   using real::sqrt;
   const float128 I1 = 1, I3 = float128(1) / 2, root3 = sqrt(float128(3)), g = 1;
@@ -190,7 +193,7 @@ TEST(LagrangeTop, HomoclinicTopFollowsItsClosedForm) {
   }
 }
 
-// H15: released at rest the axis falls to cos(tilt1) = L - sqrt(L^2 - 2 L cos(tilt0) + 1), L = (I3 w3)^2/(4 I1 mgl).
+// H15: released at rest, the axis falls to cos(tilt1) = L - sqrt(L^2 - 2 L cos(tilt0) + 1), where L = (I3 w3)^2/(4 I1 mgl).
 TEST(LagrangeTop, CuspedTopFallsToItsLowestTilt) {
   const LagrangeCase c = scene({5e-4, 8e-4, 0.196133}, 0.5, {0, 0, 200});
   const LagrangeTop<double> top(c.top, c.q0_NB, c.w0_NB_B);
@@ -201,7 +204,7 @@ TEST(LagrangeTop, CuspedTopFallsToItsLowestTilt) {
   EXPECT_NEAR(axis(top.at(top.nutation_period_s()))[2], u0, 1e-15);
 }
 
-// T2: Simo and Wong's top, mgl = 20, I = (5, 5, 1), w3 = 50, at t = 10; the published digits come from a 113-bit integration.
+// T2: Simo and Wong's top, mgl = 20, I = (5, 5, 1), w3 = 50, at t = 10. The published digits come from a 113-bit integration.
 TEST(LagrangeTop, SimoWongTopAtTenSeconds) {
   const std::array<double, 2> tilt{0.05, 0.3};
   const std::array<std::array<double, 3>, 2> published{
@@ -209,12 +212,13 @@ TEST(LagrangeTop, SimoWongTopAtTenSeconds) {
        {-0.27486460839002151370, 0.15474152101071960297, 0.94894916024510456308}}};
   for (int k = 0; k < 2; ++k) {
     const Vec3<double> n = axis(LagrangeTop<double>({5, 1, 20}, tilted(tilt[k]), {0, 0, 50}).at(10));
-    // The start is rounded to double: 500 rad of spin, one ulp each: 500 eps of the axis' own phase at most, times its tilt.
+    // The start is rounded to double. In 500 rad of spin, one ulp each makes at most 500 eps of the axis' own phase, times its
+    // tilt.
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(n[i], published[k][i], 2e-14 * tilt[k] / 0.05);
   }
 }
 
-// T3: a cone in steady precession at 10 rad/s: the axis is back after pi/5 s, and its tilt never changes.
+// T3: a cone in steady precession at 10 rad/s. Its axis returns after pi/5 s, and its tilt stays constant.
 TEST(LagrangeTop, SteadyPrecessionReturns) {
   const double I3 = 5.3014376029327760899e-4, I1 = 4.5062219624928596764e-3, m = 0.70685834705770347865,
                pi = 3.14159265358979324;
@@ -223,7 +227,7 @@ TEST(LagrangeTop, SteadyPrecessionReturns) {
   EXPECT_EQ(static_cast<int>(top.regime()), static_cast<int>(LagrangeRegime::steady));
   for (const double t : {0.1, pi / 5, 7.3}) {
     const Vec3<double> n = axis(top.at(t));
-    // The numbers of the start are rounded: precession rate and tilt by some eps.
+    // The initial values are rounded, so precession rate and tilt are in error by some eps.
     const double bound = 1e-15 * (8 + 10 * t);
     EXPECT_NEAR(n[0], std::sin(tilt) * std::sin(10 * t), bound);
     EXPECT_NEAR(n[1], -std::sin(tilt) * std::cos(10 * t), bound);
@@ -231,7 +235,7 @@ TEST(LagrangeTop, SteadyPrecessionReturns) {
   }
 }
 
-// H16: both steady rates at any tilt, through the horizontal.
+// H16: both steady rates at any tilt, above and below the horizontal.
 TEST(LagrangeTop, SteadyRatesAtAnyTilt) {
   const double I1 = 5e-4, I3 = 8e-4, mgl = 0.196133, w3 = 200;
   for (const double tilt : {0.5, 1.57079632679489662, 2.5}) {
@@ -261,7 +265,7 @@ TEST(LagrangeTop, SleepingTopSleepsExactly) {
     }
 }
 
-// H8: below the critical spin a tilt grows as exp(g' sqrt(1 - f^2) t).
+// H8: below the critical spin, a small tilt grows as exp(g' sqrt(1 - f^2) t).
 TEST(LagrangeTop, SleeperBelowTheCriticalSpinFallsAtItsRate) {
   const double I1 = 5e-4, I3 = 8e-4, mgl = 0.196133, g = std::sqrt(mgl / I1);
   for (const double f : {0.1, 0.5, 0.9, 0.99}) {
@@ -291,7 +295,7 @@ TEST(LagrangeTop, RestartGoesOnWithTheSameMotion) {
   }
 }
 
-// A turn of the body axes by pi about axis 1 makes mgl, w2 and w3 change sign and leaves the motion as it is.
+// Turning the body axes by pi about axis 1 reverses the signs of mgl, w2 and w3, and leaves the motion unchanged.
 TEST(LagrangeTop, CentreOfMassBelowThePivotIsTheSameTopSeenFromTheOtherEnd) {
   std::mt19937_64 engine(6);
   for (int k = 0; k < 100; ++k) {

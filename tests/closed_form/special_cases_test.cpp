@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Motions in elementary functions against the equations of motion, and the passage to the turning laboratory against the
-/// equations with the Earth's rate.
+/// Closed forms in elementary functions, compared with the equations of motion; and their transformation to the turning
+/// laboratory, compared with the equations that contain the Earth's rate.
 
 #include "earthtop/closed_form/special_cases.hpp"
 
@@ -21,8 +21,8 @@ using State = std::array<Wide, 7>;
 
 double difference(const Vec3<Wide>& a, const Vec3<Wide>& b) { return static_cast<double>(norm<Wide>(a - b)); }
 
-/// A rigid body with moments I along its axes and the mass moment m g r (N m), in axes that turn at W_L: Euler's equations for
-/// the inertial rate, dq/dt for the rate relative to those axes, gravity along -z of them.
+/// A rigid body with moments I along its axes and mass moment m g r (N m), in axes that turn at W_L: Euler's equations for the
+/// inertial rate, and dq/dt for the rate relative to those axes; gravity acts along their -z.
 struct Equations {
   Vec3<Wide> I, mgr_B = Vec3<Wide>::Zero(), W_L = Vec3<Wide>::Zero();
 
@@ -47,7 +47,7 @@ Vec3<Wide> earth(double latitude_deg, Wide Omega = Wide(7.292115e-5)) {
   return Omega * celestial_axis_L<Wide>({latitude_deg, 0, 0, 0});
 }
 
-// T3: a metal cone on a table, as published: both roots solve the equations of motion.
+// T3: the metal cone on a table, as published: both roots satisfy the equations of motion.
 TEST(SteadyPrecession, ConeOfKinonAndBetsch) {
   const Wide g = Wide(981) / 100, J3 = Wide(5.3014376029327760899e-4L), J1 = Wide(4.5062219624928596764e-3L);
   const SymmetricTop<Wide> top{J1, J3, Wide(0.70685834705770347865L) * g * 3 / 40};
@@ -87,7 +87,7 @@ TEST(SteadyPrecession, RootsAtEveryTilt) {
   EXPECT_DOUBLE_EQ(free->fast, 12);
 }
 
-// A free symmetric body is the case mgl = 0 with L along z: the two closed forms must agree.
+// A free symmetric body is the special case mgl = 0 with L along z, where two closed forms must agree.
 TEST(SteadyPrecession, FreeSymmetricBody) {
   const Wide w3 = 3, I1 = 1, I3 = 2, tilt = Wide(7) / 10;
   const Quaternion<Wide> q0{real::cos(tilt / 2), Vec3<Wide>(Wide(0), real::sin(tilt / 2), Wide(0))};
@@ -101,7 +101,7 @@ TEST(SteadyPrecession, FreeSymmetricBody) {
   }
 }
 
-// H9: 1/cos(tilt) = 1 + sech(g' t), whose lowest tilt is 60 deg.
+// H9: 1/cos(tilt) = 1 + sech(g' t), with a largest tilt of 60 deg.
 TEST(Homoclinic, WoodhousesTop) {
   const SymmetricTop<double> top{5e-4, 8e-4, 0.196133};
   const double g = std::sqrt(top.mgl / top.I1), w3 = std::sqrt(0.75) * critical_spin(top);
@@ -143,7 +143,7 @@ TEST(Separatrix, FreeBodySolvesEulersEquations) {
   EXPECT_NEAR(x.w_NB_B[2], s / std::cosh(2 * s), 4e-16);
 }
 
-/// Error and statement of a closed form in double, against its float128.
+/// The error of a closed form in double, and its stated error, judged by the same closed form in float128.
 template <class ClosedForm>
 void expect_statement(const ClosedForm& form) {
   std::mt19937_64 engine(5);
@@ -175,7 +175,7 @@ TEST(SpecialCases, StatementsOfError) {
   });
 }
 
-// At the poles the motion of any heavy body on the turning Earth is its motion on one at rest, seen from the laboratory.
+// At the poles, any heavy body on the turning Earth moves as it would on an Earth at rest, seen from the turning laboratory.
 TEST(TurningLaboratory, PolesForAnyBody) {
   for (const double latitude : {90.0, -90.0}) {
     const Vec3<Wide> W = earth(latitude, Wide(1) / 4);
@@ -214,7 +214,7 @@ TEST(TurningLaboratory, ResolvesTheSlowestTurn) {
   EXPECT_EQ(seen_from_laboratory(still, Vec3<double>(Vec3<double>::Zero()), 10.0).q_LB.w, 1);
 }
 
-// T7: latitude 45 deg, the axis East, 60 s.
+// T7: latitude 45 deg, the axis pointing East, 60 s.
 TEST(BalancedGyroscope, FoucaultsGyroscope) {
   const double c = 7.292115e-5 * std::sqrt(0.5);
   const Vec3<double> axis = balanced_gyroscope_axis_L(Vec3<double>(1, 0, 0), Vec3<double>(0, c, c), 60.0);
@@ -235,7 +235,7 @@ TEST(SleepingTop, CriticalSpinAndGrowth) {
   EXPECT_EQ(upright_growth_rate(toy, 1.0001 * critical_spin(toy)), 0);
 }
 
-// H7, and the exact axis stands still under the equations of motion.
+// H7; and the exact equilibrium of the axis satisfies the equations of motion.
 TEST(SleepingTop, LeansToTheSouth) {
   const SymmetricTop<Wide> top{Wide(5e-4), Wide(8e-4), Wide(0.196133)};
   for (const double latitude : {45.0, -45.0})
@@ -254,11 +254,11 @@ TEST(SleepingTop, LeansToTheSouth) {
   w[2] = 30;
   const State moved = equations(top, W)(state(q, w));
   const Vec3<Wide> turning(moved[4], moved[5], moved[6]), relative = w - transposed_times(rotation_matrix(q), W);
-  // The axis is at rest, and the rate changes only as the body's own turn under it demands: dw/dt = w x relative.
+  // The axis is at rest, and the rate changes only because the body turns under it: dw/dt = w x relative.
   EXPECT_LT(norm<Wide>(turning - w.cross(relative)), 1e-30);
 }
 
-// H6: from rest in the laboratory, the plane of swing after some periods.
+// H6: a pendulum released at rest in the laboratory, and its plane of swing after some periods.
 TEST(FoucaultPendulum, PlaneTurnsAsStated) {
   for (const double share : {1e-4, 0.5})
     for (const double latitude : {90.0, 45.0, -30.0, 0.0})
@@ -267,13 +267,13 @@ TEST(FoucaultPendulum, PlaneTurnsAsStated) {
         const SymmetricTop<Wide> top{Wide(1), Wide(share), Wide(-40)};
         const Vec3<Wide> W = earth(latitude, Wide(1e-3));
         const auto stated = foucault_rate<Wide>(top, Wide(amplitude), W);
-        // The axis points down along -z of the body's third axis, displaced to the South; at rest in the laboratory.
+        // The pendulum hangs along -z of the body's third axis, which leans to the South; it is at rest in the laboratory.
         const Wide half = Wide(amplitude) / 2;
         const Quaternion<Wide> q0{real::cos(half), Vec3<Wide>(real::sin(half), Wide(0), Wide(0))};
         const SymmetricTop<Wide> hanging{top.I1, top.I3, top.mgl};
         State x = state(q0, transposed_times(rotation_matrix(q0), W));
         const Equations law = equations(hanging, W);
-        // Ten swings of the linear pendulum and the amplitude's lengthening, then the turning point itself by Newton's rule.
+        // Ten swings of the linear pendulum, corrected for the amplitude, then the turning point itself by Newton's method.
         const double period = 2 * 3.14159265358979 / std::sqrt(40.0) * (1 + amplitude * amplitude / 16);
         x = testing::extrapolated(x, Wide(10 * period), 40, law);
         double t = 10 * period;

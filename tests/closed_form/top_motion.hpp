@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The heavy symmetric top's plain equations of motion in the attitude and the angular momentum, for integration at 113 bits.
+/// The heavy symmetric top's equations of motion in its attitude and angular momentum, for integration in 113 bits.
 #pragma once
 
 #include "closed_form/lagrange_cases.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The closed forms behind headline figures, evaluated from the scenarios themselves: what a file states is what its formula
-/// gives, to the last digit stated.
+/// The closed forms behind headline figures, evaluated for the scenarios themselves: the figure stated in each file equals its
+/// formula, to the last digit stated.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ struct ClosedForm {
   Body<Real> body() const { return make_body<Real>(scenario.body); }
   Real mgl() const { return body().mass * scenario.site.gravity_m_s2 * body().p_PBcm_B[2]; }
 
-  /// Stated to a hundredth of the tolerance or better.
+  /// The figure is stated to a hundredth of its tolerance or better.
   void expect_stated(Real value) const {
     EXPECT_LE(std::abs(scenario.headline->value - value), scenario.headline->tolerance / 100) << static_cast<double>(value);
   }
@@ -41,8 +41,8 @@ TEST(ClosedForms, FreeGyroAndPoleDriftByTheEarthsTurn) {
   }
 }
 
-// The plane of swing turns with the mean of the two frequencies that the linear pendulum has on a turning floor; at a turning
-// point both motions stand at their full amplitude.
+// The plane of swing turns at the mean of the two frequencies that the linear pendulum has on a turning floor; at a turning
+// point both component motions are at their full amplitude.
 TEST(ClosedForms, FoucaultPendulum) {
   const ClosedForm form("foucault-pendulum");
   const SymmetricTop<Real> top{form.body().I_BP_B(0, 0), form.body().I_BP_B(2, 2), form.mgl()};
@@ -54,7 +54,8 @@ TEST(ClosedForms, FoucaultPendulum) {
   form.expect_stated(2 * std::asin(amplitude * std::sin(turned / 2)));
 }
 
-// I1 z" - i (p - 2 I1 s) z' - (m g l + I1 s^2 - p s) z = i c (p - I1 s), from rest at z = 0.
+// With z the axis' horizontal components: I1 z" - i (p - 2 I1 s) z' - (m g l + I1 s^2 - p s) z = i c (p - I1 s), from rest at z
+// = 0.
 TEST(ClosedForms, SleepingTop) {
   const ClosedForm form("sleeping-top-above-critical");
   const Real I1 = form.body().I_BP_B(0, 0), I3 = form.body().I_BP_B(2, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Every shipped scenario meets its headline figure, and would not if the program were wrong about the Earth.
+/// Every shipped scenario meets its headline figure, and would not if the program were wrong about the Earth's rotation.
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@ namespace {
 using testing::parse_file;
 using testing::shipped_files;
 
-/// A quarter of a minute: most of the computing in the collection.
+/// This scenario takes a quarter of a minute, most of the computing time of the collection.
 constexpr const char* kLongest = "fast-gyro";
 
-/// The drifts at the headline's time, all of them, against the reference program, within the bounds that the run states.
+/// Compares all drifts at the headline's time with the values of the reference program, within the bounds that the run states.
 void expect_generated_drifts(const RunResult& result) {
   const testing::GeneratedValues generated = testing::generated_values(result.scenario.name);
   const auto row = std::find_if(result.rows.begin(), result.rows.end(),
@@ -27,7 +27,7 @@ void expect_generated_drifts(const RunResult& result) {
   ASSERT_NE(row, result.rows.end());
   EXPECT_LE(std::abs(row->drift_axis_rad - generated.at("drift_axis_rad")), row->drift_axis_bound_rad);
   EXPECT_LE(std::abs(row->drift_attitude_rad - generated.at("drift_attitude_rad")), row->drift_attitude_bound_rad);
-  // Azimuth, tilt and spin have no bound of their own; an attitude's error turns up in them over sin(tilt).
+  // Azimuth, tilt and spin have no bounds of their own; the attitude's error appears in them divided by sin(tilt).
   const double sine = std::max(1e-3, std::hypot(row->axis_L[0], row->axis_L[1]));
   for (const Column& column : trajectory_columns()) {
     if (column.name != "drift_azimuth_rad" && column.name != "drift_tilt_rad" && column.name != "drift_spin_rad") continue;
@@ -55,7 +55,7 @@ TEST(Headlines, FastGyroMeetsItsOwn) { expect_met(parse_file(std::filesystem::pa
 
 bool is_met(const Scenario& scenario) { return check_headline(run(scenario))->met; }
 
-// What a program that forgets the Earth would print is met by none of the figures, where there is an Earth.
+// The results of a program without the Earth's rotation meet none of the figures of scenes that have it.
 TEST(Headlines, NoneIsMetWithoutTheEarth) {
   for (const auto& file : shipped_files()) {
     Scenario scenario = parse_file(file);
@@ -65,7 +65,8 @@ TEST(Headlines, NoneIsMetWithoutTheEarth) {
   }
 }
 
-// Nor what a program with the wrong sign would print. Exceptions: drifts that are exactly, or to first order in Omega, even.
+// Nor do the results of a program with the wrong sign of the rotation, except for drifts that are even in Omega, exactly or to
+// first order.
 TEST(Headlines, FewAreMetOnAnEarthThatTurnsBackward) {
   const std::set<std::string> even = {"free-gyro", "north-pole", "foucault-pendulum"};
   for (const auto& file : shipped_files()) {
@@ -76,7 +77,7 @@ TEST(Headlines, FewAreMetOnAnEarthThatTurnsBackward) {
   }
 }
 
-// Nor, in the two scenes that stand side by side, what the other matching rule gives.
+// Nor, in the two scenes that differ by their matching rule only, the result of the other rule.
 TEST(Headlines, MatchingRulesAreToldApart) {
   for (const char* name : {"matching-laboratory", "matching-inertial"}) {
     Scenario scenario = parse_file(std::filesystem::path(EARTHTOP_SCENARIOS) / (std::string(name) + ".json"));

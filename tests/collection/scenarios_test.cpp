@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The shipped scenarios as files: complete, in step with the values of tests/headlines and with the README's table.
+/// Checks the files of the shipped scenarios: they are complete, and agree with the values of tests/headlines and with the
+/// README's table.
 
 #include <gtest/gtest.h>
 
@@ -27,16 +28,16 @@ TEST(Collection, EveryScenarioSaysWhatItIsForAndWhatItIsHeldTo) {
     EXPECT_TRUE(scenario.headline->origin.starts_with("closed form: ") ||
                 scenario.headline->origin.starts_with("extended precision: "))
         << scenario.headline->origin;
-    // A thousandth of what the Earth does is the most that a figure may leave open; angles and quaternions are of order Omega
-    // t.
+    // A figure's tolerance may be at most 1e-5 of what the Earth's rotation does. For a drift that is the figure itself; for
+    // angles and quaternions it is of order Omega t.
     const double earth =
         std::max(std::abs(scenario.headline->value), scenario.headline->quantity.starts_with("drift") ? 0 : 1e-3);
     EXPECT_LE(scenario.headline->tolerance, 1e-5 * earth);
   }
 }
 
-// The reference program has integrated every scene; a figure of "extended precision" is its number to the last bit, and a
-// closed form agrees with it.
+// The reference program has integrated every scene. A figure of origin "extended precision" is its number to the last bit, and
+// a closed form agrees with it.
 TEST(Collection, HeadlinesAreTheGeneratedValues) {
   const std::string text = testing::generated_document().dump();
   EXPECT_TRUE(testing::generated_document().contains("generator") && testing::generated_document().contains("precision") &&
@@ -56,7 +57,7 @@ TEST(Collection, HeadlinesAreTheGeneratedValues) {
   }
 }
 
-/// The README's line for a scenario.
+/// The line for a scenario in the README.
 std::string table_line(const Scenario& scenario) {
   const HeadlineSpec& headline = scenario.headline.value();
   const std::string time = fmt::format(" at {} s", headline.at_s.value_or(scenario.duration_s));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The shipped studies that take minutes meet their figures.
+/// Checks that the shipped studies which take minutes meet their figures.
 #include "collection/study_figures.hpp"
 
 namespace earthtop {

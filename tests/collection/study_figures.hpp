@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Shipped studies and whether what they compute meets their figures: a study's finding is not an opinion.
+/// Computes shipped studies and checks that they meet their figures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace earthtop::testing {
 
-/// What a study takes of one processor. One that is not listed here takes less than two seconds.
+/// How long a study takes on one core. Those not listed here take less than two seconds.
 enum class StudyLength { moments, seconds, minutes };
 
 inline StudyLength length_of(const std::string& study) {
@@ -27,7 +27,7 @@ inline StudyLength length_of(const std::string& study) {
   return StudyLength::moments;
 }
 
-/// The names of the shipped studies of this length; every study is of one.
+/// The names of the shipped studies of this length; every study has exactly one.
 inline std::vector<std::string> shipped_studies(StudyLength length) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(EARTHTOP_SCENARIOS "/studies")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What decides a verdict beside the numbers: the scenario, the tolerances, the cost, what is compared with what.
+/// What decides a verdict besides the numbers: the scenario, the tolerances, the cost, and which quantities are compared.
 #include "earthtop/compare/compare.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace testing;  // of earthtop: results_copy.hpp
 
 using Set = std::vector<std::pair<std::string, std::string>>;
 
-/// Results of the short run's scene with something set.
+/// Results of the short run's scene with some keys changed.
 class OtherRun {
  public:
   explicit OtherRun(const Set& set, const std::string& scene = "toy-top") {
@@ -39,7 +39,7 @@ TEST(Compare, AnotherScenarioIsNamedAndAllowedOnRequest) {
   allowed.may_change = {"/numerics"};
   const PairReport now = compared(other.path(), allowed);
   EXPECT_TRUE(now.passed());
-  // Another method errs otherwise: it moved, by no more than both bounds allow.
+  // Another method has other errors: the numbers moved, but by no more than both bounds allow.
   EXPECT_GT(quantity(now, "drift_axis_rad").largest, 0);
   EXPECT_EQ(quantity(now, "drift_axis_rad").change, Change::within_errors);
   EXPECT_NE(quantity(now, "drift_axis_rad").origin.find("both error bounds"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Other programs' files: conventions undone by a mapping, rows at other times, studies.
+/// Files of other programs: conventions that a mapping undoes, rows at other times, studies.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +36,8 @@ Quaterniond from_columns(const Vector3d& x, const Vector3d& y, const Vector3d& z
 }
 const Vector3d kEastAxis(1, 0, 0), kNorthAxis(0, 1, 0), kUpAxis(0, 0, 1);
 
-/// What another program would write of the short run: its world axes F and body axes G as directions in ours.
+/// A convention in which another program could write the short run: its world axes F and body axes G, as directions in ours,
+/// and more.
 struct Convention {
   Quaterniond q_LF, q_BG;
   bool scalar_last, inverse, world_rates;
@@ -86,7 +87,7 @@ PairReport compare_foreign(const Convention& c, const std::string& axes) {
 const Quaterniond kSame = Quaterniond::Identity();
 const Quaterniond kNed = from_columns(kNorthAxis, kEastAxis, -kUpAxis), kNwu = from_columns(kNorthAxis, -kEastAxis, kUpAxis),
                   kYUp = from_columns(kEastAxis, kUpAxis, -kNorthAxis);
-// x forward: the file's x is body axis 3, its y body axis 1, its z body axis 2.
+// A body frame with x forward: the file's x is body axis 3, its y body axis 1, its z body axis 2.
 const Quaterniond kXForward = from_columns(Vector3d(0, 0, 1), Vector3d(1, 0, 0), Vector3d(0, 1, 0));
 constexpr double kDegreesPerSecond = std::numbers::pi / 180;
 
@@ -169,7 +170,8 @@ TEST(Mapping, SimbodyAgreesToItsOwnError) {
   }
 }
 
-// Against the prediction of a laboratory that does not turn, Simbody's top on the turning Earth is off by the whole effect.
+// Compared with the prediction for a laboratory that does not turn, Simbody's top on the turning Earth differs by the whole
+// effect of the rotation.
 TEST(Mapping, PhysicsSeesTheEarth) {
   const TemporaryDirectory dir;
   const Scenario scenario = parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/toy-top.json"));
@@ -216,7 +218,7 @@ TEST(Mapping, AFileIsRefusedWithAllItsErrors) {
   EXPECT_NE(no_column[0].message.find("no column \"t\""), std::string::npos);
 }
 
-/// The slow heavy top of the benchmark for a second, with rows every so often.
+/// One second of the slow heavy top of the benchmark, with the given output step.
 fs::path slow_run(const TemporaryDirectory& dir, const std::string& name, const char* step) {
   const Scenario scenario =
       parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/asymmetric-top.json"),
@@ -237,8 +239,8 @@ TEST(OtherTimes, RowsBetweenAreComparedWithAStatedError) {
     if (verdict.name != "attitude_rad" && verdict.name != "axis_rad" && verdict.name != "rates_rad_s") continue;
     ASSERT_TRUE(verdict.interpolation_error) << verdict.name;
     EXPECT_GT(verdict.largest, 0) << verdict.name;
-    // The same motion: all of the difference is the interpolation's, and it is below what is stated, by the order of the
-    // method.
+    // The motions are the same, so the whole difference comes from interpolation. It is below the stated error, but not by more
+    // than a factor of 1e4.
     EXPECT_LT(verdict.largest, *verdict.interpolation_error) << verdict.name;
     EXPECT_GT(verdict.largest, *verdict.interpolation_error / 1e4) << verdict.name;
   }

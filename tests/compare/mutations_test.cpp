@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Mutations of a result, each with the verdict it must get.
+/// Changes single things in a result; each change must get the right verdict.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;  // of earthtop: results_copy.hpp
 
-/// What is said where an input is refused; empty where it is not.
+/// The message with which an input is refused; empty if it is not.
 std::string refusal_of(const fs::path& candidate, const CompareOptions& options = {}) {
   try {
     compared(candidate, options);
@@ -68,7 +68,7 @@ TEST(Mutation, AQuaternionOfTheOtherSignIsTheSameAttitude) {
   EXPECT_TRUE(mentions(pair.notes, "1 quaternions have the other sign"));
 }
 
-/// What a simulator with axes North, East, Down would have written: R_NE = [0 1 0; 1 0 0; 0 0 -1].
+/// Turns the results into those of a simulator with axes North, East, Down: R_NE = [0 1 0; 1 0 0; 0 0 -1].
 void turn_to_ned(Csv& csv) {
   const double s = std::numbers::sqrt2 / 2;
   for (std::size_t i = 0; i < csv.rows.size(); ++i)
@@ -119,7 +119,7 @@ TEST(Mutation, AnEmptyCellDiffers) {
   EXPECT_FALSE(compared(copy.path()).passed());
 }
 
-// Every column's number off by 1e-9 of its unit in one row; the bounds' own columns are judged by their order of magnitude.
+// In each column one number is changed by 1e-9 of its unit; the columns of bounds are judged only by their order of magnitude.
 TEST(Mutation, OneDigitAt1eMinus9IsFoundInEveryColumn) {
   const Csv original(ShortRun::get().path() / "trajectory.csv");
   for (const std::string& column : original.header) {
@@ -134,7 +134,7 @@ TEST(Mutation, OneDigitAt1eMinus9IsFoundInEveryColumn) {
   }
 }
 
-// Neither an axis nor a quaternion may grow along itself, where no angle would tell.
+// The length of an axis or quaternion may not change, although no angle would show it.
 TEST(Mutation, ALengthThatIsNotOneIsFound) {
   for (const std::vector<std::string>& columns : {std::vector<std::string>{"axis_L_x", "axis_L_y", "axis_L_z"},
                                                   std::vector<std::string>{"q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z"}}) {
@@ -179,7 +179,7 @@ TEST(Mutation, ADigitThatNoDoubleHoldsIsFoundBitwise) {
   const auto compare_in = [&](Profile profile) {
     return compare_results(dir.path() / "a.csv", dir.path() / "b.csv", with_profile(profile)).passed();
   };
-  // 34 digits of float128, and 21 of long double, whose text is no longer than a double's may be.
+  // 34 digits of float128, and 21 of long double in a text no longer than one of a double may be.
   for (const std::string digits : {"0.123456789012345678901234567890123", "1.14022802861751123"}) {
     const std::string exponent = digits.size() < 20 ? "e-3" : "";
     write_text(dir.path() / "a.csv", header + digits + "14" + exponent + "\n");
@@ -282,7 +282,7 @@ void change_summary(const ChangedCopy& copy, const SummaryChange& change) {
   write_text(copy.path() / "summary.json", testing::text_of(summary));
 }
 
-// What a summary says of itself must not decide how much of it is compared, in either role.
+// What a summary says about itself must not decide how much of it is compared, neither in the reference nor in the candidate.
 TEST(Mutation, ASummaryCannotTalkItsWayThrough) {
   const SummaryChange changes[] = {
       [](auto& s) { s["attitude_bound_rad"] = 1e3; },
@@ -314,7 +314,7 @@ TEST(Mutation, ASummaryCannotTalkItsWayThrough) {
   }
 }
 
-// However large bounds are said to be: a motion that stands still is not the top's.
+// However large the stated bounds are, a body at rest is not accepted as the top's motion.
 TEST(Mutation, InflatedBoundsDoNotHideTheMotion) {
   const ChangedCopy copy;
   change_summary(copy, [](auto& s) {

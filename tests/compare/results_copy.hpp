@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Results of a short run, copies of them with something changed, and how they are compared.
+/// Results of a short run, changed copies of them, and how they are compared.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline std::string read_text(const fs::path& file) {
 }
 inline void write_text(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
-/// A CSV file as cells.
+/// A CSV file, split into cells.
 struct Csv {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
@@ -70,7 +70,7 @@ struct Csv {
   }
 };
 
-/// A toy top for six seconds, 61 rows, run once for all tests of a process.
+/// A toy top over six seconds, 61 rows, run once for all tests of a process.
 class ShortRun {
  public:
   static const ShortRun& get() {
@@ -88,7 +88,7 @@ class ShortRun {
   TemporaryDirectory directory_;
 };
 
-/// A copy of the short run's results, changed.
+/// A copy of the short run's results, to be changed.
 class ChangedCopy {
  public:
   explicit ChangedCopy(const std::function<void(Csv&)>& change) : ChangedCopy() {
@@ -112,7 +112,7 @@ inline CompareOptions with_profile(Profile profile) {
   return options;
 }
 
-/// The short run as the reference of a candidate.
+/// Compares a candidate with the short run as its reference.
 inline PairReport compared(const fs::path& candidate, const CompareOptions& options = {}) {
   return compare_results(ShortRun::get().path(), candidate, options).pairs.at(0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes a study of four points about the scenario given, in the directory given.
+// Computes a study of four points on the given scenario, in the given directory.
 #include <cstdio>
 #include <earthtop/study/run_study.hpp>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The search for the first passing on drifts that are formulas: a trend with one or two oscillations on it, looked at as
-/// seldom as steps of long methods do.
+/// The search for the first passing of a threshold, tested on drifts given by formulas: a trend with one or two oscillations,
+/// sampled as rarely as the long steps of some methods sample it.
 #include "drift/threshold_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace earthtop {
 namespace {
 
-/// A drift that rises by `slope`, with oscillations of the two rates.
+/// A drift that rises by `slope` (1/s), with oscillations at two rates.
 struct Wave {
   double slope = 1e-3, size = 0, rate = 1, phase = 0, second = 0, second_rate = 0.3;
   double at(double t) const {
@@ -38,7 +38,7 @@ ThresholdRecord<double> follow(const Wave& wave, double threshold, double every,
   return watch.record();
 }
 
-/// The first passing, by going forward in short steps and halving the one that passes.
+/// The first passing, found by short steps and bisection of the step in which it happens.
 std::optional<double> first_passing(const Wave& wave, double threshold, double end) {
   constexpr double kStep = 0.015;
   for (double t = 0; t < end; t += kStep) {
@@ -71,11 +71,12 @@ TEST(ThresholdWatch, FindsTheFirstPassingHoweverSeldomItLooks) {
     if (expected) {
       ASSERT_TRUE(record.passing);
       ++passed;
-      // Digits of the drift over its rate, and of the time.
+      // The tolerance: the rounding of the drift divided by its rate, and the rounding of the time.
       const double slack = 8e-16 * threshold / std::max(1e-9, wave.derivative(*expected)) + 4e-16 * *expected;
       ASSERT_NEAR(record.passing->t, *expected, slack);
     } else if (record.passing) {
-      // Steps of the slow search may stride over a top that just passes; or it passes in the last piece.
+      // The short steps of the slow search may miss a maximum that just passes the threshold, or the passing is in the last
+      // piece.
       ASSERT_GE(wave.at(record.passing->t + 1e-9), threshold - 1e-12);
     }
     many = std::max(many, looks);
@@ -85,7 +86,7 @@ TEST(ThresholdWatch, FindsTheFirstPassingHoweverSeldomItLooks) {
 }
 
 TEST(ThresholdWatch, KnowsATopThatTouches) {
-  // Tops of 1 + 2 size at (2 k + 1) pi, no trend.
+  // Without a trend, maxima of 1 + 2 size at (2 k + 1) pi.
   const Wave wave{0, 0.01, 1, 0};
   for (const double every : {0.1, 0.7, 2.0, 5.0}) {
     SCOPED_TRACE(every);

@@ -37,7 +37,7 @@ __float128 lgammaq(__float128) noexcept;
 namespace earthtop {
 namespace {
 
-/// In units in the last place of the exact value; a result that overflows too early is infinitely far.
+/// The error in units in the last place of the exact value; infinite if the result overflows though the exact value does not.
 double error_ulp(double computed, float128 exact) {
   const double rounded = static_cast<double>(exact);
   if (std::isnan(rounded) || std::isinf(rounded))
@@ -49,7 +49,7 @@ double error_ulp(double computed, float128 exact) {
   return static_cast<double>(real::scale(error, -std::max(exponent - 53, -1074)));
 }
 
-/// Arguments whose size is spread evenly over the exponents from `low` to `high`, of both signs or of one.
+/// Random arguments whose binary exponents are spread evenly from `low` to `high`, of both signs or of one.
 class Arguments {
  public:
   double operator()(double low, double high, bool positive) {
@@ -67,9 +67,9 @@ struct Function {
   double (*computed)(double) noexcept;
   float128 (*exact)(float128) noexcept;
   double (*c_library)(double);
-  double low, high;  ///< binary exponents of its arguments
+  double low, high;  ///< binary exponents of the arguments
   bool positive = false;
-  double claim_ulp = 1;  ///< that of its header
+  double claim_ulp = 1;  ///< largest error (ulp) that the function's header states
 };
 
 double sine_of_pair(double x) noexcept { return real::sin_cos(x).sin; }
@@ -118,20 +118,20 @@ TEST(Elementary, AreWithinAnUlpFromTheLeastArgumentToTheLargest) {
       if (error > worst) worst = error, at = x;
     };
     for (int i = 0; i < 4000; ++i) include(arguments(f.low, f.high, f.positive));
-    // Where most arguments are: a few turns, numbers of usual size.
+    // The range of most arguments in practice: a few turns, numbers of ordinary size.
     for (int i = 0; i < 4000; ++i) include(arguments(std::max(f.low, -6.0), std::min(f.high, 6.0), f.positive));
     EXPECT_LE(worst, f.claim_ulp) << f.name << " at " << at;
   }
 }
 
-/// What the C standard says of zeros, infinities and no numbers.
+/// The C standard's rules for zeros, infinities and NaN.
 TEST(Elementary, SpecialValuesAreThoseOfTheCLibrary) {
   const double inf = INFINITY, least = std::numeric_limits<double>::denorm_min(), largest = std::numeric_limits<double>::max();
   const std::vector<double> special = {0.0,  -0.0, 1.0,  -1.0, 2.0,   -2.0,   0.5,     3.0,
                                        -3.0, inf,  -inf, NAN,  least, -least, largest, -largest};
   const auto same = [](double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-    // Of ordinary values it is another test that counts the last place.
+    // The last place of ordinary values is the subject of another test.
     return a == b ? std::signbit(a) == std::signbit(b)
                   : std::isfinite(a) && std::isfinite(b) && std::fabs(a - b) < 1e-15 * std::fabs(b);
   };
@@ -167,7 +167,7 @@ TEST(Elementary, PowersOfTenAreTheLiterals) {
   for (int n = -340; n <= 310; ++n) {
     const double literal = std::strtod(("1e" + std::to_string(n)).c_str(), nullptr);
     EXPECT_EQ(real::power_of_ten(n), literal) << n;
-    // The digit shown first, a decade of a picture: rounded down, a logarithm must not fall short of a whole number.
+    // Places of digits and decades of pictures are found by rounding log10 down, which must not fall short of a whole number.
     if (literal >= std::numeric_limits<double>::min() && std::isfinite(literal)) {
       EXPECT_EQ(real::log10(literal), n);
     }
@@ -184,7 +184,7 @@ TEST(Elementary, FifthRootsOfFifthPowersAreExact) {
   }
 }
 
-/// A spin of 1e6 rad/s for an hour, and for the age of the Earth.
+/// Angles after a spin of 1e6 rad/s for an hour, and for the age of the Earth.
 TEST(Elementary, HugeAnglesAreReducedExactly) {
   EXPECT_LE(error_ulp(real::sin(3.6e9), sinq(3.6e9)), 1);
   EXPECT_LE(error_ulp(real::cos(1.4e23), cosq(1.4e23)), 1);

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# No digit depends on the processor through the C library's elementary functions: the library's objects call none of them, and the
-# program brings its own for the shared libraries that do. Nor does a fused product come in by vectorizing.
+# No digit of the results may depend on the processor through the C library's elementary functions: the library's objects must
+# not call any of them, and the program must define its own for the shared libraries that call them. Nor may vectorization
+# introduce fused products.
 #   symbols.sh LIBRARY... PROGRAM
 set -euo pipefail
-export LC_ALL=C # by bytes: ten times as fast in a long listing
+export LC_ALL=C # compare bytes: ten times as fast in a long listing
 
 libraries=("${@:1:$#-1}") program=${!#}
 status=0
@@ -13,8 +14,8 @@ fail() {
   sed 's/^/  /' >&2
   status=1
 }
-# Those of double and float. hypot is left out, of which there is one code for all processors. The sine and cosine of long double
-# reach results of double, too; the C library computes them in C, from one code for all processors.
+# The functions of double and float. hypot is left out, because the C library has one code for it on all processors. Sine and
+# cosine of long double, which affect results in double too, are also computed by one code for all processors.
 names='(a?(sin|cos|tan)h?|sincos|atan2|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|pow10|cbrt|erfc?|[tl]gamma(_r)?|gamma)'
 elementary() { grep -oE "\\b$names$1(@.*)?\$" | sed 's/@.*//' | sort -u || true; }
 

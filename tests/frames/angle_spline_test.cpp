@@ -12,7 +12,7 @@ using test::close;
 using test::Random;
 using Q = float128;
 
-/// Times k/64 from about -1 on, 1/64 to 16/64 apart: their powers up to the third are doubles.
+/// Times k/64 from about -1 on, 1/64 to 16/64 apart: their powers up to the third are exact doubles.
 std::vector<double> uneven_times(Random& random, int n) {
   std::vector<double> times = {-1};
   while (static_cast<int>(times.size()) < n) times.push_back(times.back() + (1 + std::floor(random.uniform(0, 16))) / 64);
@@ -50,8 +50,8 @@ TEST(AngleSpline, IsTheCubicPolynomialThatItsAnglesLieOn) {
     }
     test::for_each_scalar([&]<class T>(T) {
       const AngleSpline<T> spline(table);
-      // A chord's slope is in error by eps times the angle over the interval, the elimination adds a few of these, and each
-      // derivative divides by an interval once more.
+      // The slope of a chord is in error by eps times the angle, divided by the interval; the elimination adds a few such
+      // errors, and each derivative divides by an interval once more.
       const T h = T(1) / 64, angle_error = 64 * real::epsilon<T>() * T(largest);
       for (int k = 0; k < 200; ++k) {
         const T t = T(random.uniform(table.t_s.front(), table.t_s.back()));
@@ -59,14 +59,14 @@ TEST(AngleSpline, IsTheCubicPolynomialThatItsAnglesLieOn) {
         ASSERT_TRUE(close(spline.angle_rate(t), cubic.rate(t), angle_error / h)) << n;
         ASSERT_TRUE(close(spline.angle_acceleration(t), cubic.acceleration(t), 6 * angle_error / (h * h))) << n;
       }
-      // Its end pieces go on.
+      // Beyond the table its end pieces are continued.
       for (const T t : {T(table.t_s.front() - 0.125), T(table.t_s.back() + 0.125)})
         ASSERT_TRUE(close(spline.angle(t), cubic.angle(t), 1024 * angle_error)) << n;
     });
   }
 }
 
-// These conditions have one solution only.
+// These conditions have exactly one solution.
 TEST(AngleSpline, IsPiecewiseCubicWithTheRightJoints) {
   Random random(72);
   for (const int n : {4, 5, 6, 30}) {
@@ -75,7 +75,7 @@ TEST(AngleSpline, IsPiecewiseCubicWithTheRightJoints) {
     for (int i = 0; i < n; ++i) table.angle_rad.push_back(random.uniform(-1, 1));
     const AngleSpline<Q> spline(table);
     const Q near = Q(1e-15);  // nothing here is larger than 1e8
-    // Of a piece that begins at knot i: its third derivative, from its linear acceleration.
+    // The third derivative in the piece that begins at knot i, from its linear acceleration.
     const auto jerk = [&](int i) {
       const Q a = table.t_s[static_cast<std::size_t>(i)], b = table.t_s[static_cast<std::size_t>(i) + 1], d = (b - a) / 4;
       const Q first = spline.angle_acceleration(a + d), middle = spline.angle_acceleration(a + 2 * d);

@@ -115,8 +115,8 @@ TEST(Earth, ApparentGravityIsTheSitesAndPointsDown) {
                         Vec3<float128>(float128(0), float128(0), -float128(9.80665))));
 }
 
-// Somigliana's formula with the printed k, evaluated apart from this program; the horizontal centrifugal part over g, as an
-// angle.
+// Values of Somigliana's formula with the printed k, computed independently of this program; and the horizontal centrifugal
+// acceleration divided by g, as an angle.
 struct NormalGravityRow {
   double latitude_deg, gravity_m_s2, angle_arcsec;
 };

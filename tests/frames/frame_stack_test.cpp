@@ -13,11 +13,11 @@ using Q = float128;
 
 const std::string kNames = "ABCDEF";
 
-/// A stack of random motions, and the same attitudes composed here from Rodrigues' formula.
+/// A stack of random motions, together with the same attitudes composed by Rodrigues' formula.
 struct RandomStack {
   std::vector<PrescribedMotion<Q>> layers;
   FrameStack<Q> stack{'A'};
-  Q W = Q(0);  ///< n-th derivatives of all attitudes for |t| <= 1 stay below W^n
+  Q W = Q(0);  ///< the n-th derivatives of all attitudes stay below W^n for |t| <= 1
 
   RandomStack(Random& random, int n) {
     for (int i = 0; i < n; ++i) {
@@ -27,7 +27,7 @@ struct RandomStack {
     }
   }
   int frames() const { return static_cast<int>(layers.size()) + 1; }
-  /// From the layer's coordinates to those of frame A.
+  /// The matrix from the layer's coordinates to those of frame A.
   Mat3<Q> outer(int frame, Q t) const {
     Mat3<Q> R = Mat3<Q>::Identity();
     for (int i = 0; i < frame; ++i) {
@@ -41,11 +41,11 @@ struct RandomStack {
   Mat3<Q> attitude(int a, int b, Q t) const { return outer(a, t).transpose() * outer(b, t); }
 };
 
-/// v with [v]x the antisymmetric part of m.
+/// The vector v for which [v]x is the antisymmetric part of m.
 Vec3<Q> axial(const Mat3<Q>& m) { return {(m(2, 1) - m(1, 2)) / 2, (m(0, 2) - m(2, 0)) / 2, (m(1, 0) - m(0, 1)) / 2}; }
 
 constexpr Q kStep = Q(1e-5);
-/// Of an attitude of `layers` layers: 16 eps each for Rodrigues' formula and the product.
+/// The rounding error of an attitude made of `layers` layers: 16 eps each for Rodrigues' formula and the product.
 Q round_off(int layers) { return 32 * layers * real::epsilon<Q>(); }
 
 template <class Check>

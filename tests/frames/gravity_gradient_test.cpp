@@ -12,7 +12,7 @@ namespace {
 using test::close;
 
 constexpr double kRounding = real::epsilon<double>();
-// The size of the tensor's components (1/s^2).
+// The order of magnitude of the tensor's components (1/s^2).
 constexpr double kGradient = 3.1e-6;
 
 struct Place {
@@ -21,7 +21,7 @@ struct Place {
 constexpr Place kPlaces[] = {{0, 0},   {0, 4000},   {90, 0},   {90, 300}, {-90, -12000}, {45, 0},     {45, -12000}, {-45, 2500},
                              {30, 80}, {-12.5, 10}, {67.3, 0}, {89.9, 0}, {0.01, 0},     {52, 400e3}, {-71, 20e6}};
 
-/// Earth-centred axes at longitude 0 from East, North, Up: East is y.
+/// The matrix from East, North, Up to Earth-centred axes at longitude 0, where East is y.
 Mat3<double> axes_E(double latitude_deg) {
   const auto [s, c] = sin_cos_degrees(latitude_deg);
   Mat3<double> R_EL;
@@ -29,7 +29,7 @@ Mat3<double> axes_E(double latitude_deg) {
   return R_EL;
 }
 
-/// GeographicLib's closed form of the field, in ellipsoidal coordinates.
+/// GeographicLib's closed form of the gravitational field, in ellipsoidal coordinates.
 Vec3<double> gravitation_E(const Vec3<double>& r_E) {
   Vec3<double> g;
   GeographicLib::NormalGravity::WGS84().V0(r_E[0], r_E[1], r_E[2], g[0], g[1], g[2]);

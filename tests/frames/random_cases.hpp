@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Random cases that are the same on every platform, and comparisons that can print every scalar.
+/// Random cases that are the same on every platform, and comparisons that can print every scalar type.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,17 +12,17 @@
 
 namespace earthtop::test {
 
-/// Numbers from a fixed seed, which is printed. The mapping to doubles is our own: the standard's distributions differ
-/// between libraries.
+/// Random numbers from a fixed seed, which failing tests print. The mapping to doubles is written here, because the standard's
+/// distributions differ between libraries.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {
     std::printf("[   seed   ] %llu\n", static_cast<unsigned long long>(seed));
   }
-  /// In [low, high), 53 random bits.
+  /// A number in [low, high) with 53 random bits.
   double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
   int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
-  /// Components in [-size, size).
+  /// A vector with components in [-size, size).
   template <class T>
   Vec3<T> vector(double size = 1) {
     Vec3<T> v;
@@ -37,7 +37,7 @@ class Random {
       if (n > T(0.1)) return v / n;
     }
   }
-  /// A rotation; `norm_of_q` other than 1 asks whether the norm leaks into the result.
+  /// A random rotation; a `norm_of_q` other than 1 tests that the quaternion's norm does not affect the result.
   template <class T>
   Quaternion<T> quaternion(double norm_of_q = 1) {
     const Vec3<T> axis = unit<T>();
@@ -55,7 +55,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// A turn about a random axis with all its terms: angle, rate, ramp and harmonic.
+/// A turn about a random axis with all terms: angle, rate, ramp and harmonic.
 template <class T>
 PrescribedMotion<T> random_motion(Random& random) {
   PrescribedMotion<T> m;
@@ -68,7 +68,7 @@ PrescribedMotion<T> random_motion(Random& random) {
   m.phase = T(random.uniform(-3, 3));
   return m;
 }
-/// W such that the n-th derivative of the attitude stays below W^n for |t| <= 1; bounds of composed motions add.
+/// A W such that the n-th derivative of the attitude stays below W^n for |t| <= 1; for composed motions, add their bounds.
 template <class T>
 T derivative_bound(const PrescribedMotion<T>& m) {
   const T pulsation = T(2) * real::pi<T>() * m.frequency;
@@ -76,8 +76,8 @@ T derivative_bound(const PrescribedMotion<T>& m) {
          pulsation * (T(1) + real::abs(m.amplitude));
 }
 
-/// The check in every precision. A constant or a function of double's precision that has slipped into a formula shows in 113
-/// bits, and next to nothing is left for the 64 of long double, for a third of the compiling: with the slow tests only.
+/// Runs a check in every scalar type. A constant or function that is only exact to double precision shows in 113 bits, so long
+/// double adds little and costs a third of the compile time: it is checked with the slow tests only.
 template <class Check>
 void for_each_scalar(const Check& check) {
   check(double{});
@@ -98,7 +98,8 @@ template <class T>
   return at_most(real::abs(a - b), bound) << " (" << static_cast<double>(a) << " against " << static_cast<double>(b) << ")";
 }
 
-/// Of `rows` rows and `columns` columns, one column after the other. Compiled once for every scalar, not for every expression.
+/// Compares two matrices of `rows` x `columns` numbers, stored by columns. It is compiled once for every scalar type, not for
+/// every expression.
 template <class T>
 ::testing::AssertionResult numbers_are_close(const T* a, const T* b, int rows, int columns, T bound) {
   for (int k = 0; k < rows * columns; ++k)
@@ -109,7 +110,7 @@ template <class T>
   return ::testing::AssertionSuccess();
 }
 
-/// Every component of a within `bound` of b; a NaN is never close.
+/// Checks that every component of a is within `bound` of b; a NaN is never close.
 template <class T, class A, class B>
 ::testing::AssertionResult close(const Eigen::MatrixBase<A>& a_expression, const Eigen::MatrixBase<B>& b_expression, T bound) {
   static_assert(int{A::RowsAtCompileTime} == int{B::RowsAtCompileTime} &&
@@ -118,13 +119,14 @@ template <class T, class A, class B>
   return numbers_are_close<T>(a.data(), b.data(), static_cast<int>(a.rows()), static_cast<int>(a.cols()), bound);
 }
 
-/// The same numbers exactly; a zero's sign does not count. (gtest's EXPECT_EQ cannot print matrices of float128.)
+/// Checks that all numbers are exactly the same, apart from a zero's sign. (gtest's EXPECT_EQ cannot print matrices of
+/// float128.)
 template <class A, class B>
 ::testing::AssertionResult identical(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   return close<typename A::Scalar>(a, b, typename A::Scalar(0));
 }
 
-/// Rodrigues' formula, for tests of whatever is built on quaternions: exp([n]x angle) for a unit n.
+/// Rodrigues' formula exp([n]x angle) for a unit vector n, as a reference for all that is built on quaternions.
 template <class T>
 Mat3<T> rodrigues(const Vec3<T>& n, T angle) {
   const T c = real::cos(angle), s = real::sin(angle);
@@ -137,9 +139,9 @@ Mat3<T> rodrigues(const Vec3<T>& n, T angle) {
   return R;
 }
 
-/// First and second derivative at t of f: central differences at h, h/2, h/4, extrapolated twice (Richardson), so that
-/// the error is at most W (W h)^6 and W^2 (W h)^6 times the size of f for an f whose n-th derivative is below W^n.
-/// f returns anything that adds and scales.
+/// First and second derivative of f at t: central differences at h, h/2, h/4, extrapolated twice (Richardson). For an f whose
+/// n-th derivative is below W^n the error is at most W (W h)^6 and W^2 (W h)^6 times the size of f. f returns anything that can
+/// be added and scaled.
 template <class T, class F>
 auto first_derivative(const F& f, T t, T h) {
   using V = decltype(f(t));

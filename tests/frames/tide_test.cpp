@@ -131,7 +131,8 @@ TEST(Tide, EclipseOf8April2024FallsWhereItDid) {
   EXPECT_LT(up, 2.0e-6);
 }
 
-// Independent and coarse: the low-precision Sun and Moon of the Astronomical Almanac (page C5 and D22), mean sidereal time.
+// An independent, coarse formula: the low-precision Sun and Moon of the Astronomical Almanac (pages C5 and D22), mean sidereal
+// time.
 struct Body {
   double right_ascension, declination, distance;  // rad, rad, m
 };
@@ -160,7 +161,7 @@ Body almanac_moon(double days) {
                           0.0078 * cosine(235.7 + 890534.22 * T) + 0.0028 * cosine(269.9 + 954397.74 * T);
   return body_of(longitude * kDegree, latitude * kDegree, kEarthRadius / sine(parallax), 23.439 * kDegree);
 }
-/// The second and third degree of the tidal potential on a sphere: GM r^n/d^(n+1) P_n(cos z).
+/// The second and third degree of the tidal potential on a sphere, GM r^n/d^(n+1) P_n(cos z), as an acceleration.
 Vec3<double> potential_tide(double gm, const Body& body, const Site& site, double days) {
   const double sidereal = (18.697374558 + 24.06570982441908 * days) * 15 + site.longitude_deg;
   const double H = sidereal * kDegree - body.right_ascension, phi = site.latitude_deg * kDegree;
@@ -211,8 +212,9 @@ TEST(Tide, BodiesAddAndTheElasticEarthScales) {
   EXPECT_TRUE(close<double>(both, tidal_acceleration_L(site, at("2026-06-01T03:16:40Z")), 1e-12 * kTide));
 }
 
-// Two evaluations of a body's tide differ by the rounding of its angles, which the tide follows up to three times as fast: the
-// Moon's mean longitude has moved by 1.3e5 degrees since 2000, the Earth's turn against the mean Sun by 26 turns.
+// Two evaluations of a body's tide differ by the rounding of its angles, to which the tide is up to three times as sensitive.
+// Since 2000, the Moon's mean longitude has advanced by 1.3e5 degrees, and the Earth's angle relative to the mean Sun by 26
+// turns.
 constexpr double kMoonRounding = 2 * 3 * real::epsilon<double>() * 1.3e5 * kDegree * 1.1e-6;
 constexpr double kSunRounding = 2 * 3 * real::epsilon<double>() * 26 * 360 * kDegree * 0.506e-6;
 

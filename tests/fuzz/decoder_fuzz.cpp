@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes at all into the decoder: it accepts or refuses, in words that can be shown, and what it accepts is a scenario
-// with a canonical form that is its own. Bytes 0x01, which stand in no JSON text, part the text from --set pairs.
+// Feeds arbitrary bytes to the decoder. It must accept or refuse them with messages that can be printed, and whatever it
+// accepts must be a scenario whose canonical form decodes to itself. Bytes 0x01, which occur in no JSON text, separate the text
+// from --set pairs.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -33,7 +34,7 @@ std::vector<std::string> parts_of(std::string_view text) {
   }
 }
 
-/// 1-based, and not beyond the end of a line.
+/// The position is 1-based and not beyond the end of a line.
 bool stands_in(std::string_view text, int line, int column) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (line < 1 || column < 1) return false;
@@ -57,7 +58,7 @@ void check_refusal(const earthtop::ScenarioError& error, std::string_view text, 
   }
 }
 
-/// Or a table of angles.
+/// The same bytes as a table of angles.
 void check_table(std::string_view text) {
   const auto parsed = earthtop::scenario::parse_angle_table(text, 1);
   if (const auto* fault = std::get_if<earthtop::scenario::TableFault>(&parsed)) {

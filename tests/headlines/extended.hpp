@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// 113-bit numbers, vectors and quaternions of the reference program. Nothing here is earthtop's: what is to check it must
-/// not share its mistakes.
+/// 113-bit numbers, vectors and quaternions of the reference program. Nothing here is taken from earthtop: a program that
+/// checks it must not share its mistakes.
 #pragma once
 
 #include <quadmath.h>
@@ -14,7 +14,7 @@ using Real = __float128;
 
 inline Real pi() { return 4 * atanq(1); }
 
-/// `digits` significant ones, in a form that every reader of numbers takes.
+/// The number with `digits` significant digits, in a form that every program can read.
 inline std::string to_text(Real x, int digits) {
   char text[64];
   quadmath_snprintf(text, sizeof text, "%.*Qe", digits - 1, x);
@@ -32,13 +32,13 @@ inline Real dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z
 inline Vec cross(const Vec& a, const Vec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline Real norm(const Vec& v) { return sqrtq(dot(v, v)); }
 
-/// Rows of a 3x3 matrix.
+/// A 3x3 matrix, given by its rows.
 struct Mat {
   Vec a, b, c;
 };
 inline Vec operator*(const Mat& m, const Vec& v) { return {dot(m.a, v), dot(m.b, v), dot(m.c, v)}; }
 inline Mat transposed(const Mat& m) { return {{m.a.x, m.b.x, m.c.x}, {m.a.y, m.b.y, m.c.y}, {m.a.z, m.b.z, m.c.z}}; }
-/// By the reciprocal basis: the columns of the inverse are cross products of the rows.
+/// The inverse by the reciprocal basis: its columns are cross products of the rows.
 inline Mat inverse(const Mat& m) {
   const Real volume = dot(m.a, cross(m.b, m.c));
   return transposed({(1 / volume) * cross(m.b, m.c), (1 / volume) * cross(m.c, m.a), (1 / volume) * cross(m.a, m.b)});
@@ -65,7 +65,7 @@ inline Quat normalized(const Quat& q) {
 }
 inline Quat turn(const Vec& k, Real angle) { return {cosq(angle / 2), sinq(angle / 2) * k}; }
 
-/// The matrix of the turn q / |q|.
+/// The rotation matrix of q / |q|.
 inline Mat matrix(const Quat& q) {
   const Real f = 2 / squared_norm(q);
   const Real w = q.w, x = q.v.x, y = q.v.y, z = q.v.z;
@@ -74,7 +74,7 @@ inline Mat matrix(const Quat& q) {
           {f * (x * z - w * y), f * (y * z + w * x), 1 - f * (x * x + y * y)}};
 }
 
-/// Degrees to sine and cosine, exact at multiples of 90.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90.
 struct SinCos {
   Real sin, cos;
 };

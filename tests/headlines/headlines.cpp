@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Reference values for the scenarios' headline figures, in 113-bit arithmetic, by a program that shares nothing with
-/// earthtop: the top in inertial axes (dL/dt = torque), extrapolation, and the drift by subtracting the two motions.
+/// Computes reference values for the scenarios' headline figures in 113-bit arithmetic. The program shares nothing with
+/// earthtop: it integrates the top in inertial axes (dL/dt = torque) by extrapolation, and subtracts the two motions to get the
+/// drift.
 ///
 ///   earthtop-headlines SCENARIO.json... > values.json
 ///
@@ -15,10 +16,10 @@
 namespace headlines {
 namespace {
 
-/// @param tolerance  error of one step, of the quaternion and of the angular momentum in units of its size
+/// @param tolerance error of one step: of the quaternion, and of the angular momentum relative to its size
 Columns columns_at(const Scene& scene, Real time, Real tolerance) {
   Motion rotating(scene, scene.rotation_rate), reference(scene, 0);
-  // The size of the angular momentum: what is there, or what gravity makes in the time of a swing.
+  // The size of the angular momentum: its initial value, or what gravity produces during a swing.
   const Real momentum = norm(rotating.state().L_I);
   const Real swing =
       sqrtq(norm(scene.mass_moment) * scene.gravity * (scene.inertia.a.x + scene.inertia.b.y + scene.inertia.c.z));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The columns of trajectory.csv, from two motions by plain subtraction: in 113 bits there are digits to spare.
+/// The columns of trajectory.csv, from two motions by plain subtraction: 113 bits have digits to spare.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace headlines {
 
 using Columns = std::vector<std::pair<std::string, std::optional<Real>>>;
 
-/// Follows the angles that are counted on past pi from step to step; the others are functions of the two states.
+/// Follows the angles that count beyond pi from step to step; the other columns are functions of the two states.
 class DriftMeasures {
  public:
-  /// Call it after every step: an angle that jumps by more than a radian in one is lost from then on.
+  /// To be called after every step: an angle that jumps by more than a radian in one step is lost from then on.
   void follow(const Motion& rotating, const Motion& reference);
 
-  /// All columns but the bounds; an angle that is lost or has no meaning has no value.
+  /// All columns but the bounds; an angle that is lost or undefined has no value.
   Columns columns(const Motion& rotating, const Motion& reference) const;
 
  private:
-  /// An angle known up to whole turns, made continuous.
+  /// An angle known up to whole turns, made continuous in time.
   class Counted {
    public:
     void include(std::optional<Real> angle);

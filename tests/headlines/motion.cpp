@@ -4,7 +4,7 @@
 namespace headlines {
 namespace {
 
-/// A number with its first and second derivative in time.
+/// A number with its first and second time derivative.
 struct Jet {
   Real value = 0, first = 0, second = 0;
 };
@@ -25,7 +25,7 @@ Jet cosine(const Jet& a) {
 struct JetVec {
   Jet x, y, z;
 };
-/// Rodrigues' formula for an angle that depends on time.
+/// Rodrigues' formula for a time-dependent angle.
 JetVec turned(const Vec& k, const Jet& angle, const JetVec& v) {
   const Jet s = sine(angle), c = cosine(angle), one{1, 0, 0};
   const Jet kx{k.x, 0, 0}, ky{k.y, 0, 0}, kz{k.z, 0, 0};
@@ -65,7 +65,7 @@ Vec Motion::falling_I(Real t) const {
   if (scene_->platform) {
     const Platform& platform = *scene_->platform;
     const JetVec offset{{platform.offset.x, 0, 0}, {platform.offset.y, 0, 0}, {platform.offset.z, 0, 0}};
-    // The acceleration of the platform's centre is part of apparent gravity; the pivot moves about it.
+    // Apparent gravity includes the acceleration of the platform's centre; the pivot moves relative to it.
     const JetVec pivot = turned(k, earth_angle, turned(platform.axis, platform_angle(platform, t), offset));
     falling = falling - Vec{pivot.x.second, pivot.y.second, pivot.z.second};
   }
@@ -86,7 +86,7 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
   const State first = slope(t_, state_);
   std::array<State, kColumns> row;  // row[k]: extrapolated k times, of the latest number of substeps
   for (int j = 0; j < kColumns; ++j) {
-    // Gragg's midpoint rule in n substeps: an expansion in even powers of step / n.
+    // Gragg's midpoint rule with n substeps, whose error expands in even powers of step / n.
     const int n = 2 * (j + 1);
     const Real h = step / n;
     State before = state_, now = sum(state_, h, first);
@@ -94,7 +94,7 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
       const State next = sum(before, 2 * h, slope(t_ + m * h, now));
       before = now, now = next;
     }
-    // Aitken and Neville: toward substeps of length 0.
+    // Aitken and Neville's extrapolation to substeps of length 0.
     for (int k = 0; k < j; ++k) {
       const Real ratio = Real(n) / (2 * (j - k));
       const State next = sum(now, 1 / (ratio * ratio - 1), sum(now, -1, row[k]));
@@ -102,7 +102,7 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
     }
     row[j] = now;
   }
-  // The last two columns of the last row: the orders 32 and 30.
+  // The difference of the last two columns of the last row, of orders 32 and 30, estimates the error.
   result = row[kColumns - 1];
   const State error = sum(result, -1, row[kColumns - 2]);
   return fmaxq(sqrtq(squared_norm(error.q_IB)), norm(error.L_I) / scale);

@@ -47,14 +47,14 @@ Quat release_attitude(const Json& release) {
     const Json& q = release.at("quaternion_LB");
     return normalized({q.at("w").get<double>(), {q.at("x").get<double>(), q.at("y").get<double>(), q.at("z").get<double>()}});
   }
-  // The axis leans by the tilt toward the compass azimuth, then the body turns about it.
+  // The axis leans by the tilt toward the compass azimuth, and the body is turned about it by the spin angle.
   const SinCos azimuth = sin_cos_degrees((90 - Real(release.value("azimuth_deg", 0.0))) / 2);
   const SinCos tilt = sin_cos_degrees(Real(release.at("tilt_deg").get<double>()) / 2);
   const SinCos spin = sin_cos_degrees(Real(release.value("spin_angle_deg", 0.0)) / 2);
   return Quat{azimuth.cos, {0, 0, azimuth.sin}} * Quat{tilt.cos, {0, tilt.sin, 0}} * Quat{spin.cos, {0, 0, spin.sin}};
 }
 
-/// Steady rate v of the non-rotating symmetric top: I1 cos(tilt) v^2 - I3 w3 v + m g l = 0.
+/// Steady precession rate v of the symmetric top without Earth rotation: I1 cos(tilt) v^2 - I3 w3 v + m g l = 0.
 Real steady_rate(const Scene& scene, Real spin, Real cosine, bool fast) {
   const Real momentum = scene.inertia.c.z * spin, mgl = scene.mass_moment.z * scene.gravity, a = scene.inertia.a.x * cosine;
   const Real root = sqrtq(momentum * momentum - 4 * a * mgl);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A scenario file as the reference program understands it: its own reading of the same keys, in 113 bits.
+/// A scenario file as the reference program reads it, with its own reader of the same keys, in 113 bits.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace headlines {
 
-/// A turntable, or a table that rocks: it carries the pivot round its centre.
+/// A turntable or rocking table that carries the pivot round its centre.
 struct Platform {
   Vec axis;                                      ///< unit, laboratory axes
-  Vec offset;                                    ///< pivot from the centre at angle 0, laboratory axes (m)
+  Vec offset;                                    ///< from the centre to the pivot at angle 0, laboratory axes (m)
   Real rate = 0, acceleration = 0;               ///< angle = rate t + acceleration t^2 / 2 ...
   Real amplitude = 0, frequency = 0, phase = 0;  ///< ... + amplitude sin(2 pi frequency t + phase)
 };
@@ -30,13 +30,13 @@ struct Scene {
   // Release.
   Quat q_LB;
   Vec w_XB_B;                   ///< rad/s
-  bool inertial_rates = false;  ///< X: inertial space, or else the laboratory
+  bool inertial_rates = false;  ///< rates are given relative to inertial space (X = I), else to the laboratory (X = L)
   std::optional<Platform> platform;
   double duration = 0;
-  double headline_time = 0;  ///< of the headline's row; the duration if none is named (s)
+  double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 };
 
-/// @throws std::runtime_error for a scene with more in it than this program knows.
+/// @throws std::runtime_error for a scene with keys that this program does not know
 Scene read_scene(const std::string& file);
 
 }  // namespace headlines

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSONTestSuite's kinds of text through the decoder: what is no JSON is refused wherever it stands, with place and remedy;
-// what is JSON may be a comment.
+// Feeds the kinds of text of JSONTestSuite to the decoder. What is not JSON must be refused, with its place and a remedy; what
+// is JSON may be the value of a comment.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void expect_place_in(std::string_view text, const Diagnostic& diagnostic, const 
   EXPECT_LE(static_cast<std::size_t>(diagnostic.column), std::min(text.find('\n'), text.size()) + 1) << name;
 }
 
-/// What to do stands behind a semicolon, or is what "must" stand there.
+/// A remedy follows a semicolon, or the message says what "must" be there.
 bool has_remedy(const std::string& message) {
   return message.find("; ") != std::string::npos || message.find(" must ") != std::string::npos;
 }
@@ -36,7 +36,8 @@ void expect_refused(const std::string& name, const std::string& text) {
     parse(text);
     ADD_FAILURE() << name << " is accepted: " << text.substr(0, 200);
   } catch (const ScenarioError& error) {
-    // NaN and the like are no JSON, and the rest of such a text is still looked at: an array, too, is no scenario.
+    // NaN and the like are not JSON, but the rest of the text is checked too, which adds an error if it is an array: that is no
+    // scenario.
     EXPECT_LE(error.diagnostics().size(), 2u) << name << ": " << error.what();
     for (const Diagnostic& diagnostic : error.diagnostics()) {
       expect_place_in(text, diagnostic, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The texts of JSONTestSuite's kinds, written anew: tests/hostile/refused.txt, accepted.txt and either.txt.
+/// The texts of JSONTestSuite's kinds, rewritten: tests/hostile/refused.txt, accepted.txt and either.txt.
 #pragma once
 
 #include <cstdlib>
@@ -13,11 +13,11 @@ namespace earthtop::hostile_test {
 
 struct Kind {
   std::string name;
-  std::string outcome;  ///< of either.txt only
+  std::string outcome;  ///< for either.txt only
   std::string text;
 };
 
-/// %XX is a byte, @N{...} what stands in the braces N times.
+/// Decodes an escaped text: %XX is a byte, @N{...} repeats what stands in the braces N times.
 inline std::string unescaped(std::string_view written) {
   std::string text;
   while (!written.empty()) {
@@ -64,7 +64,7 @@ inline std::vector<Kind> refused_kinds() { return read_kinds("refused.txt", fals
 inline std::vector<Kind> accepted_kinds() { return read_kinds("accepted.txt", false); }
 inline std::vector<Kind> either_kinds() { return read_kinds("either.txt", true); }
 
-/// A valid scenario in which the text stands as a comment's value.
+/// A valid scenario with the text as the value of a comment.
 inline std::string as_member(const std::string& text) {
   return "{\"_text\": " + text + R"(, "name": "hostile", "site": {"latitude_deg": 45},
  "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {"principal_kg_m2": [2e-4, 2e-4, 4e-5]}},
@@ -72,7 +72,7 @@ inline std::string as_member(const std::string& text) {
 )";
 }
 
-/// The same with the text last, so that nothing but the scenario's own bracket follows.
+/// The same with the text last, so that only the scenario's closing bracket follows.
 inline std::string as_last_member(const std::string& text) {
   std::string scenario = as_member("0");
   scenario.resize(scenario.find_last_of('}'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program against hostile texts, measured from outside: exit status 2, place and remedy on standard error, nothing on
-// standard output or on disk, under 2 s of processor time and 256 MiB each.
+// Gives hostile texts to the program and measures it from outside: exit status 2, place and remedy on standard error, nothing
+// on standard output or on disk, less than 2 s of processor time and 256 MiB of memory each.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -38,10 +38,10 @@ class Program : public ::testing::Test {
   Program() { fs::current_path(dir_); }
   ~Program() override { fs::current_path("/"); }
 
-  /// What a run of the program on `scenario` cost; its streams are in "stdout" and "stderr".
+  /// Status and cost of a run of the program on `scenario`; its streams are in "stdout" and "stderr".
   struct Cost {
     int status = -1;
-    double seconds = 0, mebibytes = 0;  ///< of processor time, which other programs do not lengthen; of memory at most
+    double seconds = 0, mebibytes = 0;  ///< processor time, which other programs do not affect (s); peak memory (MiB)
   };
   static Cost run(const std::string& scenario, const std::string& standard_input = "/dev/null") {
     posix_spawn_file_actions_t actions;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text: syntax, encoding, numbers, duplicates, depth, and the processor time that hostile texts cost.
+// The reader of JSON text: syntax, encoding, numbers, duplicates, depth, and the processor time that hostile texts cost.
 #include "input/reader.hpp"
 
 #include <ctime>
@@ -150,8 +150,8 @@ TEST(ScenarioSyntax, HostileTextsAreRefusedInUnderTwoSeconds) {
   }
 }
 
-// The reader against nlohmann's: on mutated texts both accept or refuse the same ones. What only this one refuses by design
-// (NUL, duplicates, numbers out of range, depth) is reported as something else than `not_json`.
+// Compares the reader with nlohmann's: both accept or refuse the same mutated texts. What only this reader refuses by design
+// (NUL, duplicates, numbers out of range, depth) is reported as something other than `not_json`.
 TEST(ScenarioSyntax, AcceptsTheJsonThatAnotherReaderAccepts) {
   const std::string seed_text =
       R"({"a": [1, -2.5e+3, 0, true, false, null, "x\n\u00e9\ud83d\ude00"], "b": {"c": {}, "d": []}, "e": 1E-2})";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The order conditions of the compositions, and the orders they are seen to have.
+/// The order conditions of the composition methods, and the orders that their errors show.
 #include "integrate/compositions.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace earthtop {
 namespace {
 
-/// Sum over the kicks of b c^k - 1/(k+1): what a quadrature in the flow of A misses of t^k.
+/// Sum over the kicks of b c^k - 1/(k+1): the error of the quadrature of t^k in the flow of A.
 double quadrature_defect(const CompositionTable& table, int k) {
   long double c = 0, sum = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(table.stages); ++i) {
@@ -22,7 +22,7 @@ double quadrature_defect(const CompositionTable& table, int k) {
   return static_cast<double>(sum - 1.0L / (k + 1));
 }
 
-/// Of order eps^2: the kicks' pairs, sum over i < j of b_i b_j (c_j - c_i), against the double integral 1/6.
+/// The condition of order eps^2: over pairs of kicks, sum over i < j of b_i b_j (c_j - c_i), minus the double integral 1/6.
 double pair_defect(const CompositionTable& table) {
   std::vector<long double> c;
   long double at = 0;
@@ -33,7 +33,7 @@ double pair_defect(const CompositionTable& table) {
   return static_cast<double>(sum - 1.0L / 6);
 }
 
-/// The power of h with which the error falls where B is small.
+/// The power of h by which the error falls if B is small.
 int order_for_small_kicks(Composition name) {
   switch (name) {
     case Composition::aba1064: return 10;
@@ -101,7 +101,7 @@ double error_after_twelve(const CompositionTable& table, double eps, int steps) 
   return std::hypot(x[0] - exact[0], x[1] - exact[1]);
 }
 
-/// Every halving of the step gains 2^order, down to round-off. One wrong coefficient fails.
+/// Each halving of the step must reduce the error by 2^order, down to round-off. A single wrong coefficient fails.
 void expect_order(const CompositionTable& table, double eps, int order) {
   constexpr double round_off = 3e-14;
   int seen = 0;
@@ -127,7 +127,7 @@ TEST(Compositions, OrderSeenByHalvingTheStep) {
 TEST(Compositions, OfSmallKicksTheErrorIsProportionalToThemAndOfTheHigherOrder) {
   for (const CompositionTable& table : kCompositionTables) {
     SCOPED_TRACE(to_string(table.name));
-    // Steps long enough, and kicks small enough, for eps h^p to outweigh eps^2 h^q.
+    // The steps are long enough, and the kicks small enough, for eps h^p to outweigh eps^2 h^q.
     const double coarse = error_after_twelve(table, 1e-7, 8), fine = error_after_twelve(table, 1e-7, 16);
     EXPECT_GT(coarse, 3e-13);
     EXPECT_LT(fine, 1.7 * coarse / std::pow(2.0, order_for_small_kicks(table.name)) + 3e-15);

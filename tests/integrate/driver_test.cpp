@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kMethods{Method::dopri5, Method::rkf78,  Method::bulirsch_stoer, Method::extrapolation,
                               Method::abm8,   Method::dop853, Method::gauss};
 
-/// x' = y, y' = -x, and z' = 1, which counts the time itself.
+/// x' = y, y' = -x, and z' = 1, whose solution is the time.
 struct Oscillator {
   using Shape = Oscillator;
   static constexpr std::size_t kSize = 3;
@@ -77,7 +77,7 @@ TEST(Driver, EveryMethodLandsOnEveryOutputTime) {
   }
 }
 
-/// The oscillator beside z' = |t - 1.05|, whose slope jumps.
+/// The oscillator together with z' = |t - 1.05|, whose slope has a jump.
 struct Kinked : Oscillator {
   static constexpr double kKink = 1.05;
   void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double t) const {
@@ -108,7 +108,7 @@ TEST(Driver, StepsEndAtJoints) {
     // One before the first row, one at a row, two that no step fits between, one after the end.
     Recorder<Kinked> with, without;
     const double error = worst(with, {-0.5, times[1], Kinked::kKink, 5, 5 + 1e-15, 9});
-    // Of a straight line every method makes no error but rounding.
+    // For a straight line every method's only error is rounding.
     EXPECT_LT(error, static_cast<double>(with.counters.evaluations) * 1.2e-16 * 22);
     EXPECT_TRUE(std::is_sorted(with.step_times.begin(), with.step_times.end()));
     for (const double joint : {Kinked::kKink, 5.0})
@@ -131,7 +131,8 @@ TEST(Driver, TimeIsKeptWithoutSumming) {
 }
 
 TEST(Driver, AdamsBashforthMoultonHasOrderEight) {
-  // err < f h^(p+1) with f from the coarsest step, at every halving down to round-off: one wrong coefficient fails.
+  // The error must stay below f h^(p+1), with f from the coarsest step, at every halving down to round-off: one wrong
+  // coefficient fails.
   double coarsest = 0;
   for (int halving = 0; halving < 4; ++halving) {
     const double h = 0.2 / (1 << halving);
@@ -162,7 +163,7 @@ TEST(Driver, OutputTimesCutNoStepOfADenseMethod) {
   // The interpolant is of order 7: between the steps the error is a little larger than at their ends.
   for (std::size_t i = 0; i < many.rows.size(); ++i)
     EXPECT_NEAR(many.rows[i][0], std::cos(0.01 * static_cast<double>(i)), 1e-9) << i;
-  // No step is longer than the distance at which states have to be seen, without being cut either.
+  // States are seen at least every `largest_step`, although no step is cut for it.
   options.largest_step = 0.1;
   Recorder<Oscillator> seen;
   ASSERT_EQ(seen.run({}, {1, 0, 0}, {0, 20}, options), RunStatus::completed);
@@ -182,7 +183,7 @@ struct Powers {
 };
 
 TEST(Driver, DormandPrinceInterpolantIsExactOnPolynomials) {
-  // Of degree 8 the method itself, of degree 7 the interpolant: every condition on nodes and weights is in it.
+  // The method itself is exact to degree 8, the interpolant to degree 7; that tests every condition on nodes and weights.
   for (int degree = 1; degree <= 8; ++degree) {
     const Powers system{degree};
     GroupScales<double, Powers> scales;
@@ -202,7 +203,7 @@ TEST(Driver, DormandPrinceInterpolantIsExactOnPolynomials) {
 }
 
 TEST(Driver, GaussHasOrderTwelve) {
-  // err < f h^(p+1) with f from the coarsest step, down to round-off; z' = 1 is exact.
+  // The error must stay below f h^(p+1), with f from the coarsest step, down to round-off; z' = 1 is exact.
   double coarsest = 0;
   for (int halving = 0; halving < 4; ++halving) {
     const double h = 1.25 / (1 << halving);
@@ -241,8 +242,8 @@ TEST(Driver, EmbeddedMethodsFollowTheirTolerance) {
 }
 
 TEST(Driver, ExtrapolationReachesEveryTolerance) {
-  // The order follows the tolerance, down to where the round-off of the columns decides: the work grows with the number of
-  // digits, not with its exponential, and the error stays with the tolerance over the 100 rad.
+  // The order rises as the tolerance falls, until the round-off of the columns limits it: the work grows with the number of
+  // digits, not exponentially with it, and the error keeps to the tolerance over the 100 rad.
   std::int64_t evaluations = 0;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 1e-14}) {
     Recorder<Oscillator> recorder;
@@ -259,7 +260,7 @@ TEST(Driver, ExtrapolationReachesEveryTolerance) {
   }
 }
 
-/// Turns into NaN past x = 1: t is the state itself.
+/// Its derivative becomes NaN beyond x = 1; x is the time.
 struct BreaksDown {
   using Shape = BreaksDown;
   static constexpr std::size_t kSize = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Splitting and collocation on tops: errors that fall smoothly with the step, no resonance of step and nutation, no trend in
-/// what is conserved.
+/// Splitting and collocation methods on tops: their errors fall smoothly with the step, without resonances of step and
+/// nutation, and conserved quantities have no trend.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace earthtop {
 namespace {
 
-/// The toy top, or a gyro of 500 g that nutates at 1309 rad/s.
+/// A gyro of 500 g that nutates at 1309 rad/s.
 Scenario fast_gyro() {
   Scenario s = testing::toy_top();
   s.body.mass_kg = 0.5;
@@ -47,7 +47,7 @@ struct Sweep {
     if (trajectory.status != RunStatus::completed) return Vec3<double>::Zero();
     return rotation_matrix(trajectory.samples.back().q_LB).col(2);
   }
-  /// (logarithm of the phase of nutation in a step, logarithm of the axis error), the phase in steps of 1 % of an octave.
+  /// Points (log of the nutation's phase per step, log of the axis error); the phase varies by 1 % of an octave.
   std::vector<std::pair<double, double>> octave(IntegrationOptions options, double phase) const {
     std::vector<std::pair<double, double>> points;
     double steps_before = 0;
@@ -63,7 +63,7 @@ struct Sweep {
   }
 };
 
-/// The largest error over the power law that fits the octave best: a resonance stands out of it.
+/// The largest ratio of an error to the power law that fits the octave best: a resonance rises above that law.
 double largest_over_power_law(const std::vector<std::pair<double, double>>& points) {
   double x = 0, y = 0, xx = 0, xy = 0;
   const auto n = static_cast<double>(points.size());
@@ -78,8 +78,8 @@ double largest_over_median(std::vector<std::pair<double, double>> points) {
   return std::exp(points.back().second - points[points.size() / 2].second);
 }
 
-// H26. Of order p, errors rise by 2^(p/2) from the middle to the end of an octave even where nothing resonates: 16 for order 8,
-// whose bound of 10 is therefore put on what stands out of the power law.
+// H26. With order p, errors rise by 2^(p/2) from the middle to the end of an octave even without a resonance, by 16 for order
+// 8. The bound of 10 is therefore applied to the ratio of the errors to the power law.
 TEST(StepResonance, ErrorsAreSmoothUpToTwoRadiansOfNutationAStep) {
   const Sweep toy(testing::toy_top(), 5);
   for (const CompositionTable& table : kCompositionTables)
@@ -99,8 +99,8 @@ TEST(StepResonance, ErrorsAreSmoothUpToTwoRadiansOfNutationAStep) {
   EXPECT_LT(largest_over_power_law(toy.octave(options, 1.0)), 3);
 }
 
-// The first resonance of a fast top is at a whole nutation a step, three times what `splitting` takes by itself. It is there:
-// the sweep would have seen one.
+// The first resonance of a fast top is at one nutation per step, three times the step that `splitting` chooses. This shows that
+// the sweep detects a resonance.
 TEST(StepResonance, TheFirstIsWhereAStepIsAWholeNutation) {
   const Sweep gyro(fast_gyro(), 10);
   IntegrationOptions options;
@@ -139,7 +139,7 @@ TEST(Splitting, FindsAStepThatMeetsItsTolerance) {
       }
 }
 
-/// T + V - L.W, from the motion alone; in units of the T at release, which is that of the spin.
+/// The Jacobi integral T + V - L.W, from the motion alone, in units of T at release (the energy of the spin).
 double jacobi_integral(const DriftProblem<double>& problem, const MotionSample<double>& sample) {
   const auto& model = problem.model;
   const Mat3<double> R_LB = rotation_matrix(sample.q_LB);
@@ -151,8 +151,8 @@ double jacobi_integral(const DriftProblem<double>& problem, const MotionSample<d
   return (kinetic + potential - L_B.dot(W_B)) / (model.I_BP_B(2, 2) * spin * spin / 2);
 }
 
-// A hundred thousand steps each: what rounding adds is a random walk of some 1e-17 a step, 4e-15; a trend of 1e-16 a step would
-// be 1e-11.
+// A hundred thousand steps each. Rounding makes a random walk of some 1e-17 per step, 4e-15 in all; a trend of 1e-16 per step
+// would add up to 1e-11.
 TEST(LongRuns, TheJacobiIntegralHasNoTrend) {
   Scenario scene = testing::toy_top();
   scene.duration_s = 600;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Taylor series: products of series, adaptive order and step, dense output, round-off that does not build up.
+/// Taylor series: products of series, adaptive order and step, dense output, round-off that does not accumulate.
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,8 @@ TEST(TaylorStepper, DigitsBelowTheStateAreKept) {
   GroupScales<double, Circle> scales;
   taylor::TaylorStepper<double, Circle> stepper(1e-14, scales);
   Circle::Series series;
-  // Steps so short that each adds less than half an ulp to a cosine near 1: without the rest nothing would ever change.
+  // Each step adds less than half an ulp to a cosine near 1: without the remainder that the stepper keeps, nothing would ever
+  // change.
   stepper.initialize({0, 1}, 0);
   const double h = 1e-9;
   for (int step = 0; step < 100000; ++step) {

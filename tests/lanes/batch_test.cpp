@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A batch is its runs: side by side where they fit, one by one where they do not.
+/// A batch gives the results of its single runs: scenes that fit are integrated side by side in SIMD lanes, the others one by
+/// one.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace earthtop {
 namespace {
 
-/// Symmetric and asymmetric in turns.
+/// Symmetric and asymmetric tops by turns.
 std::vector<Scenario> tops(std::size_t count, double radians) {
   std::vector<Scenario> scenes;
   scenes.reserve(count);
@@ -39,7 +40,7 @@ std::vector<std::uint64_t> bits_of(const RunResult& result) {
   return bits.all();
 }
 
-/// Both with their bounds against a third, of more digits, by another method in other equations.
+/// Batch and single runs agree, within their bounds, with a third run: more digits, another method, other equations.
 TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
   const std::vector<Scenario> scenes = tops(36, 60);
   const std::vector<BatchOutcome> outcomes = run_batch(scenes);
@@ -115,7 +116,7 @@ TEST(RunBatch, RunsWhatDoesNotFitByItself) {
   }
 }
 
-/// A refused scene and one that runs into its step limit, among sound ones.
+/// A refused scene, and one that runs into its step limit, do not affect the sound ones beside them.
 TEST(RunBatch, LeavesTroubleWhereItIs) {
   std::vector<Scenario> scenes = tops(9, 20);
   const auto expected = run_batch(scenes);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The sources compiled for wider vectors define nothing that another source may share: of functions that several objects define,
-# the linker takes any one, and a program could run into instructions that its processor has not.
+# Sources compiled for wider vectors must not define any symbol that another source may share. If several objects define a
+# function, the linker takes any one of them, and a program could meet instructions that its processor does not have.
 #   kernel_symbols.sh OBJECT...
 set -euo pipefail
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Trajectories from lanes, as the bits they are.
+/// Trajectories integrated in lanes, as their bits, for exact comparison.
 #pragma once
 
 #include <bit>

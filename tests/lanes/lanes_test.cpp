@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Points side by side: each is what the scalar series makes of it, and its bits are its own.
+/// Points side by side in lanes: each agrees with the scalar series, and its bits do not depend on the other points.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ IntegrationOptions reduced(Method method, Observer observer, double tolerance = 
 }
 
 /// Symmetric tops of every kind: fast and slow, both matching rules, any latitude, Earth rates from 1e-6 to 1 rad/s, a
-/// pendulum, a top about body axis 1, and one that the Earth does not turn. Their lengths differ, so that lanes are refilled at
+/// pendulum, a top about body axis 1, and one without Earth rotation. Their durations differ, so that lanes are refilled at
 /// different times.
 std::vector<Scenario> tops(std::size_t count) {
   std::vector<Scenario> scenes;
@@ -103,7 +103,7 @@ TEST(MotionLanes, OfAnyToleranceMeetIt) {
   }
 }
 
-/// Against the scalar series, and against equations and method that know nothing of either.
+/// Compares with the scalar series, and with another method in other equations.
 TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
   const std::vector<Scenario> scenes = tops(40);
   const auto problems = problems_of<DriftProblem<double>>(scenes);
@@ -148,7 +148,7 @@ TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
   }
 }
 
-/// Any body, its inertia along its axes or not.
+/// Bodies with any inertia, along the body axes or not.
 std::vector<DriftProblem<double>> any_bodies(std::size_t count) {
   std::vector<Scenario> scenes;
   scenes.reserve(count);
@@ -200,7 +200,7 @@ TEST(GeneralDriftLanes, AreTheScalarSeriesSeenFromBoth) {
   }
 }
 
-/// Whatever stands beside it, wherever it stands, however many there are, and with every instruction set.
+/// The bits of a point do not depend on its neighbours, its place, the number of points, or the instruction set.
 template <class Integrate>
 void expect_own_bits(std::size_t count, const Integrate& integrate) {
   std::vector<std::size_t> all(count);
@@ -258,7 +258,7 @@ TEST(GeneralDriftLanes, HaveBitsOfTheirOwn) {
     expect_own_drift_bits(problems, general(Method::taylor, observer, 1e-10));
 }
 
-/// One that overflows, one whose release is no number, and one that is too long for its step limit end by themselves.
+/// A point that overflows, one whose release is not a number, and one beyond its step limit fail alone.
 TEST(DriftLanes, LeaveTroubleWhereItIs) {
   const auto sound = problems_of<DriftProblem<double>>(tops(20));
   IntegrationOptions options = reduced(Method::taylor, Observer::laboratory, 1e-10);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured motion held against a scenario. The motions "measured" here are closed forms written down in this file, or values
-// of extended precision: none is made by the functions that are fitted to it.
+// Compares measured motions with scenarios. The "measured" motions are closed forms written in this file, or values in extended
+// precision; none is computed by the functions that are fitted to it.
 #include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180, kArcsecond = kDegree / 3600;
 constexpr double kOmega = 7.292115e-5;  // rad/s
-/// Predictions are good to this (rad): rounding of some hundred operations, or the tolerance 1e-12 over a run.
+/// Accuracy of predictions (rad): the rounding of some hundred operations, or the tolerance 1e-12 over a run.
 constexpr double kComputed = 1e-11;
 
 class MeasurementTest : public ::testing::Test {
@@ -51,8 +51,8 @@ ScenarioSource shipped(const std::string& name) {
   return read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json");
 }
 
-/// A balanced gyroscope's axis stays in inertial space: in the laboratory it turns by -|W| t about W, the Earth's rate with a
-/// northward and a vertical component [Rodrigues].
+/// The axis of a balanced gyroscope keeps its direction in inertial space. In the laboratory it turns by -|W| t about W, the
+/// Earth's rate, with a northward and a vertical component [Rodrigues].
 Vec3<double> free_axis(const Vec3<double>& n0_L, double northward, double vertical, double t_s) {
   const double rate = std::hypot(northward, vertical);
   const Vec3<double> k_L(0, northward / rate, vertical / rate);
@@ -68,7 +68,7 @@ const double kNorthward45 = kOmega * std::cos(45 * kDegree), kVertical45 = kOmeg
 class Normal {
  public:
   explicit Normal(std::uint64_t seed) : bits_(seed) {}
-  /// Box and Muller, so that every library draws the same.
+  /// Box and Muller's transformation, which gives the same numbers with every library.
   double operator()() {
     const double a = uniform(), b = uniform();
     return std::sqrt(-2 * std::log(a)) * std::cos(2 * kPi * b);
@@ -122,7 +122,7 @@ TEST_F(MeasurementTest, ResidualsAreMeasuredLessPredictedAndAnAxisHasTwo) {
     EXPECT_EQ(report.residuals[i].quantity, expected[i].first);
     EXPECT_NEAR(report.residuals[i].residual_rad, expected[i].second, kComputed);  // and d^2
   }
-  // 9 + 36 + 9 + 36, each good to twice its root times kComputed / e
+  // The sum 9 + 36 + 9 + 36; each term is good to twice its root times kComputed / e.
   EXPECT_NEAR(report.as_given.value, 90, 36 * kComputed / e);
   ASSERT_TRUE(report.largest);
   EXPECT_NEAR(report.residuals[*report.largest].normalised(), -6, kComputed / e);
@@ -139,7 +139,7 @@ TEST_F(MeasurementTest, TheChanceOfOneNumberIsThatOfANormalError) {
 }
 
 TEST_F(MeasurementTest, UnitsAndWholeTurnsChangeNothing) {
-  // Released towards North, the azimuth passes 360 degrees.
+  // After a release towards North, the azimuth passes 360 degrees.
   const Overrides north = {{"/release/azimuth_deg", "359.999"}};
   const double a0 = -0.001 * kDegree;
   const Vec3<double> n0(std::sin(a0), std::cos(a0), 0);
@@ -163,7 +163,7 @@ TEST_F(MeasurementTest, UnitsAndWholeTurnsChangeNothing) {
       first = report.as_given.value;
       first_estimate = *report.estimates[0].estimate;
     }
-    // eight residuals of one standard error, each good to 20 eps of up to four turns, or to what is computed
+    // Eight residuals of one standard error each, good to 20 eps of up to four turns or to the accuracy of the prediction.
     EXPECT_NEAR(report.as_given.value, 8, 16 * kComputed / 1e-5) << v.unit << " " << v.turn;
     EXPECT_NEAR(report.as_given.value, first, 16 * kComputed / 1e-5);
     EXPECT_NEAR(*report.estimates[0].estimate, first_estimate, 1e-3 * *report.estimates[0].standard_error);
@@ -182,7 +182,8 @@ TEST_F(MeasurementTest, AzimuthsCountedTheOtherWayDoNotAgree) {
   EXPECT_NE(report.notes[0].find("clockwise"), std::string::npos);
 }
 
-/// A published figure of a heavy top: the azimuth drift of steady-precession-slow after 60 s in 113 bits, from its file.
+/// A published figure of a heavy top: the azimuth drift of steady-precession-slow after 60 s, computed in 113 bits, from its
+/// file.
 TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   const Measurement measurement = read("t_s,drift_azimuth_rad,drift_azimuth_se_rad\n60,0.0035970975670805857,1e-8\n");
   const auto source = shipped("steady-precession-slow");
@@ -192,8 +193,8 @@ TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_EQ(rate.start, 6e-5);
   EXPECT_EQ(rate.unit, "rad/s");
-  // The drift is proportional to the rate but for a part of its own size: dOmega / Omega = 1e-8 / 0.0036. Converged is a fit to
-  // a thousandth of that.
+  // The drift is proportional to the rate, up to a part of the relative size of the drift: dOmega / Omega = 1e-8 / 0.0036. The
+  // fit converges to a thousandth of that.
   const double expected_error = kOmega * 1e-8 / 0.0035970975670805857;
   EXPECT_NEAR(*rate.standard_error, expected_error, 0.02 * expected_error);
   EXPECT_NEAR(*rate.estimate, kOmega, 1.1e-3 * expected_error);
@@ -203,7 +204,8 @@ TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   EXPECT_TRUE(report.agrees());
 }
 
-/// Only the vertical component is estimated: a motion whose Earth turns with another one, the northward as before.
+/// Only the vertical component is estimated: the measured motion has another vertical component of the Earth's rate, and the
+/// same northward one.
 TEST_F(MeasurementTest, TheVerticalRateAlone) {
   const double vertical = 0.8 * kVertical45;
   std::string csv = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
@@ -217,7 +219,8 @@ TEST_F(MeasurementTest, TheVerticalRateAlone) {
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& estimate = report.estimates[0];
   EXPECT_NEAR(estimate.start, kVertical45, 1e-15 * kOmega);
-  // The axis moves by Omega sin(latitude) t towards South; turned by up to 0.044 rad, it does so less by the square of that.
+  // The axis moves by Omega sin(latitude) t towards South; once it has turned by up to 0.044 rad, it moves less by the square
+  // of that.
   const double expected_error = 1e-6 / std::sqrt(squares);
   EXPECT_NEAR(*estimate.standard_error, expected_error, 0.002 * expected_error);
   EXPECT_NEAR(*estimate.estimate, vertical, 1.1e-3 * expected_error + kComputed / 600);
@@ -226,7 +229,7 @@ TEST_F(MeasurementTest, TheVerticalRateAlone) {
   EXPECT_EQ(*estimate.standard_error_scaled, *estimate.standard_error) << "less scatter than stated makes no smaller error";
 }
 
-/// At the end of a number's range its derivatives are those of one side.
+/// At the end of a number's range its derivatives are one-sided.
 TEST_F(MeasurementTest, ANumberAtTheEndOfItsRange) {
   const double latitude = 89.99;
   const double northward = kOmega * std::cos(latitude * kDegree), vertical = kOmega * std::sin(latitude * kDegree);
@@ -242,7 +245,7 @@ TEST_F(MeasurementTest, ANumberAtTheEndOfItsRange) {
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double expected_error = 1e-6 / std::sqrt(squares) / kDegree;
   EXPECT_NEAR(*report.estimates[0].estimate, latitude, 1.1e-3 * expected_error);
-  // Of first order in the turn by 0.044 rad at most, and in the step of a thousandth of a radian.
+  // The neglected terms are of first order in the turn, at most 0.044 rad, and in the step of a thousandth of a radian.
   EXPECT_NEAR(*report.estimates[0].standard_error, expected_error, 0.01 * expected_error);
 }
 
@@ -258,13 +261,13 @@ TEST_F(MeasurementTest, TheVerticalRateLeavesGravityAsItWas) {
   const Vec3<double> W_L = varied->rotation_rate_rad_s * celestial_axis_L<double>(varied->site);
   EXPECT_NEAR(W_L[1], kOmega * std::cos(30 * kDegree), 1e-15 * kOmega);
   EXPECT_NEAR(W_L[2], 0.9 * kOmega, 1e-15 * kOmega);
-  // The latitude as --set has it takes the plumb line's gravity along.
+  // Changing the latitude also changes the gravity at the plumb line, as it does with --set.
   const measure::EstimatedInputs latitude(source, {}, base, {"latitude_deg"});
   EXPECT_NE(latitude.scenario({31})->site.gravity_m_s2, base.site.gravity_m_s2);
   EXPECT_FALSE(latitude.scenario({91}));
 }
 
-/// Start values come from the text, from --set, from the table's defaults, from what is computed, out of lists.
+/// Start values may come from the text, from --set, from the table's defaults, from computed defaults, and from lists.
 TEST_F(MeasurementTest, NumbersAreFoundWhereverTheyStand) {
   ScenarioSource source{"", R"({"site": {"latitude_deg": 30}, "motion": {"duration_s": 1},
     "body": {"mass_kg": 1, "center_of_mass_m": [0, 0, 0.1], "inertia": {"principal_kg_m2": [0.02, 0.02, 0.01]}},
@@ -288,8 +291,8 @@ TEST_F(MeasurementTest, NumbersAreFoundWhereverTheyStand) {
   EXPECT_EQ(varied->release.spin_angle_deg, 33);
 }
 
-/// A straight line through azimuths: its intercept is the release's azimuth, its slope Omega sin(latitude). Standard errors and
-/// correlation are those of the textbook's line.
+/// A straight line through azimuths: its intercept is the azimuth at release, its slope Omega sin(latitude). Standard errors
+/// and correlation are those of textbook linear regression.
 TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {
   const double error = 1e-5;
   const int rows = 25;
@@ -306,7 +309,8 @@ TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double spread = squares - sum * sum / rows;
   const double slope_error = error / std::sqrt(spread), intercept_error = error * std::sqrt(squares / rows / spread);
-  // Beyond the line: an axis 2e-3 rad beside East, turned by 7e-3 rad, moves otherwise by less than the product of the two.
+  // Deviations from the line: an axis 2e-3 rad from East that has turned by 7e-3 rad moves differently by less than the product
+  // of the two.
   constexpr double kBeyond = 1e-3;
   EXPECT_NEAR(*report.estimates[0].standard_error, intercept_error / kDegree, kBeyond * intercept_error / kDegree);
   EXPECT_NEAR(*report.estimates[1].standard_error, slope_error, kBeyond * slope_error);
@@ -318,8 +322,8 @@ TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {
   EXPECT_NEAR(*report.estimates[1].estimate, kVertical45, 0.02 * slope_error + 2e-3 * 7e-3 * kVertical45);
 }
 
-/// Estimates scatter about the truth as their standard errors say, and what is left of the sum of squares as its degrees of
-/// freedom say.
+/// Estimates scatter about the true values by their standard errors, and the remaining sum of squares is distributed by its
+/// degrees of freedom.
 TEST_F(MeasurementTest, ErrorsOfEstimatesAreWhatIsStated) {
   constexpr std::uint64_t kSeed = 20250711;
   constexpr int kDraws = 60, kRows = 15;
@@ -352,7 +356,8 @@ TEST_F(MeasurementTest, ErrorsOfEstimatesAreWhatIsStated) {
     chi_squared += report.fitted->value;
     freedom += report.fitted->degrees_of_freedom;
   }
-  // Four standard errors of n normal pulls' mean, of their standard deviation and of the share within 1.
+  // The tolerances are four standard errors of the mean of n normal pulls, of their standard deviation and of the share within
+  // 1.
   const int n = 2 * kDraws;
   const double share = std::erf(1 / std::sqrt(2.0));
   const double deviation = std::sqrt(squares / n), mean = sum / n;
@@ -397,12 +402,13 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
   };
   outcome({"/release/spin_angle_deg"}, "do not determine /release/spin_angle_deg");
   outcome({"rotation_rate_rad_s", "/body/mass_kg"}, "do not determine /body/mass_kg");
-  // tan(azimuth - 90 deg) = sin(latitude) tan(Omega t): what tells the two apart is of third order in Omega t = 0.004.
+  // tan(azimuth - 90 deg) = sin(latitude) tan(Omega t): the two inputs can be told apart only by terms of third order in Omega
+  // t = 0.004.
   outcome({"rotation_rate_rad_s", "latitude_deg"}, "do not tell apart rotation_rate_rad_s, latitude_deg");
 }
 
 TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {
-  // An Earth that turns about an axis beyond the pole: no latitude has it.
+  // An Earth that turns about an axis beyond the pole, which no latitude describes.
   const double beyond = 93 * kDegree;
   std::string csv = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
   for (int i = 1; i <= 10; ++i) {
@@ -522,8 +528,9 @@ TEST_F(MeasurementTest, ReadsWhatIsThere) {
   EXPECT_EQ(m.values[1].quantity, MeasuredQuantity::tilt);
 }
 
-/// Without drifts only one motion is integrated, and of a symmetric top only its axis; with them both are. Either is the one
-/// that `run` writes: of an unsymmetric body, with a platform, with dry friction, symmetric about another axis than the third.
+/// If no drift is measured, only one motion is integrated, and for a symmetric top only its axis; otherwise both are. Either
+/// way it is the motion that `run` writes: for an asymmetric body, with a platform, with dry friction, and for a body symmetric
+/// about another axis than the third.
 TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
   struct Scene {
     std::string name;

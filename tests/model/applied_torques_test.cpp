@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every applied torque against a formula of its own: sums over particles, hand formulas, the boundary layer's wall stress, and
-// the dynamics that a constraint has to leave.
+// Compares every applied torque with a formula of its own: sums over particles, formulas derived by hand, the wall stress of a
+// boundary layer, and the dynamics under a constraint.
 #include "earthtop/model/applied_torques.hpp"
 
 #include <functional>
@@ -23,7 +23,7 @@ using test::Random;
 
 constexpr int kMotions = 10;
 
-/// A body of any inertia tensor, on a platform that turns and swings about a leaning axis.
+/// A scene with any inertia tensor, on a platform that turns and swings about a leaning axis.
 Scenario scene_with(const AppliedTorquesSpec& applied, Random& random, bool on_platform) {
   Scenario scenario = testing::toy_top();
   scenario.body = test::body_spec(test::exact_particles<double>(random));
@@ -40,7 +40,7 @@ Scenario scene_with(const AppliedTorquesSpec& applied, Random& random, bool on_p
   return scenario;
 }
 
-/// The torque on the rotating motion, SI.
+/// The applied torque on the rotating motion (N m).
 Vec3<double> torque(const Scenario& scenario, double t, const Quaternion<double>& q_LB, const Vec3<double>& w_LB_B) {
   return applied_torque_B(make_model<double>(scenario), t, q_LB, w_LB_B, true);
 }
@@ -79,7 +79,7 @@ TEST(AppliedTorques, RadialGravityGradientIsAPointEarthsPull) {
     for (auto& row : scenario.body.inertia_kg_m2)
       for (double& moment : row) moment = std::ldexp(moment, 2 * kSize);
     for (double& component : scenario.body.center_of_mass_m) component = std::ldexp(component, kSize);
-    // The pivot seen from the Earth's centre, in axes East, North, Up of the ellipsoid's normal.
+    // The position of the pivot from the Earth's centre, in axes East, North, Up along the ellipsoid's normal.
     const T pi = real::pi<T>(), phi = T(scenario.site.latitude_deg) * pi / T(180), h = T(scenario.site.height_m);
     const T s = real::sin(phi), c = real::cos(phi), f = T(1) / T(kInverseFlatteningWgs84), square = f * (T(2) - f);
     const T N = T(kEquatorialRadiusWgs84) / real::sqrt(T(1) - square * s * s);
@@ -127,8 +127,9 @@ TEST(AppliedTorques, FrictionByHand) {
   EXPECT_TRUE(identical(torque(scenario, 1, random.quaternion<double>(), Vec3<double>(0, 0, 0)), Vec3<double>(0, 0, 0)));
 }
 
-/// What is left at `end` (where the flow has to turn straight up) of von Karman's equations F'' = F^2 - G^2 + H F',
-/// G'' = 2 F G + H G', H' = -2 F from the disc, F = H = 0 and G = 1, with the slopes there. Classical Runge-Kutta.
+/// Integrates von Karman's equations F'' = F^2 - G^2 + H F', G'' = 2 F G + H G', H' = -2 F from the disc (F = H = 0, G = 1,
+/// given slopes) by the classical Runge-Kutta method. Returns F and G at `end`, where they must vanish because the flow is
+/// straight up.
 std::array<double, 2> flow_far_above_a_disc(double radial_slope, double tangential_slope, double end) {
   using State = Eigen::Matrix<double, 5, 1>;  // F, F', G, G', H
   const auto rate = [](const State& x) {

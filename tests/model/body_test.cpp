@@ -81,8 +81,8 @@ TEST(Body, MomentAboutThePivotIsAddedNotSubtracted) {
   EXPECT_TRUE(identical(make_body<double>(with_principal(2, {0, 0, 3}, {19, 19, 1})).I_BBcm_B(), Mat3<double>::Identity()));
 }
 
-/// Mass, first moment and moments about z = 0 of a solid of revolution of unit density, slice by slice; Gauss's rule with
-/// three nodes is exact here, as no slice's moment has a degree over five (a sphere's needs it on either half).
+/// Mass, first moment and second moments about z = 0 of a solid of revolution of unit density, summed over slices by Gauss's
+/// rule with three nodes. It is exact here, since no integrand has a degree above five (for a sphere, on either half).
 struct Revolution {
   long double mass = 0, first = 0, along = 0, across = 0;
   void add(long double from, long double to, const std::function<long double(long double)>& radius_squared,
@@ -187,8 +187,8 @@ TEST(Solids, ListsAddUp) {
 TEST(BodyValidity, AcceptsEveryCloudOfParticlesInAnyAxes) {
   Random random(302);
   for (int k = 0; k < 200; ++k) {
-    // Three to five particles: a flat body or one barely thicker, moments up to the equality of the triangle. Mass and
-    // centre are rounded to doubles like the moments; the slack of 32 eps is there for that.
+    // Three to five particles: a flat body, or one barely thicker, whose moments reach equality in the triangle inequality.
+    // Mass and centre are rounded to double like the moments, for which the slack of 32 eps is there.
     const int n = random.integer(3, 5);
     Particles<float128> particles;
     for (int i = 0; i < n; ++i) {
@@ -242,7 +242,7 @@ TEST(BodyValidity, TheSameVerdictInTurnedAxes) {
 }
 
 TEST(BodyValidity, JudgesTheKnownBodies) {
-  // The asymmetric body of older comparisons: about its centre of mass 3e-5, 0, 4e-5.
+  // The asymmetric body of earlier comparisons; its moments about the centre of mass are 3e-5, 0 and 4e-5.
   EXPECT_TRUE(refused(with_principal(0.1, {0, 0, 0.03}, {1.2e-4, 9e-5, 4e-5}), "triangle"));
   EXPECT_TRUE(accepted(with_principal(0.1, {0, 0, 0.03}, {1.2e-4, 1.05e-4, 4e-5})));
   EXPECT_TRUE(accepted(with_principal(0.1, {0, 0, 0.03}, {1.2e-4, 1.2e-4, 4e-5})));
@@ -273,7 +273,7 @@ TEST(BodyValidity, SlackIs32EpsOfTheLargestPivotMoment) {
   // Largest pivot moment 2: the slack is 64 eps.
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 0}, {1, 1, 2 + 62 * eps})));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {1, 1, 2 + 68 * eps}), "triangle"));
-  // Of the pivot's moments, not of the centre's: 2 about the centre, 8 about the pivot 2.45 m away.
+  // The slack is that of the pivot's moments, not of the centre's: 2 about the centre, 8 about the pivot 2.45 m away.
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 2}, {1 + 4, 1 + 4, 2 + 158 * eps})));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 2}, {1 + 4, 1 + 4, 2 + 164 * eps}), "triangle"));
   // A negative moment about the centre of mass; largest pivot moment 1.5: 48 eps.

@@ -12,7 +12,7 @@ using test::for_each_scalar;
 using test::identical;
 using test::Random;
 
-/// An asymmetric body with products of inertia and its centre of mass off every axis.
+/// An asymmetric body with products of inertia, and its centre of mass off every axis.
 BodySpec asymmetric() {
   BodySpec spec;
   spec.mass_kg = 0.5;
@@ -84,7 +84,7 @@ TEST(Equations, ObserversAgree) {
     EXPECT_LE(static_cast<double>(largest), static_cast<double>(float128(1.25) * C / steps)) << n;
     if (n == 256) {
       EXPECT_LE(static_cast<double>(largest), 1e-6);
-      // What the Earth's rate did to this motion is far larger.
+      // The effect of the Earth's rate on this motion is far larger.
       const auto at_rest = [&](float128, const Motion<float128>& x) {
         return laboratory_equation<float128>(model, x, g, Vec3<float128>::Zero());
       };
@@ -191,7 +191,7 @@ TEST(Equations, InertialSpinOfASymmetricTopDoesNotChange) {
   });
 }
 
-/// The derivative of f along the flow of the body equation, at t = 0.
+/// The derivative of f along the flow of the body equation at t = 0.
 template <class F>
 float128 along_the_flow(const Model<float128>& model, const Motion<float128>& x, float128 h, const F& f) {
   const Motion<float128> rate = body_equation<true, SceneKind::plain, float128>(model, x, model.apparent_gravity_L);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The sizes of the products that a ledger's torques are made of: its round-off is measured by them.
+/// The size of the products from which a ledger's torques are formed, in units of which its round-off is measured.
 #pragma once
 
 #include "earthtop/model/ledger.hpp"
 
 namespace earthtop::test {
 
-/// Largest residual of a ledger, in units of eps times the size of its terms. There are some 40 operations along either path: a
-/// rotation matrix enters a torque up to four times (9 each), the products themselves have 10. Each rounds by eps/2 at most,
-/// with either sign, so that 80 of them in three components make sqrt(240)/2, about 8.
+/// The largest residual of a ledger, in units of eps times the size of its terms. Either side of the ledger takes some 40
+/// operations: a rotation matrix enters a torque up to four times (9 each), and the products themselves have 10. Each rounds by
+/// eps/2 at most, with either sign, so 80 of them in three components add up to about sqrt(240)/2 = 8.
 inline constexpr int kLedgerRounding = 8;
 
-/// |m r||f|, and the trace of the second moment (not below any moment) times rates and accelerations, both sides of the ledger
-/// together: the Coriolis torque is twice 2 |J||w| in tensor form, and three products of Theta in Euler's.
+/// The size of both sides of the ledger together: |m r||f|, and the trace of the second moment (not below any moment) times
+/// rates and accelerations. The Coriolis torque is 2 |J||w| twice in tensor form, and three products of Theta in Euler's form.
 template <class T>
 T ledger_size(LedgerObserver observer, const Model<T>& model, T t, const Vec3<T>& w_LB_B) {
   const T S = model.S_BP_B.trace(), W = norm(model.W_IL_L), w_LB = norm(w_LB_B);

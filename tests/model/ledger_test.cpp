@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The ledger of one state: its two sides against each other, against sums over particles, and against known torques.
+/// The ledger of one state: its two sides compared with each other, with sums over particles, and with known torques.
 
 #include "earthtop/model/ledger.hpp"
 
@@ -25,7 +25,7 @@ using test::round_off;
 
 constexpr double kLatitudes[] = {50, -90, 0, 90, -35};
 
-/// A body of particles, its state, and a platform that turns unevenly with the pivot off its centre.
+/// A body of particles, its state, and a platform that turns unevenly, with the pivot off its centre.
 template <class T>
 struct Scene {
   Particles<T> particles;  ///< in body axes
@@ -78,7 +78,7 @@ TEST(Ledger, ResidualIsRoundOff) {
   });
 }
 
-/// The frame A as the frame stack has it, and the particles' positions and velocities in it.
+/// Frame A as computed by the frame stack, and the particles' positions and velocities in it.
 template <class T>
 struct Seen {
   Vec3<T> w_IA_A, alpha_IA_A;
@@ -101,7 +101,7 @@ Seen<T> seen_from(const Scene<T>& s, char A, const Vec3<T>& alpha_LB_L) {
 }
 
 TEST(Ledger, TorquesAreSumsOverParticles) {
-  // Omega = 1 rad/s: the sign of every torque counts. The frames' rates come from the stack of frames.
+  // With Omega = 1 rad/s the sign of every torque matters. The frames' rates come from the frame stack.
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(602);
@@ -112,7 +112,7 @@ TEST(Ledger, TorquesAreSumsOverParticles) {
         const char A = observer == LedgerObserver::laboratory ? 'L' : observer == LedgerObserver::platform ? 'P' : 'B';
         Vec3<T> alpha_LB_L = Vec3<T>::Zero();
         if (observer == LedgerObserver::body) {
-          // What each particle needs to follow the body must be what it gets: this is where the acceleration comes from.
+          // The force that each particle needs to follow the body must be the force on it; the acceleration follows from this.
           const Mat3<T> R_LB = rotation_matrix(s.q_LB), theta = test::inertia(s.particles);
           const Vec3<T> w_IB_B = s.w_LB_B + R_LB.transpose() * s.model.W_IL_L;
           const Vec3<T> field_B = R_LB.transpose() * pivot_field<SceneKind::full>(s.model, s.t).rotating_L;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The difference that paired numbers carry along, against a subtraction in 113 bits.
+// Compares the difference that paired numbers carry with a subtraction in 113 bits.
 #include "earthtop/model/paired.hpp"
 
 #include "earthtop/model/applied_motion.hpp"
@@ -16,7 +16,7 @@ using test::Random;
 
 constexpr double kEpsilons[] = {1e-3, 1e-6, 1e-9, 1e-12};
 
-/// A number in both predictions, exactly and as it is carried.
+/// A number in both predictions: its exact values, and the pair that carries it.
 struct Both {
   float128 ref, rot;
   Paired<double> carried;
@@ -24,7 +24,7 @@ struct Both {
       : ref(at), rot(ref + float128(epsilon) * float128(difference)), carried(at, static_cast<double>(rot), difference) {}
 };
 
-/// @param conditioning  how much of it cancels between an operation's own terms
+/// @param conditioning factor by which an operation's own terms cancel
 ::testing::AssertionResult carried(const Paired<double>& result, float128 ref, float128 rot, double epsilon,
                                    double conditioning = 1) {
   const float128 difference = (rot - ref) / float128(epsilon);
@@ -40,7 +40,7 @@ TEST(Paired, EveryOperationCarriesItsDifference) {
   for (const double epsilon : kEpsilons)
     for (int k = 0; k < 20; ++k) {
       const double sign = random.integer(0, 1) == 0 ? 1 : -1;
-      // Of one sign, so that no operation's terms cancel by more than half.
+      // The numbers have one sign, so that no operation's terms cancel by more than half.
       const Both x(random.uniform(1, 3), random.uniform(4, 5), epsilon), y(sign * random.uniform(1, 3), sign, epsilon);
       const auto p = x.carried, q = y.carried;
       constexpr double kTerms = 8;  // both terms of a sum, over the least of the sum
@@ -81,7 +81,7 @@ TEST(Paired, EqualValuesGiveTheDerivative) {
   EXPECT_EQ((Paired<double>(1) / x).diff, -0.25);
 }
 
-/// Every applied torque at once, or those that a gimbal allows.
+/// A scene with all applied torques, or with those that a gimbal allows.
 Scenario all_torques(Random& random, bool gimbal, bool turbulent) {
   Scenario scenario = testing::asymmetric_top();
   scenario.body.center_of_mass_m = {0.001, 0.002, 0.03};

@@ -12,7 +12,7 @@ using test::for_each_scalar;
 using test::identical;
 using test::Random;
 
-/// A symmetric top; exact doubles.
+/// A symmetric top whose numbers are exact doubles.
 BodySpec top(double I1 = 1.25, double I3 = 0.5, double height = 0.75) {
   BodySpec spec;
   spec.mass_kg = 2;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Debian packages as their users meet them: built, judged by lintian, installed, used from outside the source tree, removed.
+# Tests the Debian packages as users meet them: built, checked by lintian, installed, used from outside the source tree,
+# removed.
 #   tests/package/package_test.sh [BUILD]     BUILD: a release build to package, see tools/package.sh
 # Installing takes root. Without it the packages are built and judged only.
 set -euo pipefail
@@ -46,7 +47,7 @@ trap clean_up EXIT
 
 step "Install"
 apt_get() { DEBIAN_FRONTEND=noninteractive apt-get -q -y -o Dpkg::Use-Pty=0 "$@"; }
-# Some images leave out manuals and documentation as packages are unpacked; here they are what is tested.
+# Some images drop manuals and documentation when packages are unpacked; here these are part of the test.
 everything=(-o 'Dpkg::Options::=--path-include=/usr/share/*')
 apt_get install --no-install-recommends "${everything[@]}" "${debs[@]/#/./}" >"$work/apt.log" 2>&1 ||
   { cat "$work/apt.log" && fail "apt does not install them"; }
@@ -73,7 +74,7 @@ done
 earthtop schema | cmp - /usr/share/earthtop/schema/earthtop-scenario-1.json
 
 step "Completion in bash"
-# As a shell does it: bash-completion finds the file by the program's name, its function is asked about the word begun.
+# As in a shell: bash-completion finds the file by the program's name, and its function is called for the word being typed.
 completions_of() {
   bash --norc -c '
     source /usr/share/bash-completion/bash_completion

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The version is written once, in project() of the top CMakeLists.txt. All else that names one must agree with it: what a build has made
-# of it, and the two files that people write by hand, whose newest release and its date are these.
+# The version is written once, in project() of the top CMakeLists.txt. Everything else that states it must agree: what a build
+# made of it, and the two files written by hand, whose newest release must have this version and date.
 #   tests/package/versions.sh BUILD VERSION PROGRAM
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// [F]'s theorem: the torques of a rotating observer, added to the physical ones, give the same motion as Euler's equation.
+/// The theorem of [F]: a rotating observer's torques, added to the physical ones, give the same motion as Euler's equation.
 
 #include "earthtop/frames/frame_stack.hpp"
 #include "earthtop/model/equations.hpp"
@@ -19,7 +19,7 @@ using Q = float128;
 
 constexpr int kCases = 20;
 
-/// Particles in mirrored octets: the coordinate planes are planes of symmetry, products of inertia cancel exactly.
+/// Particles in mirrored octets: the coordinate planes are symmetry planes, and products of inertia cancel exactly.
 template <class T>
 Particles<T> principal_particles(Random& random) {
   Particles<T> particles;
@@ -33,7 +33,8 @@ Particles<T> principal_particles(Random& random) {
   return particles;
 }
 
-/// Physical torque that the particles need, at rest in a frame with w and wdot: sum r x m a, in inertial space.
+/// The physical torque, sum r x m a in inertial space, that the particles need to stay at rest in a frame with rates w and
+/// wdot.
 template <class T>
 test::Sum<T> inertial_rate(const Particles<T>& particles, const Vec3<T>& w, const Vec3<T>& wdot) {
   test::Sum<T> sum;
@@ -80,13 +81,13 @@ TEST(PaperTorques, EulerEquationComponentByComponent) {
 }
 
 constexpr Q kStep = Q(1e-5);
-/// Of second differences with kStep of a position of at most `reach` that `layers` turns carry, W bounding its derivatives:
-/// W^2 (W h)^6, and 32 eps a turn amplified by 64 / h^2 (second differences, extrapolated twice).
+/// The error of second differences with step kStep of a position of size `reach` that is carried by `layers` turns, whose
+/// derivatives W bounds: W^2 (W h)^6, and 32 eps per turn amplified by 64 / h^2 (second differences, extrapolated twice).
 Q difference_bound(Q W, int layers, Q reach) {
   const Q Wh = W * kStep;
   return reach * (W * W * Wh * Wh * Wh * Wh * Wh * Wh + Q(32 * 64 * layers) * real::epsilon<Q>() / (kStep * kStep));
 }
-/// Sum of m |r|^2, and of m |r|: what the acceleration's error is multiplied by.
+/// Sum of m |r|^2 and m |r|, by which the acceleration's error is multiplied.
 Q lever(const Particles<Q>& particles, Q reach) {
   Q sum = Q(0);
   for (const Particle<Q>& p : particles) sum += p.m * norm(p.r) * reach;
@@ -129,8 +130,8 @@ TEST(PaperTorques, TotalNonInertialTorqueIsMinusTheInertialRate) {
 }
 
 TEST(PaperTorques, AnyObservingFrame) {
-  // A top on a platform that turns unevenly, with the pivot off its centre, on an Earth of 1 rad/s; the top's own motion in P
-  // is prescribed. The torque that this takes comes from inertial positions alone.
+  // A top on a platform that turns unevenly, with the pivot off its centre, on an Earth with 1 rad/s. The top's motion in P is
+  // prescribed, and the torque that it needs is computed from inertial positions alone.
   Random random(203);
   for (int k = 0; k < 6; ++k) {
     const Site site{random.uniform(-80, 80), random.uniform(-180, 180), 0, 0};
@@ -228,7 +229,7 @@ TEST(PaperTorques, PivotAccelerationAgainstDifferentiation) {
     }
 }
 
-/// One random state of a body, and what each observer's equation says about it.
+/// One random state of a body, and the rate that each observer's equation gives for it.
 template <class T>
 struct State {
   Particles<T> particles;  ///< in body axes
@@ -236,8 +237,8 @@ struct State {
   Quaternion<T> q_LB, q_NL;
   Mat3<T> R_LB, R_NL;
   Vec3<T> w_LB_B, field_L;
-  T size;       ///< of the torques
-  T condition;  ///< of the inertia tensor
+  T size;       ///< size of the torques
+  T condition;  ///< condition number of the inertia tensor
 
   explicit State(Random& random) : particles(test::exact_particles<T>(random)), body(make_body<T>(test::body_spec(particles))) {
     q_LB = random.quaternion<T>(1.25);  // the norm must not matter
@@ -274,7 +275,8 @@ struct State {
     const Motion<T> xdot = inertial_equation<true, K, T>(model, {q_NL * q_LB, R_NB * L_B}, field_L, R_NL);
     return body.I_BP_B_inverse * (R_NB.transpose() * xdot.m - w_IB_B.cross(L_B));
   }
-  /// Of a rate's derivative: 128 for some 40 operations in three components along any path, times the inverse's condition.
+  /// Bound on a rate's derivative: 128 for some 40 operations in three components on each path, times the condition of the
+  /// inverse.
   T bound() const { return T(128) * real::epsilon<T>() * condition * size / body.I_BP_B.cwiseAbs().maxCoeff(); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Random sets of point masses, with the sums that [F] = Fariborz, "Non-inertial torques and the Euler equation", starts
-/// from. Nothing here uses the tensor forms under test.
+/// Random sets of point masses, with the sums from which [F] (Fariborz, "Non-inertial torques and the Euler equation") starts.
+/// Nothing here uses the tensor forms under test.
 #pragma once
 
 #include <vector>
@@ -32,13 +32,13 @@ Particles<T> random_particles(Random& random) {
   return particles;
 }
 
-/// Velocities of a rigid body that turns at w in the observing frame.
+/// Gives the particles the velocities of a rigid body that turns at w in the observing frame.
 template <class T>
 void turn_rigidly(Particles<T>& particles, const Vec3<T>& w) {
   for (Particle<T>& p : particles) p.rdot = w.cross(p.r);
 }
 
-/// A sum over particles and the sum of its terms' sizes, which measures its round-off.
+/// A sum over particles, and the sum of the sizes of its terms, which measures its round-off.
 template <class T>
 struct Sum {
   Vec3<T> value = Vec3<T>::Zero();
@@ -109,15 +109,15 @@ Vec3<T> mass_moment(const Particles<T>& particles) {
   return sum;
 }
 
-/// Round-off of a sum of n particles' terms of total size `size`, in either of two orders of summation: eps/2 for each of
-/// the n additions and for the (at most 16) operations in a term or in the tensor form, three components' terms side by side.
+/// Round-off of a sum over n particles' terms of total size `size`, in two orders of summation: eps/2 for each of the n
+/// additions and for at most 16 operations in a term or in the tensor form, with three components' terms side by side.
 template <class T>
 T round_off(const Particles<T>& particles, T size) {
   return (T(particles.size()) + T(16)) * T(3) * real::epsilon<T>() * size;
 }
 
-/// Particles at rest whose total mass is 128 kg and whose coordinates and masses are multiples of 1/64 and 1/16: all moments
-/// up to the second are exact in double, so that a body made from them is the same in every precision.
+/// Particles at rest with a total mass of 128 kg, whose coordinates and masses are multiples of 1/64 and 1/16. All moments up
+/// to the second are exact in double, so that a body made from them is the same in every precision.
 template <class T>
 Particles<T> exact_particles(Random& random) {
   Particles<T> particles;
@@ -137,7 +137,7 @@ Particles<T> exact_particles(Random& random) {
   return particles;
 }
 
-/// The body of `exact_particles`, as a scenario would give it.
+/// The body of `exact_particles`, as a scenario specifies it.
 template <class T>
 BodySpec body_spec(const Particles<T>& particles) {
   BodySpec spec;

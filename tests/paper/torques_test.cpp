@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The torques of [F] in tensor form against sums over particles, equation by equation.
+/// Compares the torques of [F] in tensor form with sums over particles, equation by equation.
 
 #include "earthtop/model/torques.hpp"
 

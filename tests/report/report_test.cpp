@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Report pages without a browser: what is in them, and what must not be. (tests/browser opens them in one.)
+/// Report pages tested without a browser: what they must contain and what not. (tests/browser opens them in one.)
 #include "earthtop/report/report.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,8 @@ TEST(Report, ForeignTextStaysText) {
   data_of(html);  // still JSON
 }
 
-// One policy, one style of the page's own beside those of its pictures, one script, and nothing from elsewhere.
+// A page has one security policy, one style of its own besides those of its pictures, one script, and loads nothing from
+// elsewhere.
 TEST(Report, NothingIsLoaded) {
   const TemporaryDirectory dir;
   write_results(run(short_top("A top")), dir.path() / "run", false);
@@ -111,7 +112,7 @@ TEST(Report, AComparisonShowsEveryVerdict) {
     EXPECT_NE(html.find(text), html.npos) << text;
 }
 
-/// Rows with a needle in one of the columns.
+/// Rows with a single outlier (the needle) in one of the columns.
 class NeedleRows : public compare::RowSource {
  public:
   NeedleRows(std::uint64_t count, std::uint64_t needle, std::string_view column)

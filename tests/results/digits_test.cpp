@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Numbers of extended precision in decimal, against values from exact rational arithmetic.
+/// Decimal output of extended-precision numbers, compared with values from exact rational arithmetic.
 #include "results/digits.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Digits, NoneOfWhatIsNotFinite) {
       EXPECT_EQ(digits(value, precision), "");
 }
 
-/// A made-up run whose rows stand in full.
+/// A made-up run with rows in extended precision.
 RunResult extended_run(Precision precision) {
   RunResult result = test::made_up_run(2);
   result.scenario.precision = precision;

@@ -24,7 +24,7 @@ std::size_t count(const std::string& text, std::string_view what) {
   return found;
 }
 
-/// Every element is closed in the right order, attributes are quoted, and no bare & or < stands in the text.
+/// Checks that elements are closed in the right order, attributes are quoted, and the text has no bare & or <.
 void expect_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (std::size_t at = 0; at < xml.size(); ++at) {
@@ -57,10 +57,10 @@ Figure figure_of(std::vector<double> y, AxisScale scale = AxisScale::linear) {
   return {"title", "", {"Time", "s"}, {{{"y", "m", scale}, {{"line", x, std::move(y)}}}}};
 }
 
-/// How many pieces the one line of `figure_of` is drawn in.
+/// The number of pieces in which the single line of `figure_of` is drawn.
 std::size_t pieces(const std::string& picture) { return count(picture, "stroke-linejoin"); }
 
-/// How many straight segments those pieces have.
+/// The number of straight segments in those pieces.
 std::size_t segments(const std::string& picture) {
   std::size_t found = 0;
   for (std::size_t end = picture.find("\" fill=\"none\""); end != std::string::npos;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that change together: whatever happens in between, the old ones or the new ones, and nothing beside them.
+// Files that change together: whatever happens in between, either all old ones or all new ones are there, and nothing else.
 #include "results/file_set.hpp"
 
 #include <fcntl.h>

@@ -92,7 +92,7 @@ TEST(Headline, IsInTheSummary) {
   EXPECT_EQ(written.at("origin"), "theory [F]");
 }
 
-// A scenario may name what can be looked up, all of it, and nothing else.
+// A scenario may name every quantity that can be looked up, and no other.
 TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
   const auto words = input::split_words(scenario::fields().find("/headline/quantity")->words);
   for (const Column& column : trajectory_columns()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A run's result that no integration made: known numbers for what reads and writes results.
+/// Results of a run with known numbers, made without an integration, for testing what reads and writes results.
 #pragma once
 
 #include <cmath>
@@ -59,7 +59,7 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   return result;
 }
 
-/// The same with a ledger whose numbers are 1 to 18 times the row's number from 1 on.
+/// The same with a ledger whose numbers are 1 to 18 times the row's number, which counts from 1.
 inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
   RunResult result = made_up_run(rows);
   result.scenario.ledger = LedgerObserver::platform;

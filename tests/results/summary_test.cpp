@@ -181,7 +181,7 @@ TEST(Timing, HoldsWhatTheSummaryMustNot) {
   EXPECT_FALSE(timing.at("host").get<std::string>().empty());
 }
 
-// A run that failed at its release: no number of a drift, a motion or a bound, as if it were one of zero.
+// A run that failed at its release has no numbers for drift, motion or bounds; in particular no zeros.
 TEST(Summary, HasNoNumbersWithoutARowBeyondTheRelease) {
   RunResult result = made_up_run();
   result.rows.resize(1);

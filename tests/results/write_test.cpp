@@ -154,7 +154,7 @@ TEST_F(Write, CheckMakesNothing) {
 
 TEST_F(Write, UnwritablePlaceIsAWriteError) {
   if (::geteuid() == 0) {
-    // root passes every permission bit; procfs still makes no directories.
+    // No permission bit stops root, but procfs refuses new directories.
     EXPECT_THROW(write_results(made_up_run(), "/proc/earthtop-out", false), WriteError);
     return;
   }
@@ -166,7 +166,7 @@ TEST_F(Write, UnwritablePlaceIsAWriteError) {
   EXPECT_TRUE(fs::is_empty(dir_));
 }
 
-/// Files of this process may not grow beyond `bytes` while this lives.
+/// While it lives, files of this process cannot grow beyond `bytes`.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -188,7 +188,7 @@ TEST_F(Write, FailureInTheMiddleOfAFileLeavesTheOldResult) {
   const RunResult old = made_up_run(11);
   write_results(old, dir_, false);
   const std::string timing = read(dir_ / "timing.json");
-  // Room for none, and for the trajectory but not for what follows it: the limit falls in different files.
+  // Limits with no room for any file, and with room for the trajectory but not for the next file, so that different files fail.
   for (const std::size_t limit : {std::size_t{100}, std::size_t{4000}, trajectory_csv(another_run()).size() - 1}) {
     RunResult next = another_run();
     if (limit == 4000) next.rows.resize(2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `closed_form` as a method of a run: against integrations in other equations, at every size of the Earth's rate, and against
-/// what can be said without either.
+/// `closed_form` as the method of a run: compared with integrations in other equations at every size of the Earth's rate, and
+/// with what is known without either.
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,12 @@ Scenario by_closed_form(Scenario s) {
   return s;
 }
 
-/// Moment families of the scenes that have a closed form.
+/// Families of scenes that have a closed form.
 enum class Family { free_asymmetric, free_symmetric, heavy_at_pole, heavy_sideways, heavy_standing };
 constexpr Family kFamilies[] = {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole, Family::heavy_sideways,
                                 Family::heavy_standing};
 
-/// A random scene of a family; the seed decides on its matching rule, and on the sign and size of the Earth's rate.
+/// A random scene of a family; the seed also decides its matching rule, and the sign and size of the Earth's rate.
 Scenario random_of(Family family, std::uint64_t seed, double radians) {
   // Odd seeds are symmetric tops.
   Scenario s = testing::random_scene(family == Family::free_asymmetric ? 2 * seed : 2 * seed + 1, radians);
@@ -50,8 +50,8 @@ double distance(const std::array<double, 4>& p, const std::array<double, 4>& q) 
   return std::sqrt(sum);
 }
 
-/// Two runs of one scene agree within the sum of their bounds: drift, attitudes and the signs of their quaternions, angles that
-/// go round.
+/// Checks that two runs of one scene agree within the sum of their bounds: drift, attitudes and the signs of their quaternions,
+/// and angles that go round more than once.
 void expect_agreement(const RunResult& a, const RunResult& b) {
   ASSERT_EQ(a.status, RunStatus::completed);
   ASSERT_EQ(a.rows.size(), b.rows.size());
@@ -98,7 +98,7 @@ TEST(ClosedFormDrift, EveryShippedSceneThatHasOneAgreesWithTheIntegration) {
   EXPECT_EQ(found, expected);
 }
 
-// Against 113-bit integrations in the laboratory's equations: tighter than anything integrated in double is asked for.
+// Compares with 113-bit integrations in the laboratory's equations, more tightly than any integration in double.
 TEST(ClosedFormDrift, RandomScenesAreRightAndTheirBoundsHold) {
   for (const Family family : kFamilies)
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -112,7 +112,7 @@ TEST(ClosedFormDrift, RandomScenesAreRightAndTheirBoundsHold) {
       EXPECT_LT(c.worst_axis_error, 1000 * real::epsilon<double>());
       EXPECT_LT(c.worst_attitude_error, 1000 * real::epsilon<double>());
       EXPECT_GE(c.least_margin, 1);
-      // About its middle axis a body is unstable: there the bound has to count what a rounding of the release would grow to.
+      // A body is unstable about its middle axis; there the bound must include the growth of a rounding error at release.
       const auto& I = s.body.inertia_kg_m2;
       const bool unstable = family == Family::free_asymmetric && (I[2][2] - I[0][0]) * (I[2][2] - I[1][1]) < 0;
       if (!unstable) {
@@ -144,7 +144,7 @@ TEST(ClosedFormDrift, RandomScenesAgreeWithTheIntegrationsAnglesAndSigns) {
     }
 }
 
-// The drift is linear in a tiny rate: nothing but the rate's own digits may change from one to the next.
+// The drift is linear in a tiny rate: from one rate to the next, only the rate's own digits may change.
 TEST(ClosedFormDrift, AnyEarthRateHasItsDigits) {
   for (const Family family : {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole})
     for (std::uint64_t seed = 0; seed < 8; seed += 4)  // matched in the laboratory
@@ -160,8 +160,8 @@ TEST(ClosedFormDrift, AnyEarthRateHasItsDigits) {
       }
 }
 
-// At first the laboratory turns as far as the body that started with it: of the two turns a millionth is left after a
-// microradian.
+// Initially the laboratory and the body that was released with it turn alike; after a microradian, only a millionth of the two
+// turns remains as their difference.
 TEST(ClosedFormDrift, TheFirstMomentsHaveTheirDigits) {
   for (const Family family : {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole})
     for (const double rate : {1e-200, kEarthRateWgs84, 0.1}) {
@@ -192,7 +192,7 @@ TEST(ClosedFormDrift, AStandingEarthLeavesExactlyNothing) {
     }
 }
 
-// Rows an hour of turns apart carry the same angles and signs as rows that see every turn.
+// Rows that are hours of turns apart have the same angles and signs as rows that follow every turn.
 TEST(ClosedFormDrift, RareRowsKnowHowOftenAnglesWentRound) {
   for (const Family family : {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole, Family::heavy_sideways})
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -220,7 +220,7 @@ TEST(ClosedFormDrift, RareRowsKnowHowOftenAnglesWentRound) {
     }
 }
 
-// The rotating motion by itself, without a reference.
+// Integrates the rotating motion alone, without a reference.
 TEST(ClosedFormDrift, OneMotionByItselfIsThatOfTheRun) {
   for (const Family family : kFamilies)
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -254,7 +254,7 @@ TEST(ClosedFormDrift, TheThresholdIsPassedWhenTheFormulaSaysSo) {
   EXPECT_FALSE(run(s).drift.threshold_time_s);
 }
 
-// Where digits are asked for, they agree with those of an integration in other equations.
+// Results in extended precision agree with an integration in other equations to the digits asked for.
 TEST(ClosedFormDrift, ExtendedPrecisionHasItsDigits) {
   for (const Family family : {Family::free_asymmetric, Family::free_symmetric, Family::heavy_at_pole})
     for (const std::uint64_t seed : {2u, 3u}) {

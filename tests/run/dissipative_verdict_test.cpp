@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verdicts where friction or a constraint has a say: neighbouring motions converge there, or a brake makes them part.
+// Verdicts on motions with friction or a constraint, where neighbouring motions converge, or a brake makes them diverge.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::kPi;
 
-/// The rotor of an instrument; its period is 2 pi sqrt(I1 / (I3 w Omega cos(latitude))).
+/// A gyrocompass with the rotor of an instrument; its period is 2 pi sqrt(I1 / (I3 w Omega cos(latitude))).
 Scenario compass(double latitude_deg, double azimuth_deg, double spin_rad_s, double damping_N_m_s) {
   Scenario s = testing::gyrocompass(latitude_deg, azimuth_deg, damping_N_m_s);
   testing::set_principal(s.body, 9.1e-5, 9.1e-5, 1.42e-4);
@@ -44,7 +44,7 @@ void expect_reliable(const Scenario& s, const std::string& scene) {
   EXPECT_LE(result.verdict.lyapunov_exponent_1_s.value_or(0), 0);
 }
 
-// On an Earth that turns 137 times as fast, two periods are two seconds.
+// On an Earth that turns 137 times as fast, two periods take two seconds.
 TEST(DissipativeVerdict, SettledAndLibratingCompassesAreReliable) {
   for (const auto& [latitude_deg, azimuth_deg] : {std::pair{52.0, 20.0}, {-30.0, -150.0}})
     for (const double damping : {0.0, 1e-3}) {
@@ -55,8 +55,8 @@ TEST(DissipativeVerdict, SettledAndLibratingCompassesAreReliable) {
     }
 }
 
-// Three seconds of braking against a fast spin: what a coarse integration makes of disturbances that the gimbal forbids must
-// not show. The finer one is the same equations at a thousandth of the error.
+// A fast spin braked for three seconds. Disturbances that the gimbal forbids, which a coarse integration produces, must not
+// show in the growth. The finer integration has the same equations and a thousandth of the error.
 TEST(DissipativeVerdict, DisturbancesStayOnTheConstraint) {
   const Scenario s = compass(52, 20, 2513.27, 1e-5);
   const auto problem = make_problem<double>(s);
@@ -69,7 +69,8 @@ TEST(DissipativeVerdict, DisturbancesStayOnTheConstraint) {
   }
 }
 
-// Released at rest toward the South it stands on its head: the Earth pulls it away, and neighbouring motions with it.
+// Released at rest toward the South, the compass is in unstable equilibrium: the Earth's rotation drives it away, and
+// neighbouring motions diverge.
 TEST(DissipativeVerdict, ACompassThatPointsSouthIsUnstable) {
   Scenario s = compass(45, 180, 600, 0);
   s.rotation_rate_rad_s = 0.01;
@@ -83,7 +84,7 @@ TEST(DissipativeVerdict, ACompassThatPointsSouthIsUnstable) {
 constexpr double kMgl = 5 * 9.80665 * 0.004, kI1 = 5e-4, kI3 = 8e-4;
 const double kCriticalSpin = 2 * std::sqrt(kI1 * kMgl) / kI3;  // rad/s
 
-/// A heavy top with so many times its critical spin.
+/// A heavy top with a given multiple of its critical spin.
 Scenario heavy_top(double share_of_critical_spin, double tilt_deg) {
   Scenario s = testing::toy_top();
   s.body.mass_kg = 5;
@@ -163,7 +164,7 @@ TEST(DissipativeVerdict, PlatformsAwayFromResonanceAreReliable) {
     }
 }
 
-// Where a scene is made to feel the Earth, its turn of 0.1 rad is no sign that the motion is lost.
+// In a scene made for a large effect of the Earth, a turn of 0.1 rad by that effect does not mean that the motion is lost.
 TEST(DissipativeVerdict, TheEarthsOwnDisturbanceIsNoSignWhereItsEffectIsMeantToBeLarge) {
   Scenario s = testing::asymmetric_top();
   s.body.mass_kg = 5;
@@ -182,7 +183,7 @@ TEST(DissipativeVerdict, TheEarthsOwnDisturbanceIsNoSignWhereItsEffectIsMeantToB
   EXPECT_FALSE(large.verdict.earth_grown_s) << large.verdict.reason;
 }
 
-// A run that fails at the release has that row alone, whose drift of zero says nothing.
+// A run that fails at its release has only that row, whose zero drift means nothing.
 TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
   RunResult result;
   result.scenario = testing::toy_top();

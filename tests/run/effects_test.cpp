@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs with applied torques: three observers, more bits, an Earth that does not turn or hardly turns, the ledger.
+// Runs with applied torques: three observers, higher precision, an Earth that turns hardly or not at all, the ledger.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ TEST(Effects, AllObserversAndMoreBitsAgree) {
   }
 }
 
-// A plumb line under a steady push to the East swings about a/g from where it hung: (1 - cos(w t)) a/g.
+// A plumb line under a constant push to the East swings by (1 - cos(w t)) a/g, about a new rest position.
 TEST(Effects, APendulumLeansWithTheTide) {
   Scenario s = testing::toy_top();
   s.release = {};
@@ -108,7 +108,7 @@ TEST(Effects, EveryObserversLedgerBalances) {
     }
 }
 
-// At release, where the state is the same: what the effects add to the physical torques is the sum of their columns.
+// At release the state is the same with and without effects, so the physical torques differ by the sum of the effects' columns.
 TEST(Effects, TheLedgerNamesTheirShares) {
   Scenario with = busy_scene();
   with.ledger = LedgerObserver::laboratory;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// When the drift first passes a threshold, and when dry friction stops a motion: against closed forms, and against
-/// integrations by another method in more digits, of which the times before and after are asked. Every time within its bound,
-/// and no bound larger than the error of the drift makes it.
+/// The times at which the drift first passes a threshold and at which dry friction stops a motion. They are compared with
+/// closed forms, and with integrations by another method with more digits just before and after. Every time must be within its
+/// bound, and no bound may be larger than the error of the drift requires.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ constexpr Method kMethods[] = {Method::dopri5,    Method::rkf78,        Method::
                                Method::abm8,      Method::taylor,       Method::dop853,         Method::gauss,
                                Method::splitting, Method::long_horizon, Method::closed_form};
 
-/// A balanced gyroscope whose axis, at `angle` from the celestial axis, stays in space: in the laboratory it drifts by
-/// 2 asin(sin(angle) |sin(Omega t / 2)|).
+/// A balanced gyroscope whose axis, at `angle` from the celestial axis, keeps its direction in space. In the laboratory it
+/// drifts by 2 asin(sin(angle) |sin(Omega t / 2)|).
 Scenario free_gyroscope(double angle) {
   Scenario s = testing::toy_top();
   s.site.latitude_deg = 90;
@@ -92,7 +92,7 @@ TEST(ThresholdTime, HasTheDigitsOfEveryPrecision) {
     }
 }
 
-// The gyroscope's drift goes up to twice its angle, where it turns back.
+// The gyroscope's drift rises to twice its angle and turns back there.
 TEST(ThresholdTime, ATouchIsNamed) {
   const double angle = 0.4, top = 2 * angle;
   const auto crossing = [&](double threshold, Method method) {
@@ -130,8 +130,8 @@ TEST(ThresholdTime, AtTheEndOfARunIsUncertain) {
   }
 }
 
-/// Asks a finer integration by another method for the drift just before and after a passing, and for its largest value in
-/// many moments before.
+/// The drift just before and after a passing, and its largest value at many times before, from a finer integration by another
+/// method.
 struct Around {
   double before, after, largest_before;
 };
@@ -154,8 +154,8 @@ Around drift_around(Scenario scene, double t_s, double bound_s) {
   return around;
 }
 
-// Random tops, thresholds within their drifts: between t - bound and t + bound, and not before, another integration's drift
-// passes. Rows are few: what lies between them, the steps know.
+// Random tops with thresholds that their drifts reach: another integration's drift passes between t - bound and t + bound, and
+// not before. There are few rows, so the steps have to find what happens between them.
 TEST(ThresholdTime, LiesWithinItsBoundOnRandomScenes) {
   int clear = 0;
   std::vector<double> excess;
@@ -190,8 +190,8 @@ TEST(ThresholdTime, LiesWithinItsBoundOnRandomScenes) {
   EXPECT_LT(excess[excess.size() / 2], 1e-9);
 }
 
-// A fast top: thousands of nutations between two rows, and in one step of long_horizon. The first passing is one of the
-// nutation's tops, not where the trend passes.
+// A fast top makes thousands of nutations between two rows and in one step of long_horizon. The first passing is at a peak of
+// the nutation, not where the trend passes.
 TEST(ThresholdTime, OfANutatingDriftIsTheFirstByLongSteps) {
   for (const double spin : {400.0, 1500.0})
     for (const double threshold : {2e-5, 3e-4}) {
@@ -215,7 +215,7 @@ TEST(ThresholdTime, OfANutatingDriftIsTheFirstByLongSteps) {
     }
 }
 
-// w0 I / k of an upright top at the pole, and of one that is balanced; with viscous friction a logarithm.
+// The stop time w0 I / k of an upright top at the pole, and of a balanced one; with additional viscous friction, a logarithm.
 TEST(StopTime, IsThatOfTheFormula) {
   for (const Method method : {Method::automatic, Method::rkf78, Method::extrapolation})
     for (const double rate : {0.0, kEarthRateWgs84, 1.0}) {
@@ -234,7 +234,7 @@ TEST(StopTime, IsThatOfTheFormula) {
     }
 }
 
-// About a tilted axis, under gravity and a fast Earth, no formula is known: methods agree within their bounds.
+// About a tilted axis, under gravity and on a fast Earth, no formula is known: methods must agree within their bounds.
 TEST(StopTime, OfATiltedTopLiesWithinItsBound) {
   for (const double rate : {kEarthRateWgs84, 0.3, 1.0}) {
     SCOPED_TRACE(rate);

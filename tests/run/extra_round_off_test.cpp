@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over a million steps round-off walks at random and goes nowhere, with three different moments of inertia, too.
+// Over a million steps round-off makes a random walk without a trend, also for three different moments of inertia.
 #include <gtest/gtest.h>
 
 #include "support/random_walk.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Bodies without a torque, seen from the laboratory that turns under them: the tumbling brick of NASA/NESC (T9) and the
-/// rotors of Drake and of van Zon and Schofield (T10). Three derivations stand behind the rotors: the library's closed form,
-/// that by Euler's angles below, and the reference program of tests/headlines, which integrates the same scenes in 113 bits.
+/// Torque-free bodies seen from the turning laboratory: the tumbling brick of NASA/NESC (T9) and the rotors of Drake and of van
+/// Zon and Schofield (T10). The rotors are computed in three independent ways: by the library's closed form, by Euler's angles
+/// below, and by the reference program of tests/headlines, which integrates the same scenes in 113 bits.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ struct FreeMotion {
 Quat turn(const Vec& axis, Real angle) { return {std::cos(angle / 2), std::sin(angle / 2) * axis}; }
 Vec unit(int i) { return Vec::Unit(i); }
 
-/// Two equal moments: the body turns about L at |L| / I1 while it spins about its axis at (1 - I3/I1) w3.
+/// A body with two equal moments turns about L at |L| / I1 while it spins about its axis at (1 - I3/I1) w3.
 FreeMotion axisymmetric(Real I1, Real I3, const FreeMotion& start, Real t) {
   const Vec& w = start.w_IB_B;
   const Vec L_B(I1 * w[0], I1 * w[1], I3 * w[2]);
@@ -42,9 +42,9 @@ FreeMotion axisymmetric(Real I1, Real I3, const FreeMotion& start, Real t) {
           Vec(c * w[0] + s * w[1], c * w[1] - s * w[0], w[2])};
 }
 
-/// Three different moments, I1 < I2 < I3 and L^2 > 2 E I2, so that w3 keeps its sign: Jacobi's elliptic functions for the
-/// rates [Landau and Lifshitz, Mechanics, section 37], and for the attitude Euler's angles about L, of which the precession is
-/// an integral of the third kind:
+/// A body with three different moments, I1 < I2 < I3 and L^2 > 2 E I2, so that w3 keeps its sign. The rates are Jacobi's
+/// elliptic functions [Landau and Lifshitz, Mechanics, section 37]; the attitude follows from Euler's angles about L, of which
+/// the precession is an integral of the third kind:
 ///   dphi/dt = L (2 E - I3 w3^2) / (L^2 - I3^2 w3^2) = L/I3 + L (I3 - I1) / (I1 I3 (1 - n sn^2)).
 FreeMotion euler_poinsot(const Vec& I, const FreeMotion& start, Real t) {
   const Vec L0 = I.cwiseProduct(start.w_IB_B);
@@ -74,7 +74,7 @@ FreeMotion euler_poinsot(const Vec& I, const FreeMotion& start, Real t) {
   return {start.q_IB * from_momentum_axes(L0, 0).conjugate() * from_momentum_axes(I.cwiseProduct(w), phi), w};
 }
 
-/// Largest component of the difference, the quaternions' common sign left out.
+/// The largest component of the difference, for the better of the two signs of the quaternion.
 Real distance(const Quat& p, const Quat& q) {
   const Real s = p.w * q.w + p.v.dot(q.v) < 0 ? -1 : 1;
   return std::max(std::abs(p.w - s * q.w), (p.v - s * q.v).cwiseAbs().maxCoeff());
@@ -85,7 +85,7 @@ FreeMotion start_of(const Scenario& scenario) {
   return {release.q_LB, release.w_XB_B};
 }
 
-/// The laboratory turns under the body. The library's closed form must give the same motion: both keep 19 digits of some
+/// The motion as seen from the turning laboratory. The library's closed form must give the same: both keep 19 digits of some
 /// hundred radians.
 FreeMotion seen_by_laboratory(const Scenario& scenario, const FreeMotion& start, const FreeMotion& motion, Real t) {
   const Vec W_L = scenario.rotation_rate_rad_s * celestial_axis_L<Real>(scenario.site);
@@ -138,8 +138,8 @@ TEST(FreeRotors, T10VanZonAndSchofieldsThreeMoments) {
   expect_rotor(scenario, [&](const FreeMotion& start, Real t) { return euler_poinsot(I, start, t); });
 }
 
-// Inertial rates in body axes and the attitude against the brick's North, East, Down axes of t = 0 as they turn with the
-// Earth, after 30 s: every digit of an independent 113-bit Taylor integration.
+// After 30 s: inertial rates in body axes, and the attitude relative to the brick's North, East, Down axes of t = 0 as they
+// turn with the Earth. They agree with every digit of an independent 113-bit Taylor integration.
 TEST(FreeRotors, T9TumblingBrickOfNasa) {
   Scenario scenario = testing::shipped("nesc-tumbling-brick");
   constexpr double kSlugFoot2 = 1.3558179483314004;  // kg m^2, exact: 1 lbf ft s^2

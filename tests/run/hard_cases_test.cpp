@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Hard cases in all four forms of the equations and at their edges; the rest of them are scenarios/hard, which `earthtop
-/// verify` judges.
+/// Hard cases in all four forms of the equations, and limits of these forms. The other hard cases are scenarios/hard, which
+/// `earthtop verify` judges.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ double attitude_distance(const Mat3<double>& A, const Mat3<double>& B) {
 }
 double tilt_sine(const std::array<double, 3>& axis) { return std::hypot(axis[0], axis[1]); }
 
-// The meaning of the initial rates is a declared choice; it moves the drift by half a percent here.
+// The frame to which the initial rates refer is a declared choice; here it changes the drift by half a percent.
 TEST(HardCases, H1MatchingRuleChangesTheDrift) {
   Scenario s = testing::heavy_rotor_top();
   EXPECT_NEAR(run(s).drift.axis_final_rad, 6.6176e-5, 0.5e-9);
@@ -29,7 +29,7 @@ TEST(HardCases, H1MatchingRuleChangesTheDrift) {
   EXPECT_NEAR(run(s).drift.axis_final_rad, 6.5877e-5, 0.5e-9);
 }
 
-// At a pole the laboratory motion is the non-rotating one, seen from a frame that turns: any body, inertial rates.
+// At a pole, with inertial rates, any body's laboratory motion is the non-rotating one seen from a turning frame.
 TEST(HardCases, H4PoleEquivalenceOfAnAsymmetricBody) {
   for (const double latitude : {90.0, -90.0})
     for (const testing::Equations& equations : testing::kEquations) {
@@ -50,7 +50,7 @@ TEST(HardCases, H4PoleEquivalenceOfAnAsymmetricBody) {
     }
 }
 
-// Without a gravity torque the same holds at every latitude, about the celestial axis.
+// Without a gravity torque the same holds at every latitude, for turns about the celestial axis.
 TEST(HardCases, H5FreeBodyKeepsItsMotionInSpace) {
   for (const double latitude : {-90.0, -33.0, 0.0, 51.0})
     for (const testing::Equations& equations : testing::kEquations) {
@@ -98,7 +98,7 @@ TEST(HardCases, H17VerticalAxes) {
   EXPECT_NEAR(final_drift(1e-6), exactly, 1e-4 * exactly);
 }
 
-// A pendulum swung through the vertical to within 1e-12 rad: no Euler angle, no singularity.
+// A pendulum that passes the vertical within 1e-12 rad: without Euler angles there is no singularity.
 TEST(HardCases, H17PassageThroughTheVertical) {
   Scenario s = testing::non_rotating(testing::toy_top());
   s.body.center_of_mass_m = {0, 0, -0.03};
@@ -131,7 +131,7 @@ TEST(HardCases, H18NearlyEqualMomentsGiveNearlyTheSameMotion) {
   }
 }
 
-// Turn back every rate, the Earth's too, and the top returns.
+// If every rate is reversed, the Earth's too, the top returns to its start.
 TEST(HardCases, H22TimeReversal) {
   for (const testing::Equations& equations : testing::kEquations) {
     Scenario s = testing::heavy_rotor_top();
@@ -152,7 +152,7 @@ TEST(HardCases, H22TimeReversal) {
   }
 }
 
-/// All drift numbers of two runs, bit for bit.
+/// Checks that all drift numbers of two runs agree bit for bit.
 void expect_same_drift(const RunResult& a, const RunResult& b, double azimuth_sign = 1) {
   ASSERT_EQ(a.rows.size(), b.rows.size());
   for (std::size_t i = 0; i < a.rows.size(); ++i) {
@@ -228,7 +228,7 @@ TEST(HardCases, H24NoNorthwardRateAtAPole) {
   }
 }
 
-// The review of the progress after a million steps sees the time within a row, not that of the row before.
+// The check of the progress after a million steps uses the time within a row, not that of the row before.
 TEST(StepLimit, MillionsOfFixedStepsInOneRowAreAllowed) {
   Scenario s = testing::heavy_rotor_top();
   s.duration_s = s.output_step_s = 1.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The ledger of a run: at round-off in every shipped scene, and its dL'/dt against the integrated motion itself.
+/// The ledger of a run: at round-off in every shipped scene, and its dL'/dt compared with the integrated motion.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ PlatformSpec swinging_platform() {
   return platform;
 }
 
-/// Runs the scene for every observer; every row must close to round-off. @returns the largest residual over the largest torque.
+/// Runs the scene for every observer and checks that every row closes to round-off. @returns the largest residual divided by
+/// the largest torque
 double expect_closed(Scenario scenario) {
   double worst = 0;
   for (const LedgerObserver observer : kLedgerObservers) {
@@ -107,7 +108,7 @@ TEST(RunLedger, NoneUnlessAsked) {
   EXPECT_FALSE(run(scenario).ledger);
 }
 
-/// Omega = 1 rad/s, three different moments, centre of mass off every axis: all torques are of one size.
+/// A scene in which all torques are of similar size: Omega = 1 rad/s, three different moments, centre of mass off every axis.
 Scenario lively_scene() {
   Scenario s;
   s.name = "lively";
@@ -125,7 +126,7 @@ Scenario lively_scene() {
   return s;
 }
 
-/// The axes of the laboratory seen from A's and the rate of A relative to L in L axes, written out from the definitions.
+/// The laboratory's axes as seen in A, and the rate of A relative to L in L axes, written out from the definitions.
 struct SeenFromL {
   Mat3<Q> R_AL;
   Vec3<Q> w_LA_L;
@@ -144,8 +145,8 @@ SeenFromL seen_from_laboratory(LedgerObserver observer, const Scenario& s, Q t) 
 }
 
 TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
-  // L'_A of the integrated motion at t -+ h, h/2, h/4, extrapolated. The solution's own error (tolerance 1e-20 a step) and the
-  // differences' W (W h)^6 stay nine orders below the smallest torque.
+  // L'_A of the integrated motion at t -+ h, h/2, h/4, extrapolated. The error of the solution (tolerance 1e-20 per step) and
+  // of the differences, W (W h)^6, stay nine orders below the smallest torque.
   const double centre = 0.5, h = 0x1p-13;
   EffectsSpec all_on, without_coriolis, without_centrifugal;
   without_coriolis.coriolis = without_centrifugal.centrifugal = false;
@@ -172,7 +173,7 @@ TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
           if (sample.state.t_s == t) return sample.state;
         throw std::logic_error("no such row");
       };
-      // What is differentiated: L' in A axes; for the observer in the body, in whose axes that is zero, Theta w_IB.
+      // The momentum to be differentiated: L' in A axes. For the body's observer, in whose axes L' is zero, Theta w_IB instead.
       const auto momentum_A = [&](Q t) -> Vec3<Q> {
         const DriftState<Q>& s = state_at(t);
         const Mat3<Q> R_LB = rotation_matrix(s.q_LB);

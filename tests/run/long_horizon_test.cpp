@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The long-horizon method against integrations that share nothing with it, published digits, and itself at other rates.
+/// The long-horizon method compared with integrations that share nothing with it, with published digits, and with itself at
+/// other rates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,8 +41,7 @@ struct Case {
   Scenario scene;
   double tolerance = 1e-10;
 };
-/// Where the nutation is slow, or there is none, the torque hangs or vanishes, the axis is vertical, the Earth fast or
-/// backward.
+/// Difficult cases: slow or no nutation, a hanging or balanced top, a vertical axis, a fast or backward Earth.
 std::vector<Case> hard_cases() {
   std::vector<Case> cases;
   const auto add = [&](const char* name, auto&& change) {
@@ -51,7 +51,7 @@ std::vector<Case> hard_cases() {
     s.release.rates_relative_to = cases.size() % 2 ? RatesRelativeTo::inertial : RatesRelativeTo::laboratory;
     change(s);
     cases.push_back({name, s});
-    // As fast as the top's own precession: no perturbation, and as many steps as the digits want.
+    // The Earth turns as fast as the top precesses. It is no perturbation then, and the number of steps grows with the digits.
     if (s.rotation_rate_rad_s == 1 && s.release.spin_rad_s < 100) cases.back().tolerance = 1e-7;
   };
   add("toy top", [](Scenario&) {});
@@ -78,8 +78,7 @@ TEST(LongHorizon, AgreesWithIntegrationInEverySlowOrOddScene) {
     ASSERT_EQ(exact.samples.size(), integrated.samples.size());
     double largest = 0;
     for (const auto& sample : integrated.samples) largest = std::max(largest, sample.measures.attitude);
-    // Ten times the tolerance asked for, and 1e-7 of the drift where that is small: the sine of the Earth's effect is seen to
-    // seven digits.
+    // Ten times the tolerance asked for, or 1e-7 of the drift if that is smaller: the effect is resolved to seven digits.
     const double slack = std::min(10 * tolerance, 1e-7 * largest) + 1e-15;
     for (std::size_t i = 0; i < exact.samples.size(); ++i) {
       const auto &a = exact.samples[i], &b = integrated.samples[i];
@@ -115,7 +114,7 @@ TEST(LongHorizon, MotionIsTheRotatingMotionOfTheDrift) {
   }
 }
 
-/// tests/data/headlines.json, 113 bits: 785,000 rad of nutation, in some thousand evaluations.
+/// The digits of tests/data/headlines.json from 113 bits: 785,000 rad of nutation, computed with some thousand evaluations.
 TEST(LongHorizon, FastGyroscopeHasThePublishedDigits) {
   const auto drift = long_horizon(fast_gyro(600, 60), 1e-10);
   const auto& last = drift.samples.back();
@@ -135,7 +134,7 @@ TEST(LongHorizon, TheSpinCostsNothing) {
   }
 }
 
-/// Cheap and right: at a hundred times the spin, against a series that follows each of 40,000 nutations.
+/// At a hundred times the spin, cheap and still exact, compared with a series that follows each of 40,000 nutations.
 TEST(LongHorizon, AFastSpinKeepsTheDigits) {
   const Scenario scene = fast_gyro(2, 4, 1e5);
   const auto exact = long_horizon(scene, 1e-12),
@@ -150,7 +149,8 @@ TEST(LongHorizon, AFastSpinKeepsTheDigits) {
   EXPECT_GT(series.samples.back().measures.axis, 1e-5);
 }
 
-/// Steps near a multiple of the nutation period must not gather its error: over an octave of steps, in hundredths.
+/// The error must not accumulate when the step is near a multiple of the nutation period, over an octave of steps in
+/// hundredths.
 TEST(LongHorizon, NoStepIsInResonanceWithTheNutation) {
   const auto problem = make_problem<double>(fast_gyro(600, 1));
   const auto axis = [&](double step_s) {
@@ -180,7 +180,8 @@ TEST(LongHorizon, WithoutEarthThereIsNoDrift) {
   }
 }
 
-/// Drift over rate, to 1e-8 of the largest, from rates of which a plain difference would leave nothing.
+/// Drift divided by rate is constant to 1e-8 of the largest value, at rates so small that a plain difference would have no
+/// digits.
 TEST(LongHorizon, DriftOverRateIsTheSameForEveryTinyRate) {
   for (Scenario scene : {testing::toy_top(), fast_gyro(20, 10)}) {
     scene.duration_s = std::min(scene.duration_s, 20.0);
@@ -200,7 +201,7 @@ TEST(LongHorizon, DriftOverRateIsTheSameForEveryTinyRate) {
       const double slack = 1e-8 * largest;
       EXPECT_NEAR(tiny.samples[i].measures.axis / 1e-300, small.samples[i].measures.axis / 1e-12, slack);
       EXPECT_NEAR(tiny.samples[i].spin / 1e-300, small.samples[i].spin / 1e-12, slack);
-      // Taken to rate 0 from two plain differences: the square of the drift is left, the cube is not.
+      // Extrapolated to rate 0 from two plain differences, which leaves an error of the drift squared.
       const Vec3<double> derivative = 2 * ratio(half, 5e-4) - ratio(plain, 1e-3);
       const double square = 10 * std::pow(plain.samples[i].measures.attitude, 2) * largest;
       const double unit = tiny.samples[i].state.epsilon / 1e-300;
@@ -209,7 +210,7 @@ TEST(LongHorizon, DriftOverRateIsTheSameForEveryTinyRate) {
   }
 }
 
-/// Over a day the round-off of the attitude is far above the drift that a tiny rate makes.
+/// Over a day, round-off of the attitude is far larger than the drift due to a tiny rate.
 TEST(LongHorizon, ATinyRateDriftsForADay) {
   Scenario scene = fast_gyro(86164, 4);
   const auto ratio = [&](double rate) {
@@ -222,7 +223,8 @@ TEST(LongHorizon, ATinyRateDriftsForADay) {
   EXPECT_NEAR(small / tiny, 1, 1e-7);
 }
 
-// A vertical top at a pole does not drift, and one next to it drifts by no more than its tilt: no amplified Earth shows more.
+// A vertical top at a pole has no drift, and one near the vertical at most its tilt; runs with amplified Earth rates cannot
+// find such a drift.
 TEST(LongHorizon, WhatHardlyDriftsIsNotSearchedFor) {
   for (const double tilt : {0.0, 1e-7, 1e-4}) {
     Scenario scene = testing::toy_top();
@@ -256,12 +258,13 @@ TEST(LongHorizon, ARunsBoundHoldsAndIsSmall) {
   EXPECT_EQ(run(scene).certificate.method, Method::extrapolation);
 }
 
-/// Ten minutes of gyroscopes of all sorts against a series that follows every nutation; its own round-off is some 1e-12 rad.
+/// Ten minutes of various gyroscopes, compared with a series that follows every nutation and whose own round-off is some 1e-12
+/// rad.
 TEST(LongHorizon, RandomFastGyroscopesKeepTheirBounds) {
   struct Release {
     double latitude_deg, spin_rad_s, tilt_deg, azimuth_deg;
   };
-  // The first two gathered most error of 120; the last drifts by less than a thousandth of a radian.
+  // The first two accumulated most error of 120 cases; the last drifts by less than a thousandth of a radian.
   for (const Release& r : {Release{-16.7244, 1143.28, 57.4182, 65.5518}, Release{-21.5441, 989.145, 110.8885, 161.4581},
                            Release{0.516657, 325.083, 88.3312, 268.322}}) {
     Scenario scene = fast_gyro(600, 1, r.spin_rad_s);
@@ -273,7 +276,7 @@ TEST(LongHorizon, RandomFastGyroscopesKeepTheirBounds) {
     ASSERT_EQ(result.solution.method, Method::long_horizon);
     ASSERT_EQ(result.certificate.method, Method::long_horizon);
     EXPECT_LT(result.solution.counters.evaluations, 20000);
-    // The witness has its steps from the solution, and walks once.
+    // The witness takes its steps from the solution, and integrates once.
     EXPECT_LT(result.certificate.counters.evaluations, result.solution.counters.evaluations);
     const auto series = integrate_drift(make_problem<double>(scene), by(Method::taylor, 1e-14));
     const double error = std::abs(result.drift.axis_final_rad - series.samples.back().measures.axis);

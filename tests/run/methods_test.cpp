@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Every method tells the same drift: each run within its stated bound of a run by another method.
+/// All methods give the same drift: each run agrees within the stated bounds with a run by another method.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -25,7 +25,7 @@ std::vector<Scenario> scenes() {
   return all;
 }
 
-/// Each bound covers its own run's distance from the truth, so their sum the distance between the runs.
+/// Each bound covers its run's distance from the truth, so the sum of both covers the distance between the runs.
 void expect_within_bounds(const RunResult& a, const RunResult& b) {
   ASSERT_EQ(a.status, RunStatus::completed);
   ASSERT_EQ(a.rows.size(), b.rows.size());
@@ -57,7 +57,7 @@ TEST(Methods, AgreeWithinTheirBounds) {
   }
 }
 
-// Every method on the beginning of every shipped scenario that it fits; `auto` says what it took.
+// Every method, on the beginning of every shipped scenario that it fits; `auto` states its choice.
 TEST(Methods, AgreeOnEveryShippedScenario) {
   constexpr std::array kAll{Method::taylor,        Method::dopri5, Method::rkf78,      Method::bulirsch_stoer,
                             Method::extrapolation, Method::dop853, Method::gauss,      Method::splitting,
@@ -93,7 +93,7 @@ TEST(Methods, AgreeOnEveryShippedScenario) {
   for (const int times : taken) EXPECT_GE(times, 4);
 }
 
-// A drift without cancellation: at 1e-300 rad/s as many digits as at the Earth's rate.
+// The drift is computed without cancellation: at 1e-300 rad/s it has as many digits as at the Earth's rate.
 TEST(Methods, TinyRatesKeepTheirDigits) {
   Scenario s = testing::toy_top();
   s.duration_s = 3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The precision switch: digits that unrelated methods and observers agree on, bounds that hold from one precision to the next,
-/// residuals of the scalar's own size, exact zeros.
+/// The precision switch: unrelated methods and observers agree on the digits, bounds hold from one precision to the next,
+/// residuals are of the size of the scalar's rounding, and zeros are exact.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using testing::shipped;
 
-/// A shipped scene, `radians` of its fastest motion long, in ten rows.
+/// The beginning of a shipped scene, over `radians` of its fastest motion, in ten rows.
 Scenario beginning(const char* name, double radians, Precision precision) {
   Scenario scenario = shipped(name);
   scenario.duration_s = radians / fastest_rate_rad_s(scenario);
@@ -30,7 +30,7 @@ std::string last_field(const std::string& csv, std::size_t column) {
   return line.substr(0, line.find(','));
 }
 
-/// Significant digits that two printed numbers share.
+/// Number of significant digits that two printed numbers share.
 int shared_digits(const std::string& a, const std::string& b) {
   int digits = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()) && a[i] == b[i] && a[i] != 'e'; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Published and extended-precision values in all four forms of the equations, at default settings: benchmarks T1 and T7, and
-/// the drift of a heavy top (T11). The rest of them are scenarios/hard, which `earthtop verify` judges. The numbers come from
+/// the drift of a heavy top (T11). The others are scenarios/hard, which `earthtop verify` judges. The numbers come from
 /// independent 113-bit Taylor integrations or closed forms; each is given to all printed digits.
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using testing::set_principal;
 
-/// 1e-10 is what the values are to be met to; the default settings do far better.
+/// The values have to be met to 1e-10; the default settings do far better.
 constexpr double kTolerance = 1e-10;
 
 const DriftRow& row_at(const RunResult& result, double t) {

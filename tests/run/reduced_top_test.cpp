@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The symmetric top without its spin: where it is taken, and that it tells what the general model tells.
+/// The reduced model (a symmetric top without its spin): when it is used, and that it agrees with the general model.
 #include "earthtop/model/reduced_top.hpp"
 
 #include <filesystem>
@@ -52,7 +52,7 @@ TEST(ReducedTop, IsFoundOutFromBodyAndEffects) {
   EXPECT_EQ(form_taken(testing::asymmetric_top()), ModelForm::general);
 }
 
-/// The toy top with its axis of symmetry, and all that is given in body axes, moved from body axis 3 to another one.
+/// The toy top with its symmetry axis moved from body axis 3 to another one, and with it everything given in body axes.
 Scenario with_axis(int axis) {
   Scenario s = toy_top();
   s.duration_s = 3;
@@ -68,8 +68,8 @@ Scenario with_axis(int axis) {
   return s;
 }
 
-// Attitudes, rates and drifts of the two models within their bounds, on every shipped scenario that is a symmetric top and on
-// tops whose axis is another body axis; and the reduced bounds are not wider for it.
+// Attitudes, rates and drifts of the two models agree within their bounds, on every shipped scenario of a symmetric top and on
+// tops with another symmetry axis. The reduced model's bounds are not wider.
 TEST(ReducedTop, AgreesWithTheGeneralModel) {
   std::vector<Scenario> scenes{with_axis(0), with_axis(1), with_axis(2)};
   for (const auto& file : std::filesystem::directory_iterator(EARTHTOP_SCENARIOS)) {
@@ -117,7 +117,7 @@ TEST(ReducedTop, AgreesWithTheGeneralModel) {
   }
 }
 
-// In 113-bit arithmetic nothing but the method's error is left between the two models.
+// In 113 bits the two models differ only by the error of the method.
 TEST(ReducedTop, AgreesWithTheGeneralModelTo113Bits) {
   for (const int axis : {0, 2})
     for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
@@ -150,7 +150,7 @@ TEST(ReducedTop, AgreesWithTheGeneralModelTo113Bits) {
     }
 }
 
-// The spin leaves no trace in the cost: the same wobble under a spin a thousand times faster takes the same steps.
+// The cost does not depend on the spin: the same wobble under a thousand times faster spin takes the same number of steps.
 TEST(ReducedTop, CostDoesNotKnowTheSpin) {
   const auto evaluations = [](double I3, double spin) {
     Scenario s = toy_top();
@@ -163,7 +163,7 @@ TEST(ReducedTop, CostDoesNotKnowTheSpin) {
   EXPECT_NEAR(fast, slow, 0.1 * slow);
 }
 
-// What is said beforehand of the cost of a scene knows the form: within a factor of four, and not refused for its spin.
+// The estimate of the cost takes the form into account: it is right within a factor of four, and a fast spin is not refused.
 TEST(ReducedTop, TheEstimateOfStepsDoesNotKnowTheSpinEither) {
   Scenario s = toy_top();
   testing::set_principal(s.body, 1.2e-4, 1.2e-4, 4e-8);
@@ -176,7 +176,7 @@ TEST(ReducedTop, TheEstimateOfStepsDoesNotKnowTheSpinEither) {
   EXPECT_GT(estimated_steps(s), 100 * taken);
 }
 
-// Half a turn's quaternion after 3.6e9 rad: as exact as rate and time.
+// The quaternion of the turn after up to 1e10 rad is as exact as rate and time.
 TEST(SteadyTurn, LosesNothingToManyTurns) {
   testing::Random random(7);
   for (int i = 0; i < 1000; ++i) {

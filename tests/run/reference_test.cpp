@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The drift at default settings against 113-bit arithmetic in another observer's equations, and what its bound is worth.
+/// The drift at default settings compared with 113-bit arithmetic in another observer's equations, and how close its bound is.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST_P(RandomScene, DriftAndBoundAgainstExtendedPrecision) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene, ::testing::Range<std::uint64_t>(1000, 1024));
 
-/// Shipped scenarios, cut short so that 113 bits stay affordable; whole in the slow tests.
+/// Shipped scenarios, shortened so that 113 bits stay affordable; the slow tests run them whole.
 class ShippedScene : public ::testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(ShippedScene, DriftAndBoundAgainstExtendedPrecision) {
@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Beginnings, ShippedScene,
                          ::testing::Values(std::pair("toy-top", 1.0), std::pair("fast-gyro", 0.3), std::pair("free-gyro", 0.5),
                                            std::pair("asymmetric-top", 2.0), std::pair("turntable", 1.0)));
 
-// Three observers, each with its own state from release to end, and the symmetric top without its spin: attitudes and drifts
+// Three observers, each with its own state from release to end, and the reduced model of symmetric tops: attitudes and drifts
 // agree within the stated bounds.
 TEST(Observers, AgreeWithinTheirBounds) {
   std::vector<Scenario> scenes;
@@ -62,7 +62,8 @@ TEST(Observers, AgreeWithinTheirBounds) {
       equations.take(scene);
       results.push_back(run(scene));
     }
-    // A wrong observer would widen its own bound: where nothing is chaotic, in the shipped scenes, bounds must be small too.
+    // An observer with wrong equations would only widen its own bound, so in the shipped scenes, none of which is chaotic,
+    // bounds must be small, too.
     const double widest = scene.name.starts_with("random") ? std::numeric_limits<double>::infinity() : 1e-6;
     for (const RunResult& r : results) ASSERT_LT(r.drift.attitude_bound_rad, widest * r.drift.axis_max_rad);
     for (std::size_t a = 0; a < results.size(); ++a)
@@ -80,8 +81,8 @@ TEST(Observers, AgreeWithinTheirBounds) {
   }
 }
 
-// Output times that cut every step make the rows better than their tolerance, and two runs of one method equally wrong: the
-// bound has to hold all the same.
+// Output times that cut every step make the rows more exact than the tolerance says, and two runs of one method equally wrong;
+// the bound must hold nevertheless.
 TEST(Bounds, HoldWhereOutputTimesCutTheSteps) {
   const auto cut = [](const char* name, double duration, double step, Method method, double tolerance) {
     Scenario s = shipped(name);
@@ -140,7 +141,7 @@ TEST(TinyRates, DriftOverOmegaIsOneNumber) {
       }
 }
 
-// The value that 113-bit subtraction gives for the heavy-rotor top at 1 s.
+// The value found by subtraction in 113 bits for the heavy-rotor top at 1 s.
 TEST(TinyRates, H2DriftOverOmegaOfTheHeavyRotorTop) {
   Scenario s = testing::heavy_rotor_top();
   for (const double Omega : {1e-9, 1e-12, 1e-15, 1e-18}) {
@@ -149,7 +150,7 @@ TEST(TinyRates, H2DriftOverOmegaOfTheHeavyRotorTop) {
   }
 }
 
-// Without the Earth's rate every drift column is exactly zero, with every method and observer, on a platform too.
+// Without the Earth's rotation every drift column is exactly zero, with every method and observer, and on a platform too.
 TEST(ZeroRate, H3DriftIsExactlyZero) {
   for (const Method method : {Method::automatic, Method::dopri5, Method::rkf78, Method::bulirsch_stoer, Method::abm8,
                               Method::dop853, Method::gauss, Method::splitting})
@@ -180,7 +181,7 @@ TEST(ZeroRate, H3DriftIsExactlyZero) {
           }
 }
 
-// Large angles: the Earth at 1 rad/s turns a free gyroscope past pi again and again; the closed form holds throughout.
+// Large angles: an Earth with 1 rad/s turns a free gyroscope past pi many times, and the closed form holds throughout.
 TEST(LargeDrift, PastPiOnAFastEarth) {
   for (const testing::Equations& equations : testing::kEquations) {
     Scenario s = testing::toy_top();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over a million steps round-off walks at random and goes nowhere.
+// Over a million steps round-off makes a random walk without a trend.
 #include <gtest/gtest.h>
 
 #include "support/random_walk.hpp"

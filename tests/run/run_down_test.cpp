@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs with applied torques, against closed forms of their motions: a gyrocompass, and tops that run down.
+// Runs with applied torques compared with closed forms of their motions: a gyrocompass, and tops that run down.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,8 @@ struct NorthAngle {
   double t_s, angle;
 };
 
-/// When the angle first passes zero, by Lagrange's polynomial of the time in the angle through six of them.
+/// The time at which the angle first passes zero: Lagrange interpolation of the time as a function of the angle, through six
+/// points.
 double first_zero(const std::vector<NorthAngle>& a) {
   std::size_t first = 3;
   while (first + 3 < a.size() && a[first].angle > 0) ++first;
@@ -35,7 +36,7 @@ double first_zero(const std::vector<NorthAngle>& a) {
 }
 
 TEST(Gyrocompass, SwingsAboutNorthAsKibbleAndBerkshireHaveIt) {
-  // Problem 9.15: T = 2 pi sqrt(I1 / (I3 w W cos(lat))), to the digits of an own evaluation.
+  // Problem 9.15: T = 2 pi sqrt(I1 / (I3 w W cos(lat))), to the digits of a separate evaluation.
   const std::pair<double, double> published[] = {{0, 20.75621601}, {30, 22.30400563}, {45, 24.68343976}, {60, 29.35372219}};
   for (const auto& [latitude_deg, period_s] : published) {
     constexpr double kAmplitude_deg = 0.1, kAmplitude = kAmplitude_deg * kPi / 180;
@@ -199,7 +200,7 @@ TEST(DryFriction, BothPredictionsStopAndTheBoundHolds) {
   }
 }
 
-/// Where a pendulum released at rest comes to rest, its angle from Up, by the energy that friction takes on the way.
+/// The angle from Up at which a pendulum released at rest comes to rest, from the energy that dry friction takes on its way.
 double resting_angle(double angle, double gravity_torque, double friction) {
   for (double direction = 1; gravity_torque * std::abs(std::sin(angle)) > friction; direction = -direction) {
     // Zero at release, positive on the way, and zero where it turns round.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drift's derivatives by the inputs, against differences of 113-bit runs whose input was moved.
+// Derivatives of the drift with respect to the inputs, compared with differences of 113-bit runs in which the input was
+// changed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ DriftMeasures<float128> exact_drift(const Scenario& scenario) {
   return integrate_drift(problem, options).samples.back().measures;
 }
 
-/// The scenario's own number behind each input, and how much the input moves with it.
+/// The scenario's number that belongs to an input, and how much it changes with the input.
 struct Knob {
   std::function<double&(Scenario&)> number;
   double input_per_number = 1;

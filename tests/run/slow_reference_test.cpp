@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Shipped scenarios from release to end against 113-bit arithmetic: minutes each.
+/// Complete shipped scenarios compared with 113-bit arithmetic; each takes minutes.
 
 #include <gtest/gtest.h>
 

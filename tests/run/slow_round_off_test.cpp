@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A hundred million steps: some five minutes each.
+/// Round-off over a hundred million steps; some five minutes each.
 #include "support/random_walk.hpp"
 #include "support/scenes.hpp"
 

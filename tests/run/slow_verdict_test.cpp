@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verdicts on gyrocompasses as they are, on the Earth as it is: twenty periods, minutes of computing each.
+// Verdicts on realistic gyrocompasses on the real Earth, over twenty periods; minutes of computing each.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Runs on a platform that follows a table, against the same turns by formula and against 113-bit arithmetic.
+/// Runs on a platform whose angle is given by a table, compared with the same turns by formula and with 113-bit arithmetic.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace earthtop {
 namespace {
 
-/// A platform whose table samples a formula's angle.
+/// A platform with a table that samples the angle of a formula.
 template <class Angle>
 PlatformSpec sampled(PlatformSpec formula, double until_s, int intervals, const Angle& angle) {
   AngleTable table;
@@ -33,7 +33,7 @@ Scenario short_scene() {
   return s;
 }
 
-/// The largest difference of two runs' axis drifts over the largest drift.
+/// The largest difference of two runs' axis drifts divided by the largest drift.
 double difference(const Scenario& a, const Scenario& b) {
   const RunResult x = run(a), y = run(b);
   EXPECT_EQ(x.status, RunStatus::completed);
@@ -44,7 +44,8 @@ double difference(const Scenario& a, const Scenario& b) {
   return worst / y.drift.axis_max_rad;
 }
 
-// A not-a-knot spline is the ramp's quadratic: what is left is rounding. Angles with 1/64 s and 1/4 rad/s^2 are doubles.
+// A not-a-knot spline reproduces the ramp's quadratic, so only rounding remains. Angles with 1/64 s and 1/4 rad/s^2 are exact
+// doubles.
 TEST(TablePlatform, OfARampDriftsLikeTheRamp) {
   Scenario ramp = short_scene(), table = ramp, none = ramp;
   ramp.platform = PlatformSpec{PlatformMotion::ramp, {0, 0.6, 0.8}, 0.5, 0.75, 0, 0, 0, {0.3, 0.1, 0}};
@@ -71,7 +72,7 @@ TEST(TablePlatform, DriftAndBoundAgainstExtendedPrecision) {
   scene.duration_s = 0.5, scene.output_step_s = 0.03125;
   PlatformSpec tilted;
   tilted.axis = {1, 1, 0.2}, tilted.pivot_offset_m = {0.1, -0.2, 0.3};
-  // A turn that nobody's formula has, with a jump of its third derivative at each of 13 rows.
+  // A turn without a simple formula, with a jump of its third derivative at each of 13 rows.
   scene.platform = sampled(tilted, 0.5, 13, [](double t) { return 0.3 * std::abs(std::sin(9 * t)) + 0.02 * std::cos(40 * t); });
   testing::expect_sound(scene, Observer::inertial);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run says of its drift's worth, on motions of known stability.
+// The verdict on a run's drift, for motions of known stability.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Scenario scene(const std::array<double, 3>& moments, const std::array<double, 3>
   return scenario;
 }
 
-/// An unsymmetric top leaning by half a radian; chaotic when it spins slowly, regular when it spins fast.
+/// An asymmetric top that leans by half a radian: chaotic when it spins slowly, regular when it spins fast.
 Scenario unsymmetric_top(double spin_rad_s, double duration_s) {
   Scenario scenario = scene({5e-4, 6e-4, 8e-4}, {0.001, 0, 0.004}, duration_s);
   scenario.release.quaternion_LB = {std::cos(0.25), std::sin(0.25), 0, 0};
@@ -41,7 +41,7 @@ Scenario sleeping_top(double share_of_critical_spin, double duration_s) {
   return scenario;
 }
 
-/// Spins about its middle axis, but for `seed` of the two others' rates.
+/// A body that spins about its middle axis; the two other rates are `seed` times as large.
 Scenario tumbling_body(double seed, double duration_s) {
   Scenario scenario = scene({1, 2, 3}, {0, 0, 0}, duration_s);
   scenario.release.angular_velocity_body_rad_s = {seed, 1, seed};
@@ -75,7 +75,7 @@ TEST(Growth, IsThatOfANearbyMotion) {
   const GrowthReport growth =
       disturbance_growth(make_problem<double>(scenario), MotionKind::rotating, scenario.duration_s, 1e-9);
   ASSERT_TRUE(growth.completed);
-  // Three disturbances are followed, of which this is one.
+  // The growth follows three disturbances, of which this is one.
   EXPECT_GT(growth.rises.back().log_growth, log_growth - 0.1);
   EXPECT_LT(growth.rises.back().log_growth, log_growth + 1.5);
 }
@@ -110,7 +110,7 @@ TEST(Verdict, AChaoticTopIsFoundOutAndAFastOneIsNot) {
 }
 
 TEST(Verdict, SaysUntilWhenAnUnstableMotionIsKnown) {
-  // Seeds of 1e-16 make the body flip at 66.8 s: what rounding does by then nobody can tell from a seed.
+  // Rates of 1e-16 make the body flip at 66.8 s; by then the effect of rounding cannot be told from that of such a seed.
   const double rate = std::sqrt(1.0 / 3);
   for (const double seed : {0.0, 1e-16}) {
     Scenario scenario = tumbling_body(seed, 100);

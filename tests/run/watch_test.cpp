@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who watches some work sees a share that never falls, and may stop a run on its way: what is kept of it then.
+// Progress and interruption of runs: the share never falls, and a run that is stopped on its way keeps what it should.
 #include "earthtop/watch.hpp"
 
 #include <fmt/format.h>
@@ -55,9 +55,9 @@ Scenario body() {
   return parse_scenario(source, {{"/motion/duration_s", "60"}, {"/motion/output_step_s", "0.5"}});
 }
 
-/// A run that is asked to stop as soon as it is in a phase; none where it was through before anybody could ask.
+/// A run that is asked to stop as soon as it enters a phase; nothing if the phase was always over before the request came.
 std::optional<RunResult> stopped_in(std::string_view phase, const Scenario& scenario, bool partial) {
-  // On a machine with other work the watcher may sleep through a phase: hence many attempts, of which the first will mostly do.
+  // On a busy machine the watcher may sleep through a phase, hence many attempts; mostly the first one succeeds.
   for (int attempt = 0; attempt < 200; ++attempt) {
     std::atomic<bool> stop = false, over = false;
     Progress progress;
@@ -88,7 +88,7 @@ TEST(Interrupted, HasNoRowsUnlessTheyAreAskedFor) {
   EXPECT_TRUE(result->rows.empty());
 }
 
-/// The lines of a CSV text, each as its cells.
+/// The lines of a CSV text, each split into cells.
 std::vector<std::vector<std::string>> cells(const std::string& text) {
   std::vector<std::vector<std::string>> lines;
   std::string cell;

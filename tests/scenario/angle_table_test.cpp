@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A platform's table of angles: the text, the file, and what is refused of both.
+// A platform's table of angles: its text, its file, and what is refused in both.
 #include "scenario/angle_table.hpp"
 
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Effects that a scene cannot have, or not together: refused where they stand, with what to do.
+// Effects that a scene cannot have, or not together, are refused at their place, with a remedy.
 #include <gtest/gtest.h>
 
 #include "earthtop/scenario/scenario.hpp"

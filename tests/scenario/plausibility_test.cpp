@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Warnings: what looks like a mistake of unit is named, and nothing sensible is.
+// Warnings: values that look like a mistake of units are reported, and sensible ones are not.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace earthtop::scenario_test {
 namespace {
 
-/// "line:column pointer" of the only warning; its message contains the part. No error.
+/// Expects a single warning at "line:column pointer", whose message contains the part, and no error.
 void expect_warning(const Overrides& overrides, const std::string& pointer, const std::string& part) {
   const ScenarioReport report = examine_scenario({"minimal.json", kMinimal}, overrides);
   EXPECT_TRUE(report.scenario.has_value()) << part;
@@ -31,7 +31,7 @@ TEST(Plausibility, GravityOfAnotherPlanetOnTheEarth) {
   expect_warning({{"/site/gravity_m_s2", "9.81"}, {"/site/height_m", "100000"}}, "/site/gravity_m_s2", "at this height");
   for (const std::string gravity : {"9.76", "9.80665", "9.84"}) expect_no_warning({{"/site/gravity_m_s2", gravity}});
   expect_no_warning({{"/site/gravity_m_s2", "9.5"}, {"/site/height_m", "100000"}});
-  // Not the Earth, and a body that gravity does not turn.
+  // Values that do not belong to the Earth, and a body on which gravity has no torque.
   expect_no_warning({{"/site/gravity_m_s2", "1.6"}, {"/earth/rotation_rate_rad_s", "2.66e-6"}});
   expect_no_warning({{"/site/gravity_m_s2", "3.71"}, {"/earth/rotation_rate_rad_s", "7.088e-5"}});
   expect_no_warning({{"/site/gravity_m_s2", "0"}});

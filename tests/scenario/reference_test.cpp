@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is generated from the table of fields: annotated scenarios, the Markdown table, the pointers for --set.
+// Everything that is generated from the table of fields: annotated scenarios, the Markdown table, the pointers for --set.
 #include "earthtop/scenario/reference.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules that involve more than one key, and the defaults.
+// Rules that involve more than one key, and defaults.
 #include <random>
 
 #include "earthtop/model/platform.hpp"
@@ -359,8 +359,8 @@ TEST(ScenarioRules, WhatWouldTakeDaysIsRefusedInEveryPrecision) {
   EXPECT_NO_THROW(parse(kMinimal, too_long));
 }
 
-// Any value at any key, several at a time: refused with places, or a scenario whose canonical form reads back to itself and
-// whose start and times are finite.
+// Any value at any key, several at a time, is refused at its place, or gives a scenario with finite start and times whose
+// canonical form reads back as itself.
 TEST(ScenarioRules, AnyValueAnywhereIsRefusedOrGivesAWholeScenario) {
   const std::vector<std::string> values = {"0",
                                            "-0.0",

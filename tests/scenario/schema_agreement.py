@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Schema and decoder give the same verdict: on the shipped scenarios, on others that between them use every key, and on
-hundreds of mutants of keys, types, words and ranges. What a schema cannot say is listed below; there only the decoder refuses.
+"""Checks that schema and decoder give the same verdict: on the shipped scenarios, on others that together use every key, and
+on hundreds of mutations of keys, types, words and ranges. Rules that a schema cannot express are listed below; only the decoder
+enforces them.
 
 usage: schema_agreement.py PATH_OF_EARTHTOP SCENARIO_DIRECTORY
 """
@@ -149,7 +150,7 @@ TEXTS_BEYOND_THE_SCHEMA = [
 
 
 def places(value, path=()):
-    """Every path into a document, objects and arrays before what they hold."""
+    """Every path into a document; objects and arrays come before their contents."""
     yield path
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, child in items:
@@ -163,7 +164,7 @@ def at(document, path):
 
 
 def schema_at(schema, path):
-    """The schema of a place, None where there is no single one."""
+    """The schema that applies at a place of the document; None if there is no single one."""
     for key in path:
         if "oneOf" in schema:
             schema = schema["oneOf"][1]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of fields: unknown keys, types, ranges, words, and what is not available.
+// The table of fields: unknown keys, types, ranges, words, and features that are not available.
 #include <cmath>
 
 #include "input/reader.hpp"
@@ -148,7 +148,7 @@ TEST(ScenarioFields, AllErrorsComeAtOnceSortedAndAtMostTwenty) {
   EXPECT_EQ(cut.messages[20], "10 more errors are not shown");
 }
 
-// Every default of the table reads as JSON and lies in its own range: otherwise a spelled-out default would be refused.
+// Every default in the table is valid JSON within its own range; otherwise, a default written out would be refused.
 TEST(ScenarioFields, TableIsConsistent) {
   for (const input::Field& field : scenario::fields().fields) {
     EXPECT_EQ(scenario::fields().find(field.pointer), &field) << field.pointer;  // no pointer twice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A valid scenario to spoil, and what is found in the spoiled one.
+/// A valid scenario that tests change, and the diagnostics for the changed one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace earthtop::scenario_test {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// The least that a scenario needs; one line a section, so that every value stands at a known place.
+/// The least that a scenario needs, with one line per section, so that every value has a known place.
 inline const std::string kMinimal =
     "{\"site\": {\"latitude_deg\": 45},\n"
     " \"body\": {\"mass_kg\": 0.1, \"center_of_mass_m\": [0, 0, 0.03], \"inertia\": {\"principal_kg_m2\": [2e-4, 2e-4, "
@@ -32,7 +32,7 @@ inline Scenario parse(const std::string& text, const Overrides& overrides = {}) 
   return parse_scenario({"dir/minimal.json", text}, overrides);
 }
 
-/// "line:column pointer" of every diagnostic, and their messages apart.
+/// "line:column pointer" of every diagnostic, and the messages separately.
 struct Found {
   std::vector<std::string> places;
   std::vector<std::string> messages;
@@ -55,7 +55,7 @@ inline Found found_in(const std::string& text, const Overrides& overrides = {}) 
   return found;
 }
 
-/// Exactly one diagnostic, at this place, whose message contains the part.
+/// Expects exactly one diagnostic, at this place, whose message contains the part.
 inline void expect_one(const std::string& text, const std::string& place, const std::string& part,
                        const Overrides& overrides = {}) {
   const Found found = found_in(text, overrides);
@@ -64,7 +64,7 @@ inline void expect_one(const std::string& text, const std::string& place, const 
   EXPECT_TRUE(found.says(0, part)) << (found.messages.empty() ? "accepted" : found.messages[0]) << "\nlacks: " << part;
 }
 
-/// A value put into the minimal scenario is refused with one diagnostic from --set at the pointer.
+/// Expects that a value set in the minimal scenario is refused with one diagnostic at the pointer.
 inline void expect_set(const Overrides& overrides, const std::string& pointer, const std::string& part) {
   expect_one(kMinimal, "0:0 " + pointer, part, overrides);
 }

@@ -135,7 +135,8 @@ TEST(Random, IsUniformAndAnyPointCanBeHadFirst) {
   for (std::uint64_t i = 100; i-- > 0;) EXPECT_EQ(values(study, backward, i), values(study, forward, i));
 }
 
-/// Integrates x y over the unit square: a Sobol sequence of N points errs by about 1/N, random points by 1/sqrt(N).
+/// The error of the integral of x y over the unit square: about 1/N for a Sobol sequence of N points, 1/sqrt(N) for random
+/// points.
 double integral_error(DesignKind kind, std::uint64_t seed) {
   constexpr std::uint64_t kPoints = 4096;
   const Study study = study_of(kind, {range_axis("x", 0, 1, 0), range_axis("y", 0, 1, 0)}, kPoints, seed);

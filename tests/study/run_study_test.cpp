@@ -68,7 +68,7 @@ TEST(RunStudy, ThreadsShardsAndResumptionGiveTheSameBytes) {
   EXPECT_EQ(csv(study_store(dir.path() / "merged")), expected);
   EXPECT_EQ(study_json(study_store(dir.path() / "merged")), document);
 
-  // A part that is there already is not computed again.
+  // Points that the store already has are not computed again.
   merge_study_stores({shards[0]}, dir.path() / "resumed", false);
   const auto resumed = run_in(dir.path() / "resumed", study);
   EXPECT_EQ(resumed.progress.before, 5U);
@@ -117,7 +117,7 @@ TEST(RunStudy, AQuantityThatSomeRunsLackIsEmptyThereAndNoFailure) {
   EXPECT_TRUE(point.at("drift.axis_final_rad").is_number());
 }
 
-/// A study none of whose points is a scenario.
+/// A study in which every point is refused.
 Study refused_study(int points) {
   return parse_study({"refused.json", R"({"base": ")" + kBase + R"(", "axes": [{"pointer": "/release/tilt_deg",
       "range": {"from": 200, "to": 300, "points": )" +
@@ -137,7 +137,7 @@ TEST(HopelessStudies, AreRefusedWithTheirOneFindingAndNothingWritten) {
     }
     EXPECT_FALSE(fs::exists(place));
   }
-  // A shard is refused as the whole is: what is looked at is the whole design.
+  // A shard is refused like the whole study, because points of the whole design are sampled.
   EXPECT_THROW(run_in(dir.path() / "shard", refused_study(5000), 2, {3, 4}), ScenarioError);
   StudyRunOptions options;
   options.dir = dir.path() / "going";
@@ -146,7 +146,8 @@ TEST(HopelessStudies, AreRefusedWithTheirOneFindingAndNothingWritten) {
 }
 
 TEST(HopelessStudies, AreThoseWhoseEveryPointLookedAtIsRefusedForOneKey) {
-  // One point of the last axis's three is a scenario: twenty points at equal distances of 57 would meet the other two alone.
+  // Only one of the last axis's three values gives a valid scenario; twenty points at equal distances of 57 would meet only the
+  // other two.
   const auto sampled = [](const std::string& values) {
     return sample_points(parse_study({"s.json", R"({"base": ")" + kBase + R"(", "axes": [
         {"pointer": "/site/longitude_deg", "range": {"from": 0, "to": 18, "points": 19}},
@@ -159,7 +160,7 @@ TEST(HopelessStudies, AreThoseWhoseEveryPointLookedAtIsRefusedForOneKey) {
   EXPECT_LT(mixed.refused, 20U);
   EXPECT_FALSE(mixed.common);
   EXPECT_TRUE(sampled("[200, 190, -1]").common);
-  // Two reasons that have nothing to do with each other are not one finding.
+  // Two unrelated reasons for refusal do not count as a common one.
   const StudySample two = sample_points(parse_study({"s.json", R"({"base": ")" + kBase + R"(", "axes": [
       {"pointers": ["/release/tilt_deg", "/site/latitude_deg"], "values": [[200, 45], [20, 95]]}]})"}));
   EXPECT_EQ(two.refused, 2U);
@@ -183,7 +184,7 @@ TEST(HopelessStudies, TheFirstAndTheLastPointAreLookedAt) {
 
 TEST(HopelessStudies, OneThatIsUnderWayGoesOn) {
   const TemporaryDirectory dir;
-  // The good point is the second of 4,002, which is not looked at.
+  // The only valid point is the second of 4,002, and is not among the sampled ones.
   std::string list = "[200, 20";
   for (int i = 0; i < 4000; ++i) list += ", 200";
   const Study study = parse_study(
@@ -208,7 +209,7 @@ TEST(RunStudy, AStoreWithoutACompletedPointMakesRoom) {
   const auto next = run_study(small_study(), options);
   EXPECT_TRUE(next.replaced);
   EXPECT_EQ(next.progress.done, 21U);
-  // What has been completed stays.
+  // Completed points are kept.
   EXPECT_THROW(run_study(refused_study(3), options), ScenarioError);
   EXPECT_EQ(run_in(dir.path(), small_study()).progress.before, 21U);
 }
@@ -247,7 +248,7 @@ TEST(RunStudy, TitleFitsAndFiguresAreThoseOfTheFileGivenLast) {
   const Json document = testing::parse_json(study_json(again.store));
   EXPECT_EQ(document.at("title"), "Later");
   const Json &fit = document.at("fits").at(0), &points = document.at("points");
-  // Two tilts at each of seven latitudes: the line goes through the means at ln 10 and ln 20.
+  // Two tilts at each of seven latitudes: the fitted line passes through the means at ln 10 and ln 20.
   double rise = 0;
   for (std::size_t i = 0; i < 7; ++i)
     for (const auto& [tilt, sign] : {std::pair(0, -1), std::pair(1, 1)})
@@ -300,7 +301,7 @@ TEST(StoreLocks, NameTheHolderAndEndWithIt) {
   EXPECT_FALSE(fs::exists(store.string() + ".lock"));
 }
 
-/// How often this thread has given up the processor of its own accord: other programs do not make that more often.
+/// How often this thread has given up the processor voluntarily, which other programs do not affect.
 long sleeps() {
   rusage usage{};
   ::getrusage(RUSAGE_THREAD, &usage);
@@ -332,7 +333,7 @@ TEST(StoreLocks, OfAHolderThatLivesAreToldAtOnce) {
       EXPECT_NE(what.find("is in use by"), std::string::npos) << what;
       EXPECT_NE(what.find("process " + std::to_string(child)), std::string::npos) << what;
     }
-    // SQLite's own patience of ten seconds is more than a hundred short sleeps.
+    // SQLite's waiting time of ten seconds would be more than a hundred short sleeps.
     EXPECT_LT(sleeps() - before, 50);
   }
   ::kill(child, SIGKILL);

@@ -32,7 +32,7 @@ TEST(Lines, AreExactForPointsOnALine) {
   EXPECT_LT(*line->residual_rms, 1e-13);
 }
 
-/// A. M. Legendre's textbook case by hand: x = 1, 2, 3, 4 and y = 6, 5, 7, 10: a = 3.5, b = 1.4, residual squares 4.2.
+/// A textbook example by hand: x = 1, 2, 3, 4 and y = 6, 5, 7, 10 give a = 3.5, b = 1.4 and a sum of squared residuals of 4.2.
 TEST(Lines, HaveTheStandardErrorsOfTheTextbook) {
   LineFit fit;
   const double y[] = {6, 5, 7, 10};
@@ -69,7 +69,8 @@ TEST(Lines, NeedTwoDifferentPlaces) {
   EXPECT_FALSE(same.line());
 }
 
-/// T. Ishigami and T. Homma (1990): f = sin x + 7 sin^2 y + 0.1 z^4 sin x over (-pi, pi)^3, whose indices are known.
+/// The function of T. Ishigami and T. Homma (1990), f = sin x + 7 sin^2 y + 0.1 z^4 sin x over (-pi, pi)^3, whose indices are
+/// known.
 TEST(SobolIndices, OfIshigamisFunction) {
   constexpr double kPi = std::numbers::pi, a = 7, b = 0.1;
   Study study;

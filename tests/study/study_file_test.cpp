@@ -173,7 +173,7 @@ TEST(StudyFile, PointersAndPathsThatSomeScenesHaveAreAccepted) {
     EXPECT_TRUE(errors(file(kAxis + R"(, "collect": [{"name": "q", "path": ")" + path + "\"}]")).empty()) << path;
 }
 
-/// Every path to a value below a member of a document.
+/// Visits every path to a value within a member of a document.
 void for_each_path(const nlohmann::json& at, const std::string& path, const std::function<void(const std::string&)>& visit) {
   if (!at.is_structured()) return visit(path);
   std::size_t index = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Scenes with torques beside gravity and the Earth's.
+/// Scenes with torques other than gravity and the Earth's.
 #pragma once
 
 #include "support/scenes.hpp"
@@ -8,7 +8,7 @@ namespace earthtop::testing {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// A flat disc at 6000 rpm, its axis held level, released at rest `amplitude_deg` from North.
+/// A flat disc at 6000 rpm with its axis held level, released at rest at `amplitude_deg` from North.
 inline Scenario gyrocompass(double latitude_deg, double amplitude_deg, double damping_N_m_s) {
   Scenario s = toy_top();
   s.site.latitude_deg = latitude_deg;
@@ -21,7 +21,7 @@ inline Scenario gyrocompass(double latitude_deg, double amplitude_deg, double da
   return s;
 }
 
-/// A balanced top that spins about its axis alone, on an Earth that does not turn.
+/// A balanced top that spins about its axis only, on an Earth at rest.
 inline Scenario spinning_top() {
   Scenario s = non_rotating(toy_top());
   s.body.center_of_mass_m = {0, 0, 0};
@@ -32,7 +32,7 @@ inline Scenario spinning_top() {
   return s;
 }
 
-/// A spinning top that dry friction stops; both predictions with the same inertial spin of 100 rad/s.
+/// A spinning top that dry friction stops; in both predictions the inertial spin is 100 rad/s.
 inline Scenario stopping_top(double latitude_deg, double tilt_deg, double rotation_rate_rad_s) {
   Scenario s = spinning_top();
   s.site.latitude_deg = latitude_deg;
@@ -45,7 +45,7 @@ inline Scenario stopping_top(double latitude_deg, double tilt_deg, double rotati
   return s;
 }
 
-/// Every torque that goes with the others, and a platform; without dry friction, which goes with none.
+/// All torques that can be combined, and a platform; dry friction cannot be combined with others.
 inline Scenario busy_scene() {
   Scenario s = asymmetric_top();
   s.name = "busy";
@@ -66,7 +66,7 @@ inline Scenario busy_scene() {
   return s;
 }
 
-/// An unsymmetric rotor in a gimbal, with what goes with one.
+/// An asymmetric rotor in a gimbal, with the torques that a gimbal allows.
 inline Scenario held_rotor() {
   Scenario s = gyrocompass(30, 10, 1e-5);
   s.name = "held-rotor";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// An independent truth for closed forms: the plain equations of motion, integrated by extrapolation in any scalar.
+/// An independent check of closed forms: the equations of motion, integrated by extrapolation in any scalar type.
 #pragma once
 
 #include "support/extrapolation.hpp"
 
 namespace earthtop::testing {
 
-/// Numbers that add and scale together.
+/// An array of numbers that can be added and scaled.
 template <class T, std::size_t N>
 struct Numbers {
   std::array<T, N> x;
@@ -20,8 +20,8 @@ struct Numbers {
   }
 };
 
-/// The state at t = t_s of dx/dt = rate(x), from x at 0, in equal steps of order 32. With |rate| h <= 1/2 a step is right to
-/// 1e-30 or so in float128.
+/// The solution of dx/dt = rate(x) at t = t_s from x at 0, in equal steps of order 32. If |rate| h <= 1/2, a step in float128
+/// is exact to about 1e-30.
 template <class T, std::size_t N, class Rate>
 std::array<T, N> extrapolated(const std::array<T, N>& x, T t_s, int steps, const Rate& rate) {
   const auto of_state = [&rate](const Numbers<T, N>& y) { return Numbers<T, N>{rate(y.x)}; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// An integrator of its own kind for independent truth at 113 bits: Gragg's modified midpoint rule with Bulirsch and Stoer's
-/// extrapolation to step 0 (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, section II.9), fixed step and
-/// order.
+/// A separate integrator for independent checks in 113 bits: Gragg's modified midpoint rule with Bulirsch and Stoer's
+/// extrapolation to step 0 (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, section II.9), with fixed step
+/// and order.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The free body's plain equations of motion, integrated.
+/// The free body's equations of motion, integrated.
 #pragma once
 
 #include "earthtop/closed_form/state.hpp"
@@ -7,7 +7,7 @@
 
 namespace earthtop::testing {
 
-/// Euler's equations and dq/dt = q w / 2 in equal steps of the extrapolation method.
+/// Euler's equations and dq/dt = q w / 2, integrated in equal steps of the extrapolation method.
 template <class T>
 ClosedFormState<T> integrated_free_body(const Vec3<T>& I, const Quaternion<T>& q0_NB, const Vec3<T>& w0, T t_s, int steps) {
   const Quaternion<T> q = q0_NB.normalized();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the reference program of tests/headlines printed: the columns of trajectory.csv at one time of each scene.
+/// The output of the reference program of tests/headlines: for each scene, the columns of trajectory.csv at one time.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,8 @@
 
 namespace earthtop::testing {
 
-/// A scene's values. Their last digits stand in long double; `error` is the generator's own estimate, the largest of all.
+/// A scene's values, kept to the last digit in long double; `error` is the generator's own estimate, the largest over all
+/// columns.
 struct GeneratedValues {
   double at_s = 0;
   long double error = 0;

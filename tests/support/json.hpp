@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// JSON in the tests. Reading, writing and printing it are compiled once, in json.cpp: every source that does it by itself
-/// takes two seconds more to compile.
+/// JSON for the tests. Reading, writing and printing it are compiled once, in json.cpp; each source that did so by itself would
+/// take two seconds more to compile.
 #pragma once
 
 #include <iosfwd>
@@ -10,11 +10,11 @@
 namespace earthtop::testing {
 
 nlohmann::json parse_json(const std::string& text);
-nlohmann::ordered_json parse_ordered_json(const std::string& text);  ///< members keep their places
+nlohmann::ordered_json parse_ordered_json(const std::string& text);  ///< keeps the order of members
 bool is_json(const std::string& text);
 std::string text_of(const nlohmann::json& value);
 std::string text_of(const nlohmann::ordered_json& value);
-std::string read_file(const std::string& name);  ///< throws where there is no such file
+std::string read_file(const std::string& name);  ///< throws if there is no such file
 
 }  // namespace earthtop::testing
 

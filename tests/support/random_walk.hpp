@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether round-off walks at random: the Jacobi integral along a motion integrated by Taylor series in the general model.
+/// Tests whether round-off makes a random walk, by the Jacobi integral along a motion integrated by Taylor series in the
+/// general model.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 namespace earthtop::testing {
 
-/// The Jacobi integral T + V - L.W of a sample, over T + |V|, in long double so that only the motion's own error shows.
+/// The Jacobi integral T + V - L.W of a sample divided by T + |V|, in long double so that only the motion's own error shows.
 struct Jacobi {
   Model<long double> model;
   struct Value {
@@ -31,7 +32,7 @@ struct Jacobi {
   }
 };
 
-// Round-off walks at random: within 3 eps sqrt(N) of the energies after N steps, at every N up to the last.
+// Expects round-off to stay within 3 eps sqrt(N) of the energies after N steps, at every N up to the last.
 inline void expect_random_walk(Scenario scene, double duration_s, double least_steps) {
   scene.duration_s = scene.output_step_s = duration_s;  // the rows are those below
   auto problem = make_problem<double>(scene);

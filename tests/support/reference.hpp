@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The tests' reference: the same scene in 113-bit arithmetic, in an observer's equations of the caller's choice and by a
-/// method unrelated to that of the rows.
+/// The reference of the tests: the same scene in 113-bit arithmetic, in the equations of an observer that the caller chooses,
+/// and by a method unrelated to that of the rows.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ inline DriftTrajectory<float128> reference_run(const Scenario& scenario, Observe
   return integrate_drift(make_problem<float128>(scenario), options);
 }
 
-/// What a run's rows miss of the reference, and how its bounds stand to that, over all rows.
+/// The distance of a run's rows from the reference, compared with the run's bounds, over all rows.
 struct Comparison {
-  double worst_axis_error = 0;      ///< over the largest axis drift so far
-  double worst_attitude_error = 0;  ///< over the largest attitude drift so far
+  double worst_axis_error = 0;      ///< relative to the largest axis drift so far
+  double worst_attitude_error = 0;  ///< relative to the largest attitude drift so far
   double least_margin = 1e300;      ///< bound / true error, the smaller of axis and attitude; errors at round-off left out
   double worst_excess = 0;          ///< bound / max(true error, 1e-13 rad, 1e-10 x largest drift so far)
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Scenes for the tests, made in code; random ones are stratified over bodies, latitudes, matching rules and Earth rates.
+/// Scenes for the tests, made in code; the random ones are stratified over bodies, latitudes, matching rules and Earth rates.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline void set_principal(BodySpec& body, double I1, double I2, double I3) {
   body.inertia_kg_m2 = {{{I1, 0, 0}, {0, I2, 0}, {0, 0, I3}}};
 }
 
-/// The equations a run can integrate: three observers' own, and the laboratory's without the spin for symmetric tops.
+/// The equations that a run can integrate: those of three observers, and the reduced ones of the laboratory for symmetric tops.
 struct Equations {
   Observer observer;
   ModelForm form;
@@ -48,7 +48,7 @@ inline Scenario toy_top() {
   return s;
 }
 
-/// Heavy-rotor top: flat rotor, slow precession; tilt 0.5 rad toward the South.
+/// A top with a heavy flat rotor that precesses slowly; it leans by 0.5 rad toward the South.
 inline Scenario heavy_rotor_top() {
   Scenario s = toy_top();
   s.body.mass_kg = 5;
@@ -61,7 +61,7 @@ inline Scenario heavy_rotor_top() {
   return s;
 }
 
-/// Three different moments, centre of mass on axis 3.
+/// A top with three different moments and its centre of mass on axis 3.
 inline Scenario asymmetric_top() {
   Scenario s = toy_top();
   s.name = "asymmetric-top";
@@ -73,13 +73,13 @@ inline Scenario asymmetric_top() {
   return s;
 }
 
-/// A scenario that does not turn.
+/// The scenario on an Earth at rest.
 inline Scenario non_rotating(Scenario s) {
   s.rotation_rate_rad_s = 0;
   return s;
 }
 
-/// Uniform numbers that are the same on every platform.
+/// Uniform random numbers that are the same on every platform.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -91,8 +91,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// A random top: symmetric or not, centre of mass on the axis or anywhere, any latitude (poles and equator among them), both
-/// matching rules, Earth rates from 1e-6 to 1 rad/s, `radians` of its fastest rate long.
+/// A random top, over `radians` of its fastest rate: symmetric or not, centre of mass on the axis or anywhere, any latitude
+/// (poles and equator among them), both matching rules, Earth rates from 1e-6 to 1 rad/s.
 inline Scenario random_scene(std::uint64_t seed, double radians) {
   Random random(seed);
   Scenario s;

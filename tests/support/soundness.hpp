@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run's drift and bound must be worth, against 113-bit arithmetic in another observer's equations.
+/// The accuracy that a run's drift and bound must have, judged by 113-bit arithmetic in another observer's equations.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 namespace earthtop::testing {
 
-/// The accuracy asked of the defaults: 1e-8 of the largest drift so far; a bound that holds at every row and is never more
-/// than 100 times max(true error, 1e-13 rad, 1e-10 of the largest drift so far).
+/// The accuracy asked of the defaults: an error below 1e-8 of the largest drift so far, and a bound that holds at every row and
+/// is never more than 100 times max(true error, 1e-13 rad, 1e-10 of the largest drift so far).
 inline void expect_sound(const Scenario& scenario, Observer reference_observer) {
   SCOPED_TRACE(scenario.name);
   const RunResult result = run(scenario);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A new, empty directory that is gone with the object.
+/// A new, empty directory that is removed with the object.
 #pragma once
 
 #include <stdlib.h>

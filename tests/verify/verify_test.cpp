@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Criteria judge: what is right passes, and for each kind what is wrong fails.
+/// Criteria: for each kind, a correct result passes and a wrong one fails.
 #include "earthtop/verify/verify.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Json hard_case(const std::string& name) {
   return testing::parse_ordered_json(testing::read_file(EARTHTOP_SCENARIOS "/hard/" + name + ".json"));
 }
 
-/// The rows of a hard case with these criteria in the place of its own.
+/// The rows of a hard case whose criteria are replaced by these.
 std::vector<VerificationRow> rows_of(Json scene, const Json& criteria, const VerificationOptions& options = {}) {
   scene["criteria"] = criteria;
   std::vector<VerificationRow> rows;
@@ -50,7 +50,7 @@ TEST(Criteria, AValueMayBeOffByItsTolerance) {
   }
 }
 
-// Either sign of the quaternion is the same attitude; the error is the angle.
+// Both signs of a quaternion are the same attitude; the error is the angle between attitudes.
 TEST(Criteria, AnAttitudeIsComparedAsAnAngle) {
   const Json scene = hard_case("t01-heavy-top");
   const Json known = scene.at("criteria").at(1);
@@ -85,7 +85,8 @@ TEST(Criteria, AnInvariantOfAnotherBodyIsNone) {
   EXPECT_FALSE(row.remark.empty());
 }
 
-// At a pole gravity has no moment about the vertical of space, on a turning Earth neither: the rotating motion is looked at.
+// At a pole gravity has no moment about the vertical of inertial space, on a turning Earth either, so the rotating motion is
+// judged.
 TEST(Criteria, VerticalMomentumIsThatOfTheMotionThatConservesIt) {
   Json scene = hard_case("h04-pole");
   scene["earth"]["rotation_rate_rad_s"] = 0.01;
@@ -210,7 +211,7 @@ TEST(Criteria, AnUnsoundSceneIsRefusedBeforeAnythingRuns) {
   EXPECT_EQ(rows, 0);
 }
 
-/// A hard case's first closed form of this name, and the run it judges.
+/// A hard case's first closed form of this name, and the run that it judges.
 struct FormulaRun {
   double tolerance;
   RunResult result;
@@ -225,7 +226,7 @@ FormulaRun run_for(const std::string& name, const std::string& formula) {
   throw std::runtime_error(name + " has no " + formula);
 }
 
-// A motion that runs a thousandth too fast is not that of the formula.
+// A motion that runs too fast by a thousandth does not satisfy the formula.
 TEST(Formulas, NoticeAThousandth) {
   using namespace verify_detail;
   const struct {

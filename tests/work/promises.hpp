@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether runs take the work that was promised of them.
+/// Checks whether runs take about the work that was estimated for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,17 +13,17 @@
 
 namespace earthtop::testing {
 
-/// Used over promised, of all that was integrated.
+/// The work used divided by the work estimated, over all integrations.
 inline double ratio(const WorkDone& done) {
   double promised = 0, used = 0;
   for (std::size_t i = 0; i < 3; ++i) promised += done.promised[i].evaluations, used += done.used[i].evaluations;
-  // Less than a tenth of a second, of which nothing more is promised.
+  // Less than a tenth of a second of work, below which the estimate need not be right.
   constexpr double kFew = 1e5;
   return (used + kFew) / (promised + kFew);
 }
 
-/// Scenes from gentle to stiff, of every effect, method and precision: work is no more than ten times what was promised of it,
-/// where a run would be stopped, and within a factor of three for four in five.
+/// For scenes from gentle to stiff, with every effect, method and precision: the work is at most ten times the estimate, where
+/// a run would be stopped, and within a factor of three in four of five scenes.
 inline void expect_promises_kept(int scenes_a_kind) {
   std::vector<double> ratios;
   for (const WorkKind& kind : work_kinds())

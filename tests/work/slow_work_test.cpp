@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs are promised to take, over many scenes of every kind.
+// The estimated work of runs, over many scenes of every kind.
 #include <gtest/gtest.h>
 
 #include "work/promises.hpp"

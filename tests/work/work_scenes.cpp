@@ -18,7 +18,7 @@ double least_moment(const Scenario& s) {
 double release_rate(const Scenario& s) {
   return norm(make_release<double>(s.release, make_body<double>(s.body), s.site.gravity_m_s2).w_XB_B);
 }
-/// How often friction brings the motion down within the duration: from hardly to stiff.
+/// How many times friction could bring the motion to rest within the duration: from hardly at all to stiff.
 double brakings(Random& random) { return random.log_uniform(1e-2, 1e5); }
 
 void nothing(Scenario&, Random&) {}
@@ -135,7 +135,7 @@ std::span<const WorkKind> work_kinds() { return kKinds; }
 Scenario work_scene(const WorkKind& kind, std::uint64_t index) {
   const auto number = static_cast<std::uint64_t>(&kind - kKinds);
   Random random(77'000'003 * (number + 1) + index);
-  // Tops of all kinds and free bodies: the strata that neither name a method nor leave anything out.
+  // Tops of all kinds and free bodies: the strata that neither choose a method nor switch effects off.
   constexpr std::uint64_t kBodies = 17;
   Scenario s = random_scene_of(strata()[index % kBodies], number * 100'000 + index, 10, 3e3);
   kind.add(s, random);

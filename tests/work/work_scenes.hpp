@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Random scenes in which each effect, method and precision decides how much work a run is, from gentle to stiff.
+/// Random scenes, from gentle to stiff, in which each effect, method and precision decides how much work a run takes.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@ namespace earthtop::testing {
 
 struct WorkKind {
   std::string_view name;
-  void (*add)(Scenario&, Random&);  ///< the effect, to a scene whose duration is known; may change the duration
+  void (*add)(Scenario&, Random&);  ///< adds the effect to a scene whose duration is known; may change the duration
 };
 std::span<const WorkKind> work_kinds();
 
 /// Scene `index` of a kind; the same on every platform.
 Scenario work_scene(const WorkKind& kind, std::uint64_t index);
 
-/// What was promised of a run and what it took, in evaluations of the right-hand side.
+/// The estimated and the actual work of a run, in evaluations of the right-hand side.
 struct WorkDone {
   Work promised[3], used[3];  ///< solution, certificate, growth of disturbances
   RunStatus status[2];

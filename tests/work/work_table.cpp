@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What scenes were promised to take and what they took: of random ones, or of files.
+// Prints the estimated and the actual work of scenes, random ones or from files.
 // Usage: earthtop-work-table SCENES [KIND]   |   earthtop-work-table json KIND INDEX   |   earthtop-work-table promise FILE...
 // |   earthtop-work-table FILE...
 #include <fmt/format.h>

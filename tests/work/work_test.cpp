@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run is promised to take, and where one stops that takes far more.
+// The estimated work of a run, and where a run is stopped that takes far more.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ using testing::toy_top;
 
 TEST(WorkEstimate, HoldsForRandomScenes) { testing::expect_promises_kept(2); }
 
-// Scenes that run: a pendulum that dry friction does not hold, a wheel at a pole, whose drift is rounding alone, and a disc
-// whose drag stops the spin at once.
+// Scenes with little motion: a pendulum that dry friction does not hold, a wheel at a pole, whose drift is rounding alone, and
+// a disc whose drag stops the spin at once.
 TEST(WorkEstimate, CoversWhatHardlyMoves) {
   Scenario pendulum = toy_top(), wheel = toy_top(), disc = toy_top();
   pendulum.release.tilt_deg = 120;
@@ -44,7 +44,7 @@ TEST(WorkEstimate, CoversWhatHardlyMoves) {
   }
 }
 
-/// A top with friction whose pace says that it takes next to nothing, so that it stops at what is granted in any case.
+/// A top with friction; `understated` sets its pace far too low, so that it stops at the least work that is always granted.
 Scenario long_enough() {
   Scenario s = toy_top();
   s.duration_s = 200;
@@ -68,7 +68,7 @@ IntegrationOptions options_of(Method method) {
   return options;
 }
 
-// The rows up to there are those of the run that is let go on, to the last bit; and a second run has the same.
+// Up to the stop, the rows are those of an unlimited run, to the last bit; a second run gives the same.
 TEST(WorkLimit, AnIntegrationStopsWithItsRowsAtTenTimesTheEstimate) {
   DriftProblem<double> problem = understated();
   for (const Method method : {Method::dop853, Method::rkf78}) {
@@ -91,7 +91,7 @@ TEST(WorkLimit, AnIntegrationStopsWithItsRowsAtTenTimesTheEstimate) {
   }
 }
 
-// Friction so stiff that no step gets anywhere, of which nothing was said beforehand.
+// Friction so stiff that steps make no progress, without an estimate made beforehand.
 TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
   Scenario s = toy_top();
   s.duration_s = 6;
@@ -111,8 +111,8 @@ TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
   EXPECT_LE(growth.counters.accepted + growth.counters.rejected, limit.steps);
 }
 
-// Towards the round-off of 113 bits steps are ten times as many as the order of the method tells: within a factor of four of
-// what is promised, where a run stops at ten.
+// Near the round-off of 113 bits, ten times as many steps are needed as the order of the method suggests. The estimate is right
+// within a factor of four; a run stops at ten.
 TEST(WorkEstimate, KnowsTheStepsOfTheFinestTolerance) {
   Scenario s = toy_top();
   s.precision = Precision::bits113;
@@ -130,7 +130,7 @@ TEST(WorkEstimate, KnowsTheStepsOfTheFinestTolerance) {
   }
 }
 
-// No row without a bound, and the reason by name.
+// Only rows with a bound are kept, and the outcome names the reason.
 TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   const Scenario s = long_enough();
   TwoIntegrations<double> made;
@@ -162,8 +162,8 @@ std::string refusal(const Scenario& scenario) {
   return "";
 }
 
-// Each kind of friction, a gradient, a precession: what needs more than anyone waits for is refused with the reason; what is
-// slow but can be done is not.
+// For each kind of friction, a gradient and a precession: scenes that would take longer than anyone waits are refused with the
+// reason; slow but feasible ones are not.
 TEST(Affordable, StiffFrictionIsRefusedWithTheReason) {
   Scenario s = toy_top();
   s.effects.applied.viscous_N_m_s = 1;  // 25,000 1/s for 60 s: 1.5e6 time constants

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Time of one evaluation of a closed form, and of its construction with one evaluation.
+/// Time of one evaluation of a closed form, without and with its construction.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@ using earthtop::Quaternion;
 using earthtop::SymmetricTop;
 using earthtop::Vec3;
 
-/// The spin decides the branch: k^2 > 1/2 for the slow one, k^2 << 1/2 for the fast one.
+/// Spins that select the two branches: k^2 > 1/2 for the slow one, k^2 << 1/2 for the fast one.
 constexpr double kSlow = 0.7, kFast = 50;
 
 const SymmetricTop<double> kTop{1, 1.5, 1};

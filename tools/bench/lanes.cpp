@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Points a second on one core: a batch of toy tops in SIMD lanes against the scalar series and against odeint, taken in turns
-/// in one program, each with its largest error against long double. Markdown.
+/// Points per second on one core: batches of toy tops in SIMD lanes compared with the scalar series and with odeint. The
+/// contenders take turns in one program; each is listed with its largest error, measured against long double. Prints Markdown.
 ///
 /// earthtop-lanes [POINTS [ROUNDS]]
 
@@ -25,9 +25,9 @@ namespace {
 
 using namespace earthtop;
 
-constexpr double kAxisError = 1e-9;  // rad, what every contender has to keep below
+constexpr double kAxisError = 1e-9;  // rad; the error that no contender may exceed
 
-/// Toy tops of a minute, no two alike in spin, tilt or latitude.
+/// Toy tops over one minute, all different in spin, tilt and latitude.
 std::vector<Scenario> toy_tops(std::size_t count, double output_step_s) {
   const Scenario shipped = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json"));
   std::vector<Scenario> scenes(count, shipped);
@@ -58,16 +58,17 @@ IntegrationOptions numerics(Method method, Observer observer, ModelForm form, do
   return options;
 }
 
-/// One way to integrate points; takes those from `begin` to `end` and returns the largest error among them.
+/// One way to integrate points: `integrate` computes the given number of points, and `error` returns the largest error of them
+/// (rad).
 struct Contender {
   std::string name;
-  std::size_t points;  ///< how many it takes in a round: slow ones take fewer
+  std::size_t points;  ///< points per round; fewer for slow contenders
   std::function<void(std::size_t)> integrate;
   std::function<double()> error;
   double seconds_a_point = 1e9;
 };
 
-/// Axes of a batch at the end, in long double.
+/// The axes of a batch at the end, computed in long double.
 class MotionReference {
  public:
   explicit MotionReference(const std::vector<Scenario>& scenes) {
@@ -92,7 +93,7 @@ class MotionReference {
   std::vector<Vec3<long double>> axes_;
 };
 
-/// The drift of a batch at every row, in long double.
+/// The drift of a batch at every row, computed in long double.
 class DriftReference {
  public:
   explicit DriftReference(const std::vector<Scenario>& scenes) {
@@ -123,7 +124,8 @@ class DriftReference {
   std::vector<std::vector<double>> drifts_;
 };
 
-/// Takes all in turns; of each the fastest round counts. Prints rates, and of each how many times those of the ones marked.
+/// Runs all contenders in turns, and counts the fastest round of each. Prints their rates and the ratios to those marked by
+/// `against`.
 void race(const char* title, std::vector<Contender>& contenders, int rounds, std::span<const std::size_t> against) {
   for (int round = 0; round < rounds; ++round)
     for (Contender& c : contenders) {
@@ -144,7 +146,7 @@ void race(const char* title, std::vector<Contender>& contenders, int rounds, std
   std::fflush(stdout);
 }
 
-/// The loosest tolerance, of powers of two, whose error over a few points is well below the one allowed.
+/// The loosest tolerance (1e-6 divided by powers of two) at which the error over a few points is well below the one allowed.
 double loosest_tolerance(const std::function<double(double tolerance)>& error) {
   for (double tolerance = 1e-6; tolerance > 2e-14; tolerance /= 2)
     if (error(tolerance) < 0.3 * kAxisError) return tolerance;
@@ -257,7 +259,7 @@ void race_drifts(std::size_t count, int rounds) {
   race("whole run, 601 rows, bounds and verdict", contenders, rounds, std::vector<std::size_t>{0});
 }
 
-/// Asymmetric tops of ten seconds, in body axes; the scalar series is what the others are held against.
+/// Asymmetric tops over ten seconds, in body axes; the scalar series is the reference for the others.
 void race_asymmetric_tops(std::size_t count, int rounds) {
   const Scenario shipped = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/asymmetric-top.json"));
   std::vector<Scenario> scenes(count, shipped);
@@ -293,7 +295,7 @@ void race_asymmetric_tops(std::size_t count, int rounds) {
   race("asymmetric top, drift at 1e-12; errors: from the scalar series", contenders, rounds, std::vector<std::size_t>{0});
 
   contenders.clear();
-  made.clear();  // runs leave none
+  made.clear();  // runs must not leave any
   add("run", [&] {
     for (const Scenario& scene : scenes) run(scene);
   });

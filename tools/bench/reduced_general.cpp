@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The symmetric top without its spin against the general model, over the shipped scenarios that are symmetric tops, as
-/// Markdown: what each costs, and how far each is from the certified reference.
+/// Compares the reduced model of a symmetric top (without its spin) with the general model, over those shipped scenarios that
+/// are symmetric tops. Prints the cost of each and its distance from the certified reference, as Markdown.
 ///
 /// earthtop-reduced-general [SECONDS [REPETITIONS]]
 

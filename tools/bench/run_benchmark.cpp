@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Wall time of `run` on shipped scenarios at default settings: both predictions, the drift and its bound.
+/// Wall time of `run` on shipped scenarios at default settings, with both predictions, the drift and its bound.
 
 #include <benchmark/benchmark.h>
 

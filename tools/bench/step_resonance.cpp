@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Error against step of the compositions, the step swept by 1 %: a resonance of step and nutation would stand out as a spike.
-/// An SVG on standard output, and the largest error over the power law around it on standard error.
+/// Error of the composition methods as a function of the step, which is varied in small steps of 1 %: a resonance of the step
+/// with the nutation would show as a spike. Writes an SVG to standard output.
 ///
-/// earthtop-step-resonance [SCENARIO [SECONDS]]   SCENARIO: a shipped one's name
+/// earthtop-step-resonance [SCENARIO [SECONDS]] SCENARIO: name of a shipped scenario
 
 #include <fmt/format.h>
 

@@ -59,7 +59,7 @@ void check_arguments(const BenchArguments& arguments) {
   if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) refuse("standard input (-) can be read once only");
 }
 
-/// All scenarios, or the errors of all. @throws ScenarioError
+/// Reads all scenarios. @throws ScenarioError with the errors of the first one that has any
 std::vector<Scenario> read_scenarios(const BenchArguments& arguments) {
   const auto overrides = split_sets(arguments.sets);
   std::vector<Scenario> scenarios;
@@ -76,7 +76,8 @@ std::vector<Scenario> read_scenarios(const BenchArguments& arguments) {
   return scenarios;
 }
 
-/// As much of the scenario as is asked for or, where nothing is, as a reference can be had of within its seconds.
+/// The scenario, shortened to the duration asked for; if none is, so far that a reference solution can be computed within the
+/// reference limit.
 Scenario to_be_benched(const Scenario& scenario, const BenchArguments& arguments) {
   if (!arguments.duration_s) {
     Scenario shortened = shortened_for_reference(scenario, arguments.reference_s);
@@ -93,7 +94,7 @@ Scenario to_be_benched(const Scenario& scenario, const BenchArguments& arguments
   return shortened;
 }
 
-/// Those of the standard contenders that are asked for.
+/// The standard contenders that were asked for. @throws ScenarioError if none of them fits
 std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArguments& arguments) {
   std::vector<Contender> all = standard_contenders(scenario, workload_of(arguments));
   if (arguments.methods.empty()) return all;

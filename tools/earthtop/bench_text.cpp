@@ -40,7 +40,7 @@ std::string head(const BenchReport& report, ErrorKind kind) {
   return text;
 }
 
-/// @param least  errors that the reference can tell
+/// @param least smallest errors that the reference can resolve; smaller ones are printed as "<" and this value
 std::string row(const BenchEntry& entry, bool on_front, const BenchErrors& least) {
   const Contender& contender = entry.contender;
   const bool completed = entry.status == RunStatus::completed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop bench` prints.
+/// Formats the output of `earthtop bench`.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ struct BenchReport;
 
 namespace earthtop::tool {
 
-/// The table of one scenario, and what each family of methods costs at equal error.
-/// @param brief  of the table only the Pareto front, and what `auto` takes
+/// The table of one scenario, and the cost of each family of methods at equal error.
+/// @param brief list only the methods on the Pareto front and the one that `auto` chooses
 std::string bench_text(const BenchReport& report, bool brief);
 
 }  // namespace earthtop::tool

@@ -23,7 +23,7 @@ struct CheckArguments {
 
 struct CheckedFile {
   std::string file;
-  ExitStatus unread = kDone;  // the status where it cannot be read
+  ExitStatus unread = kDone;  // the exit status if the file cannot be read
   ScenarioReport report;
 };
 

@@ -7,7 +7,7 @@
 namespace earthtop::tool {
 namespace {
 
-/// An option that goes to its target, without what its table says beside that.
+/// Adds an option that writes to its target, without the conditions that the table states for it.
 CLI::Option* bound(const Option& option, CLI::App& app) {
   return std::visit(
       [&](auto* target) -> CLI::Option* {
@@ -34,7 +34,7 @@ void add_option(const Option& option, CLI::App& app) {
   if (!option.has_other_words) added->check(CLI::IsMember(option.words));
 }
 
-/// Where the options of a group are added to; none: to the verb itself.
+/// The place to which the options of a group are added; without a group, the verb itself.
 CLI::App& group_of(CLI::App& app, const std::string& group) {
   if (group.empty()) return app;
   for (CLI::App* known : app.get_subcommands([](CLI::App*) { return true; }))
@@ -52,7 +52,7 @@ void fill(CLI::App& app, const Verb& verb) {
   if (!verb.verbs.empty()) app.require_subcommand(0, 1);
 }
 
-/// The innermost verb that was named.
+/// The innermost verb that the command line names.
 const Verb& named_verb(const Verb& verb, const CLI::App& app) {
   for (const Verb& sub : verb.verbs)
     if (const CLI::App* named = app.get_subcommand(sub.name); named->parsed()) return named_verb(sub, *named);
@@ -68,7 +68,7 @@ Request read_command_line(const Verb& program, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return {program, app.help()};  // of the verb, if there is one
+    return {program, app.help()};  // help of the verb, if one was named
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What can be said on the command line: verbs and their options, each described once. Reading a command line, --help, the
-/// completion of shells and the manual all take it from here.
+/// The table of verbs and their options. Each is described once: the parser of the command line, --help, shell completion and
+/// the manual are all made from it.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@
 
 namespace earthtop::tool {
 
-/// What a verb does. @returns the exit status. @throws ScenarioError, ReadError, WriteError, UsageError
+/// The work of a verb. @returns the exit status. @throws ScenarioError, ReadError, WriteError, UsageError
 using Action = std::function<int()>;
 
-/// Where what is given goes to. A bool is a flag: it takes no value.
+/// The variable that receives an option's value. A bool is a flag: it takes no value.
 using Target = std::variant<bool*, int*, unsigned*, double*, std::string*, std::optional<double>*, std::optional<std::string>*,
                             std::vector<std::string>*>;
 
@@ -25,25 +25,25 @@ struct Range {
   double low, high;
 };
 
-/// An option ("--out") or, if its name has no dashes, an operand ("SCENARIO"): it is known by its place.
+/// An option ("--out"), or an operand ("SCENARIO"): one whose name has no dashes and which is recognised by its place.
 struct Option {
   std::string name;
   Target target;
   std::string help;
 
-  std::string value;                   ///< what help calls the value of an option: "DIR"
+  std::string value;                   ///< name of the option's value in the help: "DIR"
   bool is_required = false;            ///< the verb cannot do without it
-  bool has_commas = false;             ///< several values may stand in one, with commas between them
+  bool has_commas = false;             ///< one argument may hold several values, separated by commas
   bool is_json_file = false;           ///< shells complete it to directories and *.json
-  std::optional<Range> range;          ///< of a number
-  std::vector<std::string> words;      ///< if any, what shells complete it to
-  bool has_other_words = true;         ///< whether it may be something else than these words
-  std::string group;                   ///< at most one of the options of a group can be given
-  std::vector<std::string> conflicts;  ///< names of options that cannot be given with it
+  std::optional<Range> range;          ///< allowed range of a number
+  std::vector<std::string> words;      ///< words to which shells complete it, if any
+  bool has_other_words = true;         ///< values other than these words are allowed, too
+  std::string group;                   ///< at most one of the options of a group may be given
+  std::vector<std::string> conflicts;  ///< names of options that may not be given together with it
 
   bool is_operand() const { return !name.starts_with('-'); }
   bool is_flag() const { return std::holds_alternative<bool*>(target); }
-  /// Any number of operands; an option with one value that may be given again and again.
+  /// Whether the option may be given several times (each time with one value), or the operand any number of times.
   bool is_repeatable() const { return std::holds_alternative<std::vector<std::string>*>(target); }
 
   Option& called(std::string_view text);
@@ -57,44 +57,44 @@ struct Option {
   Option& without(std::string_view other);
 };
 
-/// A command line to begin with, and what it does: for the manual.
+/// A command line and its purpose, as an example in the manual.
 struct CommandExample {
   std::string command;
   std::string purpose;
 };
 
-/// A verb, a verb of a verb, or the program itself.
+/// A verb, a verb below another verb, or the program itself.
 struct Verb {
   std::string name;
   std::string help;         ///< one line without a full stop
-  std::string description;  ///< whole sentences for the manual: what does not fit into one line
+  std::string description;  ///< whole sentences for the manual
   Action action;
   std::vector<Option> options;
   std::vector<Verb> verbs;
   std::vector<CommandExample> examples;
 
   Verb(std::string_view its_name, std::string_view one_line, Action what_it_does);
-  /// @returns what can be said more of it, until the next one is added
+  /// @returns the option, for setting its other members; valid until the next option is added
   Option& add(std::string_view option, Target target, std::string_view option_help);
   void describe(std::string_view sentences);
   void example(std::string_view command, std::string_view purpose);
 };
 
-/// The option that every verb has, beside its own.
+/// The option that every verb has besides its own.
 inline constexpr std::string_view kHelpOption = "--help", kHelpShort = "-h", kHelpText = "Print this help message and exit";
 
-/// A command line that is not understood.
+/// An error in the command line.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 struct Request {
-  const Verb& verb;  ///< the program itself where none was named
-  std::string help;  ///< if not empty, --help was given: this is to be printed, and nothing done
+  const Verb& verb;  ///< the innermost verb named; the program itself if there is none
+  std::string help;  ///< if not empty, --help was given: print this text and do nothing else
 };
 
-/// Reads a command line; the targets of its options get their values. @throws UsageError
+/// Reads a command line and writes the given values to the options' targets. @throws UsageError
 Request read_command_line(const Verb& program, int argc, char** argv);
 
 }  // namespace earthtop::tool

@@ -27,7 +27,7 @@ struct CompareArguments {
   std::string reference, candidate;
   std::string profile, tolerances, mapping, junit, svg, reason;
   std::vector<std::string> may_change;
-  std::vector<std::string> estimates, sets;   // of a measurement
+  std::vector<std::string> estimates, sets;   // for a measurement
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
   bool json = false, quiet = false, all = false;
@@ -61,7 +61,7 @@ int update_verb(const CompareArguments& arguments) {
   return kDone;
 }
 
-/// Whether a path leads to a scenario, which measurements are held against, and to no compact reference.
+/// Whether a path leads to a scenario, with which measurements are compared, and not to a compact reference.
 bool is_scenario(const std::string& path) {
   std::error_code error;
   if (path == "-") return true;
@@ -71,7 +71,7 @@ bool is_scenario(const std::string& path) {
                      [](const std::string& key) { return key == "body" || key == "release" || key == "motion"; });
 }
 
-/// What is written must not be what is read.
+/// Checks that no output would overwrite an input. @throws ScenarioError
 void require_apart(const CompareArguments& arguments) {
   namespace fs = std::filesystem;
   if (!arguments.junit.empty() && arguments.junit == arguments.svg)

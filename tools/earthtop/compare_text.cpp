@@ -26,7 +26,7 @@ std::string_view change_words(Change change) {
   return "";
 }
 
-/// Where a tolerance comes from, but for the profile, which the last line names.
+/// Where a tolerance comes from, without the profile, which the last line of the text names.
 std::string short_origin(const std::string& origin) { return origin.substr(0, origin.find(" (profile ")); }
 
 std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
@@ -73,8 +73,8 @@ std::string pair_text(const PairReport& pair, bool everything) {
   return text;
 }
 
-/// What the changes amount to: of the numbers that both have, held against their error bounds where they have any; and whether
-/// something else differs, that no bound speaks of: a key, a word, a missing value, the scenario, the cost.
+/// A sentence that sums up the changes: how the changed numbers compare with their error bounds, if they have any, and whether
+/// there are other differences, to which no bound applies: a key, a word, a missing value, the scenario, the cost.
 std::string summary_of_changes(const CompareReport& report) {
   bool compared = false, moved = false, above = false, within_failed = false, unknown = false, unknown_failed = false,
        other = false;

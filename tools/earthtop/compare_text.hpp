@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A comparison as text for a terminal.
+/// Formats a comparison for a terminal.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ struct CompareReport;
 
 namespace earthtop::tool {
 
-/// @param everything  list the quantities that passed of many pairs, too
+/// @param everything also list the quantities that passed when many pairs are compared
 std::string compare_text(const CompareReport& report, bool everything);
 
 }  // namespace earthtop::tool

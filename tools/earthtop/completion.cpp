@@ -24,13 +24,13 @@ std::string set_words() {
   return words;
 }
 
-/// For a single-quoted string of the shells; a colon would end a name in zsh.
+/// A text for use within single quotes of a shell.
 std::string quoted(std::string text) {
   for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4) text.replace(at, 1, "'\\''");
   return text;
 }
 
-/// The options that a verb has, --help among them.
+/// The options of a verb, --help among them.
 std::vector<Option> options_of(const Verb& verb) {
   static bool unused;
   std::vector<Option> options;
@@ -54,7 +54,7 @@ bool takes_json_files(const Verb& verb) {
   return std::any_of(verb.options.begin(), verb.options.end(), [](const Option& option) { return option.is_json_file; });
 }
 
-/// What stands where a verb expects a name.
+/// The words that may stand where a verb expects a name.
 std::string words_of(const Verb& verb) {
   for (const Option& option : verb.options)
     if (option.is_operand() && !option.words.empty()) return joined(option.words);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes OUTPUT, a C++ source whose FUNCTION holds the scenario files of DIRECTORY as literals.
+# Writes OUTPUT, a C++ source whose FUNCTION returns the scenario files of DIRECTORY, as string literals.
 file(GLOB files ${DIRECTORY}/*.json)
 list(SORT files)
 set(entries "")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The shipped scenarios, inside the program.
+/// The scenarios that are built into the program.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@ namespace earthtop::tool {
 
 struct Example {
   std::string_view name;
-  std::string_view text;  ///< the file, byte for byte
+  std::string_view text;  ///< contents of the file, unchanged
 };
 
-/// Those of scenarios/, in alphabetical order.
+/// The scenarios of scenarios/, in alphabetical order.
 std::span<const Example> examples();
-/// Those of scenarios/hard/, which state criteria.
+/// The scenarios of scenarios/hard/, which state criteria.
 std::span<const Example> hard_cases();
 
 }  // namespace earthtop::tool

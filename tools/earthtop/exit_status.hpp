@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the program's exit status says.
+/// The program's exit status.
 #pragma once
 
 namespace earthtop::tool {
 
-/// 128 + signal where a signal stopped the work.
+/// If a signal stopped the work, the status is 128 + signal.
 enum ExitStatus : int { kDone = 0, kNegative = 1, kRefused = 2, kNumericalFailure = 3, kWriteFailed = 4, kReaderGone = 141 };
 
 struct StatusMeaning {
@@ -12,7 +12,7 @@ struct StatusMeaning {
   const char* meaning;
 };
 
-/// All of them, for the manual.
+/// All exit statuses, for the manual.
 inline constexpr StatusMeaning kExitStatuses[] = {
     {kDone, "done"},
     {kNegative,

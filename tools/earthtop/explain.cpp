@@ -44,7 +44,7 @@ std::string effects_text(const Budget& budget) {
   return text;
 }
 
-/// A unit from the input's name, as the scenario's keys have it.
+/// The unit of an input, from its name, which ends with the unit like the keys of a scenario.
 std::string unit_of(const std::string& name) {
   if (name.ends_with("_deg")) return "deg";
   if (name.ends_with("_rad_s")) return "rad/s";
@@ -85,7 +85,8 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
   return text;
 }
 
-/// With the effects chosen that the scenario leaves open. None if interrupted.
+/// The effect budget, computed with a progress display. Chooses the effects first if the scenario leaves that to the program.
+/// Returns nothing if interrupted.
 std::optional<Budget> watched_budget(Scenario& scenario, bool lively) {
   const OrderlyEnd orderly;
   Progress progress;

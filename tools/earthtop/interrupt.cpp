@@ -20,18 +20,18 @@ namespace earthtop::tool {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;       // ns
-constexpr std::int64_t kGrace = 100 * kMillisecond;    // of processor time, for an orderly end
-constexpr std::int64_t kNoLimit = 0;                   // sets no timer
-constexpr std::int64_t kMoment = 10 * kMillisecond;    // of processor time, for what must not be cut in two
-constexpr std::int64_t kIdle = 2000 * kMillisecond;    // by the clock on the wall: who has used hardly any processor time
-constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // by then waits for something, and may do so for ever
+constexpr std::int64_t kGrace = 100 * kMillisecond;    // processor time allowed for an orderly end
+constexpr std::int64_t kNoLimit = 0;                   // disarms a timer
+constexpr std::int64_t kMoment = 10 * kMillisecond;    // processor time allowed for steps that must not be interrupted
+constexpr std::int64_t kIdle = 2000 * kMillisecond;    // time by the clock; a process that uses less
+constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // processor time than this meanwhile is stuck
 
-// What a handler reads and writes. Work is asked for by one thread; any thread may be the one that takes a signal.
+// The state shared with the signal handlers. One thread starts the work, but any thread may receive a signal.
 std::atomic<int> g_signal = 0;
 std::atomic<bool> g_stop = false, g_orderly = false, g_keeps = false;
 std::atomic<std::int64_t> g_used_before = 0;  // processor time at the last look
 bool g_json = false;
-const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come at the very end
+const std::string *g_message = nullptr, *g_json_message = nullptr;  // never freed: a signal may come while the program ends
 timer_t g_processor_timer, g_wall_timer;
 bool g_has_timers = false;
 
@@ -55,10 +55,10 @@ void watch_the_end(std::int64_t grace) noexcept {
 }
 
 void say(int descriptor, std::string_view text) noexcept {
-  if (::write(descriptor, text.data(), text.size()) < 0) return;  // nobody listens
+  if (::write(descriptor, text.data(), text.size()) < 0) return;  // nobody is listening
 }
 
-/// Only what is safe in a signal handler.
+/// Ends the program. Runs in signal handlers, and therefore makes only calls that are safe there.
 void end_at_once() noexcept {
   if (!discard_temporaries()) return watch_the_end(kMoment);
   if (is_line_shown()) say(STDERR_FILENO, "\r\033[K");
@@ -81,7 +81,8 @@ extern "C" void on_stop_signal(int signal) {
   errno = error;
 }
 
-/// The processor time is used up, or it is time to see whether any is used at all.
+/// Ends the program if its processor time is used up (processor timer) or if it used hardly any since the last look (wall
+/// timer).
 extern "C" void on_timer(int, siginfo_t* info, void*) {
   const int error = errno;
   const std::int64_t now = processor_time();
@@ -122,7 +123,7 @@ void install_stop_handlers(bool json) {
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
-    // A shell's background job has SIGINT ignored, and nohup's SIGHUP: it stays so.
+    // A signal that is ignored stays ignored: SIGINT in a background job of a shell, SIGHUP under nohup.
     if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
 }

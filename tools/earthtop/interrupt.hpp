@@ -1,33 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Signals that ask the program to stop.
+/// Handling of the signals that ask the program to stop.
 #pragma once
 
 #include <atomic>
 
 namespace earthtop::tool {
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the program with status 128 + signal, whatever it does: at once, without a
-/// temporary file left, but for the moment in which results are put in place. @param json  how errors are told
+/// Installs handlers after which SIGINT, SIGTERM and SIGHUP end the program at once, with status 128 + signal and without
+/// leaving temporary files; only the moment in which results are moved into place is not interrupted.
+/// @param json report the interruption as JSON
 void install_stop_handlers(bool json);
 
-/// What the first signal sets: for the watch of the work that is to stop then.
+/// The flag that the first signal sets during an OrderlyEnd; to be given to the Watch of the work.
 const std::atomic<bool>* stop_flag() noexcept;
 
-/// While it lives, the first signal asks the work to stop, which then says how far it came. For that it has a tenth of a second
-/// of processor time. When that is used up, and where the work does nothing at all, the program ends as it does elsewhere.
+/// While an object of this class lives, the first signal only asks the work to stop, so that it can report how far it came. The
+/// work has a tenth of a second of processor time for that; after it, or if the work does nothing at all, the program ends at
+/// once.
 class OrderlyEnd {
  public:
-  /// @param keeps  whether what is there then is to be kept: a million rows take longer to put together
+  /// @param keeps what has been computed will be kept: there is no limit on the time, as a million rows take longer to put
+  /// together
   explicit OrderlyEnd(bool keeps = false);
   ~OrderlyEnd();
   OrderlyEnd(const OrderlyEnd&) = delete;
   OrderlyEnd& operator=(const OrderlyEnd&) = delete;
 };
 
-/// After a signal: what is there is to be kept, and may take its time. Another signal still ends the program at once.
+/// Lifts the time limit after a signal, so that what has been computed can be kept. Another signal still ends the program at
+/// once.
 void keep_what_is_there();
 
-/// 128 + the signal that came.
+/// 128 + the signal that was received.
 int interrupted_status();
 
 }  // namespace earthtop::tool

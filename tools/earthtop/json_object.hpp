@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// JSON that the program puts together or looks into, without the library for it: that takes a second to compile.
+/// Writes and inspects simple JSON without the JSON library, which takes a second to compile in each source.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace earthtop::tool {
 
-/// An object, key by key in the order in which they are put.
+/// A JSON object; its keys keep the order in which they were put.
 class JsonObject {
  public:
   JsonObject();
@@ -24,11 +24,12 @@ class JsonObject {
   JsonObject& put(std::string_view key, const std::vector<JsonObject>& objects);
   JsonObject& put(std::string_view key, const JsonObject& object);
   JsonObject& put_null(std::string_view key);
-  /// A number or a truth value; what is not finite becomes null.
+  /// Puts a number or a truth value; a number that is not finite becomes null.
   template <class Number>
   requires std::is_arithmetic_v<Number> JsonObject& put(std::string_view key, Number number);
 
-  /// In ASCII with a final newline: what cannot be seen, or turns a terminal's text round, stands as an escape.
+  /// The object as text in ASCII, with a final newline. Characters that are invisible or reverse a terminal's writing direction
+  /// are escaped.
   std::string text() const;
 
  private:
@@ -36,7 +37,7 @@ class JsonObject {
   std::unique_ptr<Content> content_;
 };
 
-/// The keys of a text that is one JSON object; none of any other text.
+/// The keys of a text that is one JSON object; empty for any other text.
 std::vector<std::string> json_keys(std::string_view text);
 
 }  // namespace earthtop::tool

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The elementary functions under the C library's names, for the libraries that the program is linked with.
+/// The C library's elementary functions, defined anew for the libraries that the program is linked with.
 ///
-/// ERFA (the Moon's, the Sun's and the pole's place), GeographicLib (gravity at the site), GSL and SUNDIALS call the C
-/// library's functions, whose last digit depends on the processor, and some of it reaches the results. A name that the program
-/// defines stands before the C library's for every shared library too, so these take the same functions as earthtop itself.
-/// hypot is not among them: it is formed by exact operations from one code for all processors.
+/// ERFA (positions of Moon, Sun and pole), GeographicLib (gravity at the site), GSL and SUNDIALS call the C library's
+/// functions. Their last digit depends on the processor, and part of it reaches the results. A name that the program defines
+/// takes precedence over the C library's in shared libraries, too, so all of these use the same functions as earthtop itself.
+/// hypot is not among them: the C library computes it by exact operations, with the same code on all processors.
 #include "earthtop/elementary.hpp"
 
 namespace real = earthtop::real;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The earthtop program: reads the command line and hands over to a verb.
+/// The earthtop program: reads the command line and calls the verb.
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -49,7 +49,7 @@ int guarded_main(int argc, char** argv) {
   } catch (const ReadError& error) {
     return report_errors(error.file(), {{0, 0, "", error.reason()}}, json, kWriteFailed);
   } catch (const WriteError& error) {
-    // What cannot reach standard output is not tried there again.
+    // If standard output failed, the error is not reported there.
     const bool lost = error.file() == kStandardOutput;
     const char* remedy = lost ? "" : "; see to space and permission there, or choose another place";
     return report_errors(error.file(), {{0, 0, "", error.reason() + remedy}}, json && !lost, kWriteFailed);
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     return earthtop::tool::guarded_main(argc, argv);
   } catch (const earthtop::tool::ReaderGone&) {
     return earthtop::tool::end_quietly();
-  } catch (const std::exception& error) {  // reporting an error failed, too
+  } catch (const std::exception& error) {  // even reporting an error failed
     earthtop::tool::message(std::string("earthtop: error: ") + error.what());
     return earthtop::tool::kWriteFailed;
   }

@@ -21,7 +21,7 @@ std::string paragraph(const std::string& tag, const std::string& text) { return 
 
 std::string reference(std::string_view page) { return bold(page) + "(1)"; }
 
-/// As it stands on the command line: "--out DIR", "SCENARIO".
+/// An option or operand as it stands on the command line: "--out DIR", "SCENARIO".
 std::string usage(const Option& option) {
   if (option.is_operand()) return italic(option.name);
   return option.is_flag() ? bold(option.name) : bold(option.name) + "\\ " + italic(option.value);
@@ -42,7 +42,7 @@ std::string usages(const Verb& verb, bool operands) {
   return group.empty() ? text : text + "]\n";
 }
 
-/// @param path  the words that name the verb: "earthtop study merge"
+/// @param path the words that name the verb: "earthtop study merge"
 std::string synopsis(const Verb& verb, const std::string& path) {
   std::string text = bold(path) + '\n' + usages(verb, false) + usages(verb, true);
   for (const Verb& sub : verb.verbs) text += ".br\n" + synopsis(sub, path + " " + sub.name);
@@ -55,7 +55,7 @@ std::string words_text(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Names of the options that cannot be given with this one, whichever of the two says so.
+/// Names of the options that may not be given together with this one, whichever of the two states it.
 std::vector<std::string> conflicts_of(const Option& option, const Verb& verb) {
   const auto names = [](const Option& one, const Option& other) {
     return std::find(one.conflicts.begin(), one.conflicts.end(), other.name) != one.conflicts.end();
@@ -68,7 +68,7 @@ std::vector<std::string> conflicts_of(const Option& option, const Verb& verb) {
   return conflicts;
 }
 
-/// What an option does, and what limits it.
+/// The effect of an option, and the limits on its value.
 std::string meaning(const Option& option, const Verb& verb) {
   std::string text = option.help;
   if (!option.words.empty() && !option.has_other_words) text += "; one of " + words_text(option.words);
@@ -146,7 +146,7 @@ std::string manual_page_name(const Verb& program, const Verb& verb) {
 std::string manual_page(const Verb& program, const Verb& verb, std::string_view version) {
   const bool is_program = &verb == &program;
   const std::string name = manual_page_name(program, verb), path = is_program ? program.name : program.name + " " + verb.name;
-  // No date: the version says how old the page is, and the same program always prints the same page.
+  // No date is given: the version tells the page's age, and the same program always prints the same page.
   std::string page = fmt::format(".TH {} 1 \"\" \"{} {}\" \"{}\"\n.nh\n.ad l\n", roff_literal(capitals(name)), program.name,
                                  version, "User Commands");
   page += section("NAME") + roff_literal(name) + " \\- " + roff_text(verb.help);

@@ -17,7 +17,7 @@ std::string strong(std::string_view text, std::string_view code, bool color) {
   return color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
 }
 
-/// "7.2921e-05 ± 2.3e-09": as many digits as the error leaves standing, and one beyond.
+/// "7.2921e-05 ± 2.3e-09": the value down to the second digit of its error.
 std::string with_standard_error(double value, double error) {
   if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.8g}", value);
   const double size = std::abs(value), last = std::floor(real::log10(error)) - 1;  // place of the last digit shown
@@ -71,7 +71,7 @@ std::string estimates_text(const MeasurementReport& report, bool color) {
   return text;
 }
 
-/// The residuals of largest normalised size, in the order of time.
+/// The ten residuals that are largest in units of their standard errors, in the order of time.
 std::string residuals_text(const MeasurementReport& report) {
   constexpr std::size_t kShown = 10;
   std::vector<std::size_t> order(report.residuals.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop compare` prints of a measurement.
+/// Formats the comparison with a measurement.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ struct MeasurementReport;
 
 namespace earthtop::tool {
 
-/// Whether measurement and scenario agree, the estimates, the largest residuals. @param color  with terminal colours
+/// Whether measurement and scenario agree, the estimates, and the largest residuals. @param color use terminal colours
 std::string measurement_text(const MeasurementReport& report, bool color);
 
 }  // namespace earthtop::tool

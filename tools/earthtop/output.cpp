@@ -20,7 +20,8 @@ void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   for (const int descriptor : {0, 1, 2}) {
-    // The lowest free descriptor is the closed one; the wrong direction keeps it failing as a closed one does.
+    // `open` returns the lowest free descriptor, which is the closed one. It is opened for the wrong direction, so that using
+    // it fails as with a closed one.
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY) < 0)
       std::_Exit(kWriteFailed);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the program says: results on standard output, everything else on standard error.
+/// The program's output: results on standard output, everything else on standard error.
 #pragma once
 
 #include <exception>
@@ -14,47 +14,47 @@ namespace earthtop::tool {
 
 class JsonObject;
 
-/// The name of standard output in a WriteError.
+/// The file name that a WriteError gives for standard output.
 inline constexpr const char* kStandardOutput = "<standard output>";
 
-/// A writing to a closed pipe or beyond a file size limit becomes an error to report, not a signal to die of; descriptors
-/// 0 to 2 are taken, so that no result file becomes "standard output".
+/// Prepares the standard streams. Writing to a closed pipe or beyond a file size limit becomes an error instead of a fatal
+/// signal. Descriptors 0 to 2 are opened if they are closed, so that no result file becomes "standard output".
 void prepare_streams();
 
-/// Whoever read standard output has closed it, and there is more to print.
+/// Thrown if there is more to print after the reader of standard output has closed it.
 class ReaderGone : public std::exception {};
 
-/// Writes to standard output and makes sure that it arrived. A reader that has seen enough (`| head`) is no error: what it does
-/// not take is lost, and a verb with nothing more to print ends with its own status. @throws WriteError; ReaderGone where the
-/// reader had gone before this call
+/// Writes to standard output and checks that the text arrived. It is no error if the reader closes it (`| head`): the rest of
+/// the text is lost, and a verb that prints nothing more ends with its own status.
+/// @throws WriteError; ReaderGone if the reader had already gone before this call
 void print(std::string_view text);
 
-/// Whether anything has been printed, or begun to be. Safe in a signal handler.
+/// Whether `print` has been called. Safe in a signal handler.
 bool has_printed() noexcept;
 
-/// Ends the program as a signal SIGPIPE does, without a word. @returns kReaderGone where that signal is blocked
+/// Ends the program by the signal SIGPIPE, without a message. @returns kReaderGone if that signal is blocked
 int end_quietly();
 
-/// Writes a line to standard error; what cannot be written there is lost.
+/// Writes a line to standard error; failures are ignored.
 void message(std::string_view line);
 
 /// Whether standard output is a terminal that wants colours (NO_COLOR is honoured).
 bool wants_color();
 
-/// A line each on standard error.
+/// Writes the warnings to standard error, one line each.
 void report_warnings(const std::string& file, const std::vector<Diagnostic>& warnings);
 
-/// {file, line, column, pointer, message}; line and column are null where there are none.
+/// The object {file, line, column, pointer, message}; line and column are null if they are unknown.
 JsonObject diagnostic_json(const std::string& file, const Diagnostic& diagnostic);
 
-/// One JSON document on standard output. @throws WriteError
+/// Writes one JSON document to standard output. @throws WriteError
 void print_json(const JsonObject& document);
 
-/// Errors as a line each, and as {"errors": [...]}, with a final newline.
+/// The errors as text: one line each, or {"errors": [...]} with a final newline.
 std::string errors_text(const std::string& file, const std::vector<Diagnostic>& errors);
 std::string errors_json(const std::string& file, const std::vector<Diagnostic>& errors);
 
-/// Reports what went wrong: a line each on standard error or, with `json`, {"errors": [...]} on standard output.
+/// Reports errors: one line each on standard error or, with `json`, {"errors": [...]} on standard output.
 /// @returns `status`
 int report_errors(const std::string& file, const std::vector<Diagnostic>& errors, bool json, int status);
 

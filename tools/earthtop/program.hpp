@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The program as a verb: what can be said of it on the command line.
+/// The program's own command-line table.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace earthtop::tool {
 
-/// With all verbs, of which some refer to it.
+/// The program with all its verbs, some of which keep references to it.
 std::unique_ptr<const Verb> describe_program();
 
 }  // namespace earthtop::tool

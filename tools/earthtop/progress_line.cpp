@@ -21,7 +21,7 @@ namespace {
 std::atomic<bool> line_shown = false;
 
 void write_to_terminal(const std::string& text) {
-  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody looks
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody is reading
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_text(double share, std::string_view phase, double seconds) {
-  // Before a hundredth is done, what is left is a guess.
+  // Before one hundredth is done, an estimate of the time left would be a guess.
   const std::string left =
       share >= 0.01 && share < 1 ? fmt::format("{} left", duration_text(seconds * (1 - share) / share)) : "";
   return fmt::format("{:3.0f}%  {}{}{}", std::floor(100 * share), phase, !phase.empty() && !left.empty() ? ", " : "", left);

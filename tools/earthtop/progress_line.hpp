@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Progress on a terminal: a line that is written over itself.
+/// Progress on a terminal, shown in a line that is overwritten again and again.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,13 @@ class Progress;
 
 namespace earthtop::tool {
 
-/// Whether a stream is a terminal whose user wants more than text (NO_COLOR is honoured). @param descriptor  e.g. STDERR_FILENO
+/// Whether a stream is a terminal on which more than plain text is wanted (NO_COLOR is honoured). @param descriptor e.g.
+/// STDERR_FILENO
 bool is_lively_terminal(int descriptor);
 
 class ProgressLine {
  public:
-  /// @param wanted  false: nothing is ever shown; nor is it where standard error is no such terminal
+  /// @param wanted if false, or if standard error is no lively terminal, nothing is ever shown
   explicit ProgressLine(bool wanted);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
@@ -32,32 +33,31 @@ class ProgressLine {
   std::size_t width_ = 0;
 };
 
-/// Whether a line stands on the terminal. Safe in a signal handler.
+/// Whether a progress line is on the terminal. Safe in a signal handler.
 bool is_line_shown() noexcept;
 
 /// "3.2 s", "12 min", "4.5 h", "2.1 days".
 std::string duration_text(double seconds);
 
-/// "42%  error bound, 12 s left". @param seconds  since the work began
+/// "42% error bound, 12 s left". @param seconds time since the work began (s)
 std::string progress_text(double share, std::string_view phase, double seconds);
 
-/// Shows how much of some work is done, in which phase it is and how long it will take, from its first second on, as long as
-/// this lives.
+/// While it lives, shows which share of some work is done, its phase and the time left, beginning one second after the start.
 class ProgressDisplay {
  public:
-  /// @param progress  outlives this
+  /// @param progress must outlive this object
   ProgressDisplay(bool wanted, const Progress& progress);
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// Whether there is anybody to show it to.
+  /// Whether there is a terminal to show it on.
   bool is_shown() const;
-  /// Says something else, for which the line makes way.
+  /// Clears the line, calls `say`, which may print something else, and lets the line come back.
   void aside(const std::function<void()>& say);
 
  private:
-  class Teller;  // with a thread of its own
+  class Teller;  // owns a thread
   std::unique_ptr<Teller> teller_;
 };
 

@@ -18,7 +18,7 @@ std::string escaped(char c) {
   }
 }
 
-/// At the beginning of a line a point or a quote would make it a request.
+/// Protects a point or quote at the beginning of a line, which roff would take for a request.
 std::string as_line(std::string line) {
   if (!line.empty() && (line.front() == '.' || line.front() == '\'')) line.insert(0, "\\&");
   return line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Text as roff takes it.
+/// Escapes text for roff.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace earthtop::tool {
 
-/// What a user types, character for character: every hyphen is a minus sign, every quote an upright one.
+/// Text that a user types, character for character: hyphens become minus signs, quotes upright ones.
 std::string roff_literal(std::string_view text);
 
-/// Sentences: a line each. A word that begins with a hyphen is an option, and literal.
+/// Sentences, one per line. A word that begins with a hyphen is an option, and therefore literal.
 std::string roff_text(std::string_view text);
 
 }  // namespace earthtop::tool

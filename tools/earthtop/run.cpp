@@ -38,7 +38,7 @@ int interrupted(const RunArguments& arguments, const std::string& where) {
       arguments.json, interrupted_status());
 }
 
-/// Whether --set changed what is predicted, and not only how it is computed or what is reported of it.
+/// Whether --set changed the prediction, and not only how it is computed or reported.
 bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
   const auto original = examine_scenario(source).scenario;
   if (!original) return true;
@@ -53,7 +53,7 @@ bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
 
 struct RequestedScene {
   Scenario scenario;
-  bool is_changed;  ///< the file says something else
+  bool is_changed;  ///< --set changed the prediction: see is_another_scene
 };
 
 RequestedScene read_scenario(const RunArguments& arguments) {
@@ -66,7 +66,7 @@ RequestedScene read_scenario(const RunArguments& arguments) {
   return {*std::move(report.scenario), is_changed};
 }
 
-/// A run that was interrupted and leaves nothing, and what could have been kept of it.
+/// Reports a run that was interrupted and leaves nothing, and whether --partial would have kept its rows.
 int tell_of_nothing(const RunResult& result, const RunArguments& arguments) {
   if (!result.solution_is_whole)
     return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scenario.duration_s));
@@ -79,10 +79,10 @@ int tell_of_nothing(const RunResult& result, const RunArguments& arguments) {
 struct WrittenRun {
   RunResult result;
   bool is_written = true;
-  bool was_interrupted = false;  ///< before it was written
+  bool was_interrupted = false;  ///< before the results were written
 };
 
-/// Runs and writes, with one progress for both.
+/// Runs and writes the results, with one progress display for both.
 WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& dir, const RunArguments& arguments) {
   const OrderlyEnd orderly(arguments.partial);
   Progress progress;
@@ -106,7 +106,7 @@ WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& 
   return run;
 }
 
-/// The drift over time in one line of a terminal.
+/// The drift over time as a sparkline: one line of block characters.
 std::string sparkline(const RunResult& result) {
   constexpr std::size_t kColumns = 48;
   constexpr std::array<const char*, 8> kLevels = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};

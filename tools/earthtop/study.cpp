@@ -31,8 +31,8 @@ struct StudyArguments {
   std::string shard;
   bool force = false, keep_going = false, retry_failed = false, dry_run = false;
   bool json = false, quiet = false;
-  std::vector<std::string> stores;  // of merge
-  std::string store;                // of show, export
+  std::vector<std::string> stores;  // for merge
+  std::string store;                // for show and export
 };
 
 StudyShard parse_shard(const std::string& text) {
@@ -48,7 +48,7 @@ StudyShard parse_shard(const std::string& text) {
   return shard;
 }
 
-/// A store given as itself or as its directory.
+/// The store itself, given as a file or as its directory.
 fs::path store_of(const std::string& given) {
   std::error_code error;
   return fs::is_directory(given, error) ? study_store(given) : fs::path(given);
@@ -77,7 +77,7 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   return kDone;
 }
 
-/// What there is to tell after a shard, whose points are no study yet.
+/// Reports the end of a shard; its points alone are not shown as a study.
 void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments) {
   if (arguments.json)
     print_json(JsonObject()
@@ -91,7 +91,7 @@ void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments
                       report.failed));
 }
 
-/// The document that `write_study_results` has put beside a store: to gather it again from millions of points takes long.
+/// The document that `write_study_results` put beside the store; gathering it again from millions of points would take long.
 std::string written_document(const fs::path& store) {
   std::ifstream file(store.parent_path() / "study.json");
   return {std::istreambuf_iterator<char>(file), {}};

@@ -23,7 +23,7 @@ std::string cell(const Json& value) {
   return printable(value.dump());
 }
 
-/// Columns as wide as their widest cell, numbers to the right.
+/// Lays out columns as wide as their widest cells, with numbers to the right.
 std::string table(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths;
   for (const Row& row : rows) {
@@ -53,7 +53,7 @@ std::string statistics_text(const Json& document) {
   return rows.size() > 1 ? "\nStatistics\n" + table(rows) : "";
 }
 
-/// The points one by one, or of two axes the first quantity as a matrix.
+/// The points one by one, or for a grid of two axes the first quantity as a matrix.
 std::string points_text(const Json& document) {
   const Json& axes = document.at("axes");
   const Json& points = document.at("points");
@@ -86,7 +86,7 @@ std::string points_text(const Json& document) {
   return "\nPoints\n" + table(rows);
 }
 
-/// Means along each axis: what is left where the points are too many, or the axes.
+/// Means along each axis, which can be shown even if there are too many points or axes to list.
 std::string marginals_text(const Json& document) {
   std::string text;
   constexpr std::size_t kMostRows = 40, kMostQuantities = 4;

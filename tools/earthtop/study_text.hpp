@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The results of a study for people.
+/// Formats the results of a study for a terminal.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace earthtop::tool {
 
-/// Of the document that `study_json` makes: points, statistics, means along the axes, fits, indices, figures.
+/// Text for a document of `study_json`: points, statistics, means along the axes, fits, indices, figures.
 std::string study_text(std::string_view document);
 
-/// How many points of a study there are to be and there are, as the same document says.
+/// Numbers of points in such a document: planned, computed, and failed among the computed ones.
 struct StudyCounts {
   std::uint64_t planned, computed, failed;
 };

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kArcsecond = std::numbers::pi / (180 * 3600.0);
 
-/// Seven digits, or fewer or more: those that the bound leaves standing and one beyond.
+/// The value with one digit more than its bound leaves certain, or with seven digits if the bound is zero.
 std::string with_bound(double value, double bound) {
   if (!std::isfinite(value) || !std::isfinite(bound)) return fmt::format("{:.6e} rad, bound not known", value);
   int decimals = 6;
@@ -28,7 +28,7 @@ std::string with_bound(double value, double bound) {
   return fmt::format("{:.{}e} ± {:.1e} rad", value, decimals, bound);
 }
 
-/// The same angle in the unit in which it is easiest to picture.
+/// The same angle in a handy unit, from degrees to microarcseconds.
 std::string pictured(double rad) {
   const double arcseconds = rad / kArcsecond;
   const double size = std::abs(arcseconds);
@@ -93,7 +93,7 @@ void write_scene(Page& page, const Scenario& scenario, double reached_s) {
   page.entry("", matching_rule(scenario));
 }
 
-/// The drift of the rows that can be trusted: of all of them, mostly.
+/// The summary of the drift over the rows that can be trusted, which are mostly all of them.
 DriftSummary reliable_drift(const RunResult& result) {
   if (!result.verdict.from_s && result.stops.empty()) return result.drift;
   std::vector<DriftRow> rows = result.rows;
@@ -144,7 +144,7 @@ void write_drift(Page& page, const RunResult& result) {
   if (last != &result.rows.back()) page.line("  later rows are written, marked as not reliable");
 }
 
-/// As many digits as the bound leaves, and one more.
+/// The time with one digit more than its bound leaves certain.
 std::string time_with_bound(double t_s, const std::optional<double>& bound_s) {
   if (!bound_s || !(*bound_s > 0)) return fmt::format("{:.9g} s", t_s);
   const int decimals = std::clamp(static_cast<int>(std::ceil(-real::log10(*bound_s))) + 1, 0, 17);
@@ -165,7 +165,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text.empty() ? "nothing" : text;
 }
 
-/// What "auto" chose, and what the accuracy asked for came to.
+/// The choice that "auto" made, and the accuracy that was asked for and reached.
 void write_choice(Page& page, const RunResult& result) {
   if (const auto& selection = result.selection) {
     page.entry("Effects", fmt::format("switched on: {}; left out: {}, worth {:.1e} rad at most ({:.2g} s to choose)",
@@ -210,14 +210,14 @@ void write_trend(Page& page, const RunResult& result) {
     page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
                                     secular->azimuth_rate_rad_s, secular->azimuth_rate_standard_error_rad_s));
     for (const TheoryReport& report : result.theory)
-      if (report.name == "precession_rate_change")  // which is counted counterclockwise
+      if (report.name == "precession_rate_change")  // its sign is the opposite: counted counterclockwise
         page.entry("", fmt::format("first-order theory of a fast top: Ω sin(latitude) = {:+.4e} rad/s, + as above",
                                    0.0 - report.predicted));
     page.entry("Swings",
                fmt::format("up to {:.3g} rad of azimuth to either side of the trend", secular->azimuth_oscillation_rad));
   }
   for (const TheoryReport& report : result.theory) {
-    if (report.name == "precession_rate_change") continue;  // said above, where the azimuth has a trend
+    if (report.name == "precession_rate_change") continue;  // printed above, if the azimuth has a trend
     page.entry("Theory", fmt::format("{}: {:.6g} {} predicted, {:.6g} computed", spoken(report.name), report.predicted,
                                      report.unit, report.computed));
   }

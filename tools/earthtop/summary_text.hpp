@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A run's result as a page for people.
+/// Formats the result of a run for a terminal.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@ struct RunResult;
 
 namespace earthtop::tool {
 
-/// @param directory  where the result files are   @param changed  the scenario is not the file's: a headline figure that is
-/// not met says nothing about the program then   @param color  with terminal colours
+/// @param directory where the result files are
+/// @param changed the scenario differs from its file, so that a headline figure that is not met says nothing about the program
+/// @param color use terminal colours
 std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color);
 
 }  // namespace earthtop::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The verbs, one file each: a verb says what can be said of it on the command line, and what is done when it is given.
+/// The verbs, one source file each. A verb describes its part of the command line and does its work.
 #pragma once
 
 #include <string>
@@ -20,19 +20,19 @@ Verb describe_compare();
 Verb describe_report();
 Verb describe_schema();
 Verb describe_example();
-/// @param program  all verbs, which outlive this one
+/// @param program has all verbs; must outlive the returned verb
 Verb describe_completion(const Verb& program);
-/// @param program  as of `describe_completion`   @param names  of all verbs
+/// @param program as for `describe_completion` @param names names of all verbs
 Verb describe_man(const Verb& program, const std::vector<std::string>& names);
 Verb describe_version();
 
-/// Prints what was built, from what and how. @throws WriteError
+/// Prints the version, the commit it was built from, and how it was built. @throws WriteError
 int version_verb(bool json);
 
 /// `--set /json/pointer=VALUE`, any number of times.
 void add_set_option(Verb& verb, std::vector<std::string>& sets);
 
-/// Pairs of pointer and value. @throws ScenarioError naming every one that has another form
+/// Splits each argument into pointer and value. @throws ScenarioError naming every argument of another form
 std::vector<std::pair<std::string, std::string>> split_sets(const std::vector<std::string>& sets);
 
 }  // namespace earthtop::tool

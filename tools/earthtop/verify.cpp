@@ -22,13 +22,13 @@ namespace earthtop::tool {
 namespace {
 
 struct VerifyArguments {
-  std::vector<std::string> files;  // files and directories; the hard cases inside the program if there are none
+  std::vector<std::string> files;  // files and directories; if empty, the hard cases inside the program
   bool json = false;
   bool slow = false;
   bool list = false;
 };
 
-/// The scenario files of a directory, in alphabetical order. @throws ScenarioError where there is none
+/// The scenario files of a directory, in alphabetical order. @throws ScenarioError if there are none
 std::vector<std::string> files_in(const std::string& directory) {
   std::vector<std::string> files;
   std::error_code error;
@@ -43,8 +43,8 @@ std::vector<std::string> files_in(const std::string& directory) {
   return files;
 }
 
-/// All sources, each of which states a criterion. @throws ScenarioError, ReadError: nothing is run before all is known to be
-/// sound
+/// Reads all sources and checks that each states a criterion; nothing is run before all are known to be sound. @throws
+/// ScenarioError, ReadError
 std::vector<ScenarioSource> sources_of(const VerifyArguments& arguments) {
   std::vector<ScenarioSource> sources;
   if (arguments.files.empty())
@@ -72,7 +72,7 @@ std::string_view word(VerificationOutcome outcome) {
 
 constexpr std::size_t kNameWidth = 28, kCriterionWidth = 66;
 
-/// A case's name and a criterion in columns; a longer one has a line of its own.
+/// The name of a case and of its criterion in columns; if they are too long, the line is broken after them.
 std::string left_part(const std::string& name, const std::string& criterion) {
   std::string line = fmt::format("{:<{}}  {:<{}}", printable(name), kNameWidth, printable(criterion), kCriterionWidth);
   if (line.size() > kNameWidth + 2 + kCriterionWidth) line += fmt::format("\n{:{}}", "", kNameWidth + 2 + kCriterionWidth);

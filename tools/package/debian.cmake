@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Debian packages, by CPack: `earthtop` of the component `program`, `libearthtop-dev` of `development`. tools/package.sh makes them.
+# The Debian packages, made by CPack: `earthtop` of the component `program`, `libearthtop-dev` of `development`. See
+# tools/package.sh.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME earthtop)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_DEBIAN_PACKAGE_RELEASE 0local1) # older than any revision that a distribution makes of the same version
+set(CPACK_DEBIAN_PACKAGE_RELEASE 0local1) # lower than any revision that a distribution gives to the same version
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-# Whoever builds packages answers for them, under the names that Debian's own tools take.
+# The maintainer is whoever builds the packages, by the variables that Debian's own tools read.
 set(CPACK_PACKAGE_CONTACT "The earthtop authors <earthtop@earthtop.invalid>")
 if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
   set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
 
-# A package has a component of the same files as everywhere else, and one of those that only Debian wants.
+# Each package has two components: the files that are installed everywhere, and those that only Debian needs.
 set(CPACK_COMPONENTS_ALL program program-debian development development-debian)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -25,7 +26,7 @@ foreach(group program development)
   set(CPACK_COMPONENT_${group}_GROUP ${group})
   set(CPACK_COMPONENT_${group}-debian_GROUP ${group})
 endforeach()
-foreach(component IN LISTS CPACK_COMPONENTS_ALL) # CPack reads these names in capitals
+foreach(component IN LISTS CPACK_COMPONENTS_ALL) # CPack wants these names in capitals
   string(TOUPPER ${component} capitals)
   set(CPACK_COMPONENT_${capitals}_GROUP ${CPACK_COMPONENT_${component}_GROUP})
 endforeach()
@@ -33,8 +34,8 @@ endforeach()
 set(about "earthtop integrates the motion of a top or gyroscope in a laboratory that
 turns with the Earth, and the prediction of a laboratory that does not, and
 reports how far the two drift apart, with a bound on the error of that number.
-") # in lines as package managers show them
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has a first line of its own
+") # in lines, for package managers
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has a summary of its own
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME earthtop)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
@@ -51,12 +52,12 @@ ${about}
 This package has the C++20 headers and the static library, and the files by
 which CMake and pkg-config find them.")
 
-# A static library is used with the libraries that it was built with, or newer ones. The configuration for CMake asks pkg-config.
+# A static library needs the libraries with which it was built, or newer ones. The configuration for CMake runs pkg-config.
 set(depends pkgconf)
 foreach(library IN LISTS libraries)
   foreach(package IN LISTS ${library}_debian)
     execute_process(COMMAND dpkg-query --show --showformat=\${Version} ${package} OUTPUT_VARIABLE version ERROR_QUIET)
-    string(REGEX REPLACE "-[^-]*$" "" version "${version}") # what Debian made of the same version fits as well
+    string(REGEX REPLACE "-[^-]*$" "" version "${version}") # any Debian revision of the same version will do
     if(version)
       list(APPEND depends "${package} (>= ${version})")
     else()
@@ -67,7 +68,7 @@ endforeach()
 list(REMOVE_DUPLICATES depends)
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ${depends})
 
-# What policy asks of every package: who may copy it, and what is new, compressed without names and times.
+# What Debian's policy requires of every package, the copyright and the changelog, compressed without names and times.
 set(changes ${PROJECT_SOURCE_DIR}/.github/CHANGELOG.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${changes})
 file(STRINGS ${changes} releases REGEX "^## \\[[0-9.]+\\] - ")
@@ -88,10 +89,10 @@ foreach(pair program:earthtop development:libearthtop-dev)
   install(FILES copyright ${debian_dir}/changelog.gz ${debian_dir}/changelog.Debian.gz DESTINATION share/doc/${package}
           COMPONENT ${component}-debian EXCLUDE_FROM_ALL)
 endforeach()
-file(CREATE_LINK ../../earthtop/scenarios ${debian_dir}/examples SYMBOLIC) # where Debian's users look for them
+file(CREATE_LINK ../../earthtop/scenarios ${debian_dir}/examples SYMBOLIC) # where Debian users look for examples
 install(FILES ${debian_dir}/examples ${debian_dir}/README.md.gz DESTINATION share/doc/earthtop COMPONENT program-debian EXCLUDE_FROM_ALL)
 
-# CPack strips programs and leaves libraries; of those, what a linker needs stays.
+# CPack strips programs but not libraries; this strips from the libraries what a linker does not need.
 install(CODE "
   if(CMAKE_INSTALL_DO_STRIP)
     file(GLOB libraries \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libearthtop*.a\")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The component `development`: static libraries, headers, and what CMake and pkg-config find them by.
+# The component `development`: static libraries, headers, and the files by which CMake and pkg-config find them.
 include(CMakePackageConfigHelpers)
 
 set(libraries earthtop)
@@ -8,7 +8,7 @@ if(TARGET earthtop-workbench)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/earthtop)
-foreach(library IN LISTS libraries) # a file each, so that a component is found without what the other needs
+foreach(library IN LISTS libraries) # one file per library, so that each can be found without the dependencies of the others
   install(TARGETS ${library} EXPORT ${library}-targets ARCHIVE COMPONENT development)
   install(EXPORT ${library}-targets NAMESPACE earthtop:: DESTINATION ${package_dir} COMPONENT development)
 endforeach()
@@ -20,7 +20,7 @@ install(FILES ${PROJECT_BINARY_DIR}/earthtop-config.cmake ${PROJECT_BINARY_DIR}/
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/earthtop DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
         FILES_MATCHING PATTERN "*.hpp")
 
-# One file for pkg-config a library, with what the library's target demands of those who use it.
+# One pkg-config file per library, with the requirements that the library's target passes on to its users.
 file(RELATIVE_PATH up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 string(REGEX REPLACE "/$" "" up "${up}")
 foreach(library IN LISTS libraries)

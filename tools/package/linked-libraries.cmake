@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the installed static libraries hand on to whoever links them, under its names in pkg-config and in Debian.
+# The libraries that the installed static libraries need when they are linked, under their names in pkg-config and in Debian.
 
-# A target or library as CMake links it | its module of pkg-config, or flags for the linker | the Debian package to develop with it
+# A target or library as CMake links it | its pkg-config module, or flags for the linker | its Debian development package
 set(known_libraries
   "Eigen3::Eigen|eigen3|libeigen3-dev"
   "GSL::gsl|gsl|libgsl-dev"
@@ -15,8 +15,9 @@ set(known_libraries
   "Threads::Threads|-pthread|"
   "quadmath|-lquadmath|")
 
-# linked_libraries(LIBRARY): sets LIBRARY_modules, LIBRARY_flags and LIBRARY_debian, and LIBRARY_public_modules, whose headers the
-# library's own include. A library that is missing in the table ends the configuration: packages would lack a dependency.
+# linked_libraries(LIBRARY) sets LIBRARY_modules, LIBRARY_flags, LIBRARY_debian, and LIBRARY_public_modules: the modules whose
+# headers the library's own headers include. A library that is missing in the table stops the configuration, because packages
+# would lack a dependency.
 function(linked_libraries library)
   set(modules "")
   set(public_modules "")
@@ -25,20 +26,20 @@ function(linked_libraries library)
   get_target_property(links ${library} INTERFACE_LINK_LIBRARIES)
   foreach(link IN LISTS links)
     set(is_public TRUE)
-    if(link MATCHES "^\\$<LINK_ONLY:(.*)>$") # what a static library is linked with privately
+    if(link MATCHES "^\\$<LINK_ONLY:(.*)>$") # the private dependencies of a static library
       set(link "${CMAKE_MATCH_1}")
       set(is_public FALSE)
     endif()
     if(link MATCHES "^\\$<BUILD_INTERFACE:" OR NOT link)
-      continue() # nothing that the installed library knows of
+      continue() # of no concern to the installed library
     endif()
     if(link MATCHES "^(earthtop::)?earthtop$")
       list(APPEND modules earthtop)
       list(APPEND public_modules earthtop)
-    elseif(IS_ABSOLUTE "${link}") # MPI and SUNDIALS are found as files
+    elseif(IS_ABSOLUTE "${link}") # MPI and SUNDIALS are given as files
       list(APPEND flags ${link})
       file(REAL_PATH "${link}" file)
-      foreach(path "${link}" "${file}") # behind a link of the alternatives there is a package's file
+      foreach(path "${link}" "${file}") # a link of Debian's alternatives leads to the file of a package
         execute_process(COMMAND dpkg-query --search ${path} OUTPUT_VARIABLE owner ERROR_QUIET RESULT_VARIABLE failed)
         if(NOT failed AND owner MATCHES "^([a-z0-9+.-]+-dev)[:,]")
           list(APPEND debian ${CMAKE_MATCH_1})

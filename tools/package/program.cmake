@@ -4,7 +4,7 @@ install(TARGETS earthtop-tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPON
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/earthtop COMPONENT program)
 
 if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
-  return() # the program does not run here
+  return() # the program cannot run on this machine
 endif()
 set(pages_dir ${PROJECT_BINARY_DIR}/pages)
 add_custom_command(OUTPUT ${pages_dir}/written

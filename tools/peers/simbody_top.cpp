@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two of earthtop's scenarios by another multibody program, Simbody 3.7: a worked example of another simulator's output.
-// Ground does not rotate. A laboratory turns on it steadily about the Earth's axis through the pivot and carries the top on
-// a ball joint: what the Earth does to the top comes from Simbody's own kinematics; no non-inertial torque is written here.
+// Two of earthtop's scenarios computed by another multibody program, Simbody 3.7, as an example of another simulator's output.
+// Ground does not rotate. A laboratory turns on it steadily about the Earth's axis through the pivot and carries the top on a
+// ball joint. Simbody's own kinematics thus produce all effects of the Earth's rotation: no non-inertial torque is written
+// here.
 // Axes and units are what a user of Simbody would choose, not earthtop's: world x = East, y = Up, z = South; the quaternion
-// body to world, w first; the angular velocity relative to the laboratory, in body axes, in degrees per second.
-// Not part of the CMake build; Simbody's headers are C++17 at most, so -std comes after pkg-config's flags:
+// rotates body to world, w first; the angular velocity is relative to the laboratory, in body axes, in degrees per second.
+// This file is not part of the CMake build. Simbody's headers compile up to C++17, so -std has to follow pkg-config's flags:
 //     g++ -O2 $(pkg-config --cflags simbody) -std=c++17 -o simbody_top tools/peers/simbody_top.cpp
 //         -DSIMBODY="\"$(dpkg-query -Wf '${Version}' libsimbody-dev)\"" $(pkg-config --libs simbody)
-//     ./simbody_top toy-top > tests/data/simbody/toy-top.csv                # or heavy-top-benchmark; takes minutes
+//     ./simbody_top toy-top > tests/data/simbody/toy-top.csv # or heavy-top-benchmark; takes minutes
 #include <Simbody.h>
 
 #include <algorithm>
@@ -22,14 +23,14 @@ using SimTK::Real, SimTK::Rotation, SimTK::Vec3;
 
 constexpr Real deg = SimTK_DEGREE_TO_RADIAN;
 
-struct Scenario {              // the scenario files' values; their keys:
+struct Scenario {              // values from the scenario files; their keys:
   Real gravity;                // site/gravity_m_s2
   Real mass;                   // body/mass_kg
   Vec3 center;                 // body/center_of_mass_m
   SimTK::Inertia inertia;      // body/inertia, here about the pivot
-  Vec3 rate;                   // release/spin_rad_s about z, or angular_velocity_body_rad_s: relative to the laboratory
+  Vec3 rate;                   // release/spin_rad_s about z, or angular_velocity_body_rad_s; relative to the laboratory
   Real output_step;            // motion/output_step_s
-  int stride;                  // written is every so many-th of earthtop's rows, 101 of them
+  int stride;                  // every stride-th of earthtop's rows is written, 101 in all
   Real latitude = 0;           // site/latitude_deg
   Real earth_rate = 0;         // earth/rotation_rate_rad_s
   Rotation R_LB = Rotation();  // release/tilt_deg and azimuth_deg, or quaternion_LB; L: East, North, Up
@@ -43,12 +44,12 @@ Scenario heavy_top_benchmark() {
 
 Scenario toy_top() {
   const SimTK::Inertia about_pivot(1.2e-4, 1.2e-4, 4e-5);
-  const Real azimuth = 90 * deg, tilt = 20 * deg;  // the spin angle is 0 by default, and the Earth's rate that of WGS 84
+  const Real azimuth = 90 * deg, tilt = 20 * deg;  // the spin angle is 0 by default; the Earth's rate is that of WGS 84
   const Rotation R_LB = Rotation(90 * deg - azimuth, SimTK::ZAxis) * Rotation(tilt, SimTK::YAxis);
   return {9.80665, 0.1, Vec3(0, 0, 0.03), about_pivot, Vec3(0, 0, 200), 0.1, 6, 45 * deg, 7.292115e-5, R_LB};
 }
 
-// Simbody's own gravity is fixed in Ground; what a plumb line shows turns with the laboratory.
+// Simbody's own gravity is fixed in Ground; the gravity that a plumb line shows turns with the laboratory.
 class ApparentGravity : public SimTK::Force::Custom::Implementation {
  public:
   ApparentGravity(const SimTK::MobilizedBody& lab, const SimTK::MobilizedBody& top, Real g) : lab_(lab), top_(top), g_(g) {}
@@ -60,7 +61,7 @@ class ApparentGravity : public SimTK::Force::Custom::Implementation {
     top_.applyForceToBodyPoint(state, body.getMassCenter(), weight, body_forces);
   }
 
-  Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }  // nobody asks for it
+  Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }  // never needed
 
  private:
   SimTK::MobilizedBody lab_, top_;
@@ -88,7 +89,7 @@ std::vector<Row> simulate(const Scenario& s, Real accuracy) {
 
   const SimTK::Body::Rigid body(SimTK::MassProperties(s.mass, s.center, s.inertia));
   SimTK::MobilizedBody::Ball top(lab, Vec3(0), body, Vec3(0));
-  SimTK::Force::Custom(forces, new ApparentGravity(lab, top, s.gravity));  // which Simbody deletes
+  SimTK::Force::Custom(forces, new ApparentGravity(lab, top, s.gravity));  // Simbody deletes it
 
   SimTK::State state = system.realizeTopology();
   const Rotation attitude = Rotation(-90 * deg, SimTK::XAxis) * s.R_LB;  // East, North, Up to East, Up, South

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes README's tables and pictures of speed against error by `earthtop bench`: of the drift, and of one motion.
+"""Makes README's tables and pictures of speed against error with `earthtop bench`: for the drift, and for one motion.
 
     tools/readme/speed-against-error.py [EARTHTOP]      the program; default: build/bench/tools/earthtop/earthtop
 

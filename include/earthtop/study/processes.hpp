@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A study on many machines: processes started together by mpirun, of which the first hands out the points.
+/// A study computed by many processes, possibly on many machines. mpirun starts them together; the first one hands out the
+/// points.
 #pragma once
 
 #include <memory>
@@ -15,20 +16,22 @@ bool has_mpi();
 /// How many processes a launcher started this one with; 1 without a launcher.
 unsigned launched_processes();
 
-/// This process among those it was started with. Without MPI, or started alone: the first and only one.
+/// The set of processes that a launcher started together, seen from one of them. Without MPI, or when started alone, the only
+/// process is the first one.
 class StudyProcesses {
  public:
-  /// @throws ScenarioError where a launcher started several processes of a program that was built without MPI
+  /// @throws ScenarioError if a launcher started several processes but this program was built without MPI
   StudyProcesses();
-  /// Sends the others home.
+  /// In the first process: tells all others to leave `serve`.
   ~StudyProcesses();
   StudyProcesses(const StudyProcesses&) = delete;
   StudyProcesses& operator=(const StudyProcesses&) = delete;
 
   bool is_first() const;
-  unsigned workers() const;  ///< processes beside the first
-  /// Of one that is not the first: computes what it is given until it is sent home.
-  /// @param watch  may stop the runs
+  unsigned workers() const;  ///< number of processes besides the first
+  /// Computes the points that the first process sends, until the first process ends. To be called in every process but the
+  /// first.
+  /// @param watch may stop the runs
   void serve(const Watch& watch = {});
 
   struct Session;

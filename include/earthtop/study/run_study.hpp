@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Computes a study: points to workers, results into the store, whatever interrupts it.
+/// Runs a study: distributes its points to workers and keeps the results in a store, so that an interrupted study can be
+/// resumed.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace earthtop {
 
-/// Every n-th point of a study from the k-th on, counted from 1.
+/// A part of a study, to be computed by itself: every n-th point from the k-th on, where k counts from 1.
 struct StudyShard {
   std::uint64_t k = 1, n = 1;
   bool has(std::uint64_t number) const { return number % n == k - 1; }
@@ -22,61 +23,64 @@ struct StudyShard {
 
 struct StudyProgress {
   std::uint64_t wanted = 0;  ///< points of the shard
-  std::uint64_t before = 0;  ///< that were there at the start
-  std::uint64_t done = 0;    ///< computed since
-  std::uint64_t failed = 0;  ///< of those
-  double seconds = 0;        ///< since the start
-  double share = 0;          ///< of the wanted points, parts of those under way included; it never falls
-  double share_before = 0;   ///< of those that were there at the start
+  std::uint64_t before = 0;  ///< points that the store held at the start
+  std::uint64_t done = 0;    ///< points computed since the start
+  std::uint64_t failed = 0;  ///< points that failed, among those computed since the start
+  double seconds = 0;        ///< time since the start (s)
+  double share = 0;          ///< finished share of the wanted points (0 to 1), parts of points included; never falls
+  double share_before = 0;   ///< share of the wanted points that the store held at the start (0 to 1)
 };
 
 struct StudyRunOptions {
-  std::filesystem::path dir;  ///< of store and results
-  unsigned jobs = 0;          ///< threads; 0: one a core
+  std::filesystem::path dir;  ///< directory of the store and of the results
+  unsigned jobs = 0;          ///< number of threads; 0: one per core
   StudyShard shard;
-  bool force = false;                                     ///< throw a store of another study away
-  bool keep_going = false;                                ///< compute a study even if all points looked at are refused
+  bool force = false;                                     ///< discard a store that holds another study
+  bool keep_going = false;                                ///< compute the study even if all points sampled are refused
   bool retry_failed = false;                              ///< compute failed points again
-  std::function<void(const StudyProgress&)> on_progress;  ///< some times a second; may be null
-  Watch watch;                                            ///< may end it early; where it is is told by `on_progress`
-  StudyProcesses* processes = nullptr;                    ///< whose workers compute, if there are any, instead of threads
+  std::function<void(const StudyProgress&)> on_progress;  ///< called a few times a second; may be null
+  Watch watch;                                            ///< may end the study early; reports nothing: see `on_progress`
+  StudyProcesses* processes = nullptr;                    ///< if it has workers, these compute instead of threads
 };
 
 struct StudyRunReport {
   std::filesystem::path store;
   StudyProgress progress;
-  std::uint64_t failed = 0;  ///< of all points in the store
+  std::uint64_t failed = 0;  ///< number of failed points in the store, from earlier calls too
   bool interrupted = false;
-  bool replaced = false;  ///< another study's store, without a point that came to its end, has made room
+  bool replaced = false;  ///< a store of another study in which no run had come to its end has been replaced
   bool complete() const { return progress.before + progress.done >= progress.wanted; }
 };
 
-/// The file that a study's points, or a shard's, are kept in.
+/// Path of the file that holds the points of a study, or of one shard of it.
 std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard = {});
 
-/// Computes the points that the store lacks. Each point's result depends on that point alone; the store holds each within a
-/// second or so of its being computed.
-/// A store of another study that holds no point whose run came to its end is replaced.
-/// @throws ScenarioError for a study beyond its limits, for one of which all points of `sample_points` are refused alike before
-/// any point of it has been computed (unless it is to keep going), for a store of another study (unless forced), or one that
-/// another process writes; WriteError
+/// Computes those points of a study that its store lacks. Each point's result depends on that point alone, and is stored within
+/// about a second after it has been computed. A store of another study is replaced if none of its runs came to its end.
+/// @throws ScenarioError if the study exceeds its limits or the space left on the disk, if all points of `sample_points` are
+/// refused for the same reason and no run of this study has come to its end yet (unless `keep_going`), if the store holds
+/// another study (unless `force`), or if another process writes to the store
+/// @throws WriteError if a file cannot be written
 StudyRunReport run_study(const Study& study, const StudyRunOptions& options);
 
-/// Puts stores of one study together, shards of it or any parts.
-/// @returns how many points the result holds   @throws ScenarioError for stores of different studies, or none; WriteError
+/// Merges stores of one study (its shards, or any other parts of it) into one store in `dir`.
+/// @param force discard a store of another study that is there already
+/// @returns the number of points in the merged store
+/// @throws ScenarioError if the stores are of different studies, or if none is given; WriteError
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force);
 
-/// The store's study, and its results so far: counts, statistics, fits, indices, figures; of at most 1000 points each point.
-/// As JSON with a final newline; the same points give the same bytes.
+/// The study of a store and its results so far, as JSON: counts, statistics, fits, Sobol indices, figures, and every single
+/// point if there are at most 1000. Ends with a newline; the same points give the same bytes.
 std::string study_json(const std::filesystem::path& store);
 
-/// Writes study.csv, one line a point, study.json, and where a few curves show it all study.svg, beside the store. @throws
-/// WriteError, Interrupted
-/// @param watch  may end it before anything is in place
+/// Writes the results beside the store: study.csv (one line per point), study.json, and study.svg if a few curves can show the
+/// study.
+/// @param watch may stop the writing before any file is in place
+/// @throws WriteError, Interrupted
 void write_study_results(const std::filesystem::path& store, const Watch& watch = {});
 
-/// The table of the points alone, piece by piece.
+/// Passes the table of the points (study.csv) to `sink`, piece by piece.
 void study_csv(const std::filesystem::path& store, const std::function<void(std::string_view)>& sink);
 
 }  // namespace earthtop

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A parameter study: a base scenario, axes along which its keys change, a design that chooses points, quantities to collect.
+/// A parameter study: a base scenario, axes along which keys of it vary, a design that chooses points, and quantities to
+/// collect.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +14,20 @@
 
 namespace earthtop {
 
-/// What one axis does to the scenario: keys changed together, over a list of values or a range.
+/// One axis of a study: keys of the scenario that vary together, over a list of values or over a range.
 struct StudyAxis {
-  std::string name;                   ///< of its column
-  std::vector<std::string> pointers;  ///< JSON pointers into the scenario
+  std::string name;                   ///< name of the axis's column in the results
+  std::vector<std::string> pointers;  ///< JSON pointers of the varied keys in the scenario
 
-  std::vector<std::vector<std::string>> levels;  ///< of a list: JSON values, one for each pointer
+  std::vector<std::vector<std::string>> levels;  ///< for a list: JSON values, one for each pointer
   struct Range {
-    std::vector<double> from, to;  ///< one for each pointer
-    std::uint64_t points = 0;      ///< 0 where none are given
+    std::vector<double> from, to;  ///< ends of the range, one for each pointer
+    std::uint64_t points = 0;      ///< number of points on a grid; 0 if none is given
     bool logarithmic = false;
   };
-  std::optional<Range> range;  ///< instead
+  std::optional<Range> range;  ///< given instead of `levels`
 
-  /// How many values a grid takes of it; 0 where a range does not say.
+  /// Number of values that the axis has on a grid; 0 for a range without a number of points.
   std::uint64_t size() const { return range ? range->points : levels.size(); }
 };
 
@@ -35,14 +36,14 @@ std::string_view to_string(DesignKind kind);
 
 struct StudyDesign {
   DesignKind kind = DesignKind::grid;
-  std::uint64_t points = 0;  ///< of a drawn design; of Sobol indices, base points
+  std::uint64_t points = 0;  ///< number of points for a drawn design; number of base points for Sobol indices
   std::uint64_t seed = 1;
-  bool indices = false;  ///< Saltelli's scheme: (axes + 2) runs a base point
+  bool indices = false;  ///< Saltelli's scheme for Sobol indices: (axes + 2) runs per base point
 };
 
-/// A number or word taken from each run.
+/// A number or word taken from the results of each run.
 struct StudyQuantity {
-  std::string name;  ///< of its column
+  std::string name;  ///< name of its column in the results
   std::string path;  ///< dotted path in summary.json
 };
 
@@ -54,9 +55,9 @@ struct StudyFit {
   std::string axis, quantity;
 };
 
-/// A figure known from elsewhere, held against the study's results.
+/// A number known from another source, with which the study's results are compared.
 struct StudyFigure {
-  std::string figure;  ///< JSON pointer into the results document
+  std::string figure;  ///< JSON pointer into the results document (study.json)
   double value = 0, tolerance = 0;
   std::string origin;
 };
@@ -65,11 +66,11 @@ struct StudyLimits {
   std::uint64_t points = 10'000'000;
   double core_hours = 1000;
   double disk_gb = 20;
-  bool stops_beyond_estimate = true;  ///< a point at ten times the work estimated of it
+  bool stops_beyond_estimate = true;  ///< stop a point that needs ten times the work estimated for it
 };
 
 struct Study {
-  // Compiled once, not in every source that holds one.
+  // These are defined in one source file, so that not every file that uses a Study compiles them.
   Study();
   Study(const Study&);
   Study(Study&&) noexcept;
@@ -79,10 +80,10 @@ struct Study {
 
   std::string name = "unnamed";
   std::string title, purpose, finding;
-  std::string text;  ///< the study file's
+  std::string text;  ///< text of the study file
   ScenarioSource base;
-  bool base_inside = false;                              ///< the base stands in the study file itself, not in a file of its own
-  std::vector<std::pair<std::string, std::string>> set;  ///< JSON pointer and JSON value
+  bool base_inside = false;                              ///< the base is part of the study file, not a file of its own
+  std::vector<std::pair<std::string, std::string>> set;  ///< changes of the base for all points: JSON pointer, JSON value
   std::vector<StudyAxis> axes;
   StudyDesign design;
   std::vector<StudyQuantity> quantities;
@@ -93,20 +94,20 @@ struct Study {
 };
 
 /// Decodes and validates a study file, and reads its base.
-/// @param base  instead of the file that the study names: of a study that was accepted before (a store's). Whether its pointers
-/// and paths are still those of a scenario and a summary is not asked: what was computed stays readable.
-/// @throws ScenarioError with all violations; for a base that cannot be read; ReadError.
+/// @param base used instead of the base that the file names. It is given for a study that was accepted before (the one in a
+/// store); its pointers and paths are then not checked against today's scenario and summary, so that old results stay readable.
+/// @throws ScenarioError with all violations, an unreadable base among them; ReadError if reading the base breaks off
 Study parse_study(const ScenarioSource& source, const std::optional<ScenarioSource>& base = std::nullopt);
 
-/// How many points a study has; counted, not built.
-/// @returns nothing for more than 2^53
+/// Number of points of a study; it is computed without building the points.
+/// @returns nothing if there are more than 2^53
 std::optional<std::uint64_t> point_count(const Study& study);
 
-/// @throws ScenarioError where a study has more points than its limit allows, takes longer or needs more disk, with the
-/// estimate.
+/// @throws ScenarioError, with the estimate, if a study has no points or exceeds its limits on points, computing time or disk
+/// space
 void require_affordable(const Study& study);
 
-/// What a study would take: by the cost model of its first, middle and last points.
+/// Expected cost of a study, from the cost model applied to up to 25 points spread over the design.
 struct StudyEstimate {
   std::uint64_t points = 0;
   double core_seconds = 0;
@@ -114,19 +115,19 @@ struct StudyEstimate {
 };
 StudyEstimate estimate(const Study& study);
 
-/// What some of a study's points turn out to be, before any is computed.
+/// Findings of the check of some of a study's points before any of them is computed.
 struct StudySample {
   std::uint64_t looked_at = 0;
   std::uint64_t refused = 0;
-  std::string first_refusal;            ///< of the first one refused; empty where none is
-  std::optional<ScenarioError> common;  ///< what all of them are refused for, where it is the same
+  std::string first_refusal;            ///< message for the first refused point; empty if none is refused
+  std::optional<ScenarioError> common;  ///< the reason for which all of them are refused, if it is the same
 };
-/// Resolves twenty points spread over the whole design, the first and the last among them (all of fewer): decodes and checks
-/// each one's scenario, and integrates nothing. Two refusals are the same where they are for the same key.
+/// Decodes and checks the scenarios of twenty points spread over the whole design, the first and the last among them (of all
+/// points if there are fewer). Nothing is integrated. Two refusals count as the same if they concern the same key.
 StudySample sample_points(const Study& study);
 
-/// The identity of a study's results: SHA-256 of design, axes, quantities, and of the base as the points see it. Comments,
-/// titles, fits and limits are not part of it.
+/// The identity of a study's results: SHA-256 of its design, axes and quantities, and of the base scenario as the points see
+/// it. Comments, titles, fits and limits are not part of it.
 std::string study_sha256(const Study& study);
 
 /// JSON Schema (draft 7) of a study file, and every key of it as a Markdown table.
