@@ -15,6 +15,7 @@ closed_form
 integrate
 drift
 scenario
+scene
 budget
 run
 results plot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Many scenarios at once, for studies.
+/// Many scenes at once, for studies.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace earthtop {
 
-/// What came of one scenario of a batch.
+/// What came of one scene of a batch.
 struct BatchOutcome {
   std::optional<RunResult> result;
   std::string refusal;  ///< why there is none: what the ScenarioError said
 };
 
-/// Runs scenarios; the outcome of each depends on it alone, not on its neighbours or on how many there are. An interrupt
+/// Runs scenes; the outcome of each depends on it alone, not on its neighbours or on how many there are. An interrupt
 /// (of the watch) leaves outcomes with RunStatus::interrupted.
 /// @throws ArithmeticError as `run` does.
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {});
+std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch = {});
 
 }  // namespace earthtop

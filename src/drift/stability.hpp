@@ -20,6 +20,10 @@ struct UprightTop {
 };
 /// None for every other motion: unlike body or attitude, or a transverse rate of a twentieth of sqrt(m g l / I1).
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem);
+/// An upright top so near its critical spin, to a thousandth of the ratio, that whether it stands or falls hangs on digits of
+/// spin and moments that no experiment knows.
+std::optional<UprightTop> marginal_top(const MotionProblem<double>& problem);
+
 /// A symmetric top under gravity in some state of its motion, other torques notwithstanding.
 struct StandingTop {
   double spin_ratio_squared;  ///< as of an upright one

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenario/fields.hpp"
+#include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
 #include "text/json.hpp"
 
@@ -130,7 +131,8 @@ std::string mapping_reference_markdown() { return markdown_of(scenario::mapping_
 std::string tolerances_reference_markdown() { return markdown_of(scenario::tolerances_fields(), scenario::kTolerances); }
 
 std::string annotated_scenario(const ScenarioSource& source) {
-  parse_scenario(source);
+  if (const scenario::Reading reading = scenario::read_scenario(source); !reading.findings.empty())
+    throw ScenarioError(reading.errors(), source.file);
   std::string text;
   scenario::lay_out(text, scenario::annotated(json_of(source.text), ""), 0);
   return text + '\n';

@@ -38,9 +38,8 @@ class Collector {
   /// What a point's scenario is, or all that is wrong with it.
   ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
 
-  /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
-  std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                   std::string& refusal) const;
+  /// The scene of a point; nothing, with the reason in `refusal`, where it is refused.
+  std::optional<Scene> scene(const std::vector<std::pair<std::string, std::string>>& overrides, std::string& refusal) const;
 
   /// Fills in status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;

@@ -13,7 +13,7 @@ double equivalence_error(const CriterionSpec& criterion, Runs& runs);
 /// Numbers that are not 0 in all their bits.
 double exactly_zero_error(const CriterionSpec& criterion, Runs& runs);
 double order_error(const CriterionSpec& criterion, Runs& runs);
-/// What it costs, in the seconds of `estimated_seconds`.
+/// The seconds that it takes on one core.
 double order_work(const CriterionSpec& criterion, const Runs& runs);
 /// How far the time from which the verdict holds is outside of the range allowed (s); 0 within.
 double verdict_error(const CriterionSpec& criterion, Runs& runs);

@@ -23,7 +23,7 @@ class Runs {
   explicit Runs(ScenarioSource source) : source_(std::move(source)) {}
 
   /// @throws ScenarioError where the changed scene is not valid
-  Scenario scenario(const Changes& changes = {}) const;
+  Scene scene(const Changes& changes = {}) const;
   /// @throws NotJudged where the run does not complete; ScenarioError
   const RunResult& run(const Changes& changes = {});
   bool has_run(const Changes& changes) const { return done_.contains(changes); }
@@ -42,6 +42,6 @@ class Runs {
 };
 
 /// A run to its end. @throws NotJudged
-RunResult completed_run(const Scenario& scenario, const Watch& watch);
+RunResult completed_run(const Scene& scene, const Watch& watch);
 
 }  // namespace earthtop::verify_detail

@@ -14,7 +14,7 @@
 
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/drift/drift_integration.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -102,25 +102,25 @@ struct BenchReport {
 
 /// Every method at several tolerances and precisions in every form that the scene has, and the peers where it is plain; what
 /// `auto` takes is marked, and added where no other contender is the same.
-std::vector<Contender> standard_contenders(const Scenario& scenario, Workload workload);
+std::vector<Contender> standard_contenders(const Scene& scene, Workload workload);
 
 /// Integrates the scenario in 113 bits at 1e-20 by extrapolation of the general model, or in 64 bits at 1e-17 by the method
 /// that is cheapest there. The witness is the closed form where both motions have one; else another method in another
 /// observer's variables, of the other form where the scene has two.
 /// @param times_s  checkpoints, from 0   @param precision  bits113 or bits64
 /// @throws std::runtime_error where an integration does not complete
-CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s,
+CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s,
                                        Precision precision = Precision::bits113);
 
 /// What the reference will take on one core (s), within a factor of a few.
-double estimated_reference_seconds(const Scenario& scenario, Precision precision);
+double estimated_reference_seconds(const Scene& scene, Precision precision);
 
 /// The scenario as long as it may be for a reference of 64 bits within the seconds given.
-Scenario shortened_for_reference(const Scenario& scenario, double reference_seconds);
+Scene shortened_for_reference(const Scene& scene, double reference_seconds);
 
 /// @throws ScenarioError for a scene that cannot be run; std::runtime_error where the reference cannot be had;
 /// std::invalid_argument for a contender that this scene does not have.
-BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options = {});
+BenchReport bench(const Scene& scene, std::span<const Contender> contenders, const BenchOptions& options = {});
 
 /// Where on the line of these entries, in the logarithms of error and cost, the error is met: seconds and evaluations.
 /// None where no two neighbouring entries (in the order of their cost) lie on either side of it.

@@ -44,13 +44,25 @@ struct GrowthReport {
   std::optional<double> passes_s(double log_growth) const;
 };
 
+/// The tolerance at which growth is followed that nothing is known of, and the one at which a growth that it shows is
+/// confirmed.
+inline constexpr double kCoarseGrowthTolerance = 1e-7, kConfirmingGrowthTolerance = 1e-10;
+/// The most steps that growth is followed for.
+inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
+
+/// The tolerance at which the growth along a problem's motions is to be followed first; none where nothing has to be followed:
+/// where disturbances of the motion grow no faster than with the time, or where an upright top is at its critical spin, so that
+/// no growth says more. Motions with a closed form are followed closely, as they leave a separatrix by the integration's own
+/// error.
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem);
+
 /// Integrates the variational equations of three disturbances that are no symmetry's of a body,
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
 /// from the release to `duration_s`. A body held by a gimbal is disturbed only as the gimbal lets it move.
 /// @param problem  its times are not read
-/// @param relative_tolerance  of the integration. 1e-7 gives some percent of the growth, but its error can look like growth
-/// that is not there, and a motion on a separatrix leaves it by its own error as soon as that has grown: growth that matters
-/// is to be confirmed with a finer one.
+/// @param relative_tolerance  of the integration. The coarse one gives some percent of the growth, but its error can look like
+/// growth that is not there, and a motion on a separatrix leaves it by its own error as soon as that has grown: growth that
+/// matters is to be confirmed with a finer one.
 /// @param watch  may end it early, not completed
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
                                 double relative_tolerance, const Watch& watch = {});

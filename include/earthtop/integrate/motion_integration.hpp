@@ -31,12 +31,10 @@ WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, doub
   return limit_of(variational_work(problem.pace, time_s, relative_tolerance));
 }
 
-/// Whether these options mean the reduced form for this model (reduced_top.hpp). `splitting` knows no other.
+/// Whether these options mean the reduced form for this model (reduced_top.hpp).
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
-  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
-  return (options.observer == Observer::laboratory || splits) && is_reducible(model);
+  return takes_reduced_form(is_reducible(model), options);
 }
 
 /// What is asked of a motion. A symmetric top's axis alone takes six variables in the reduced form; its attitude nine.

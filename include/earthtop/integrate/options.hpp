@@ -2,6 +2,7 @@
 /// How to integrate: the observer, the method and its tolerances.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -33,6 +34,8 @@ enum class Method {
   long_horizon,
   closed_form
 };
+
+inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
 
 /// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
 /// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
@@ -76,6 +79,15 @@ struct IntegrationOptions {
   bool stops_beyond_estimate = true;    ///< at ten times the work estimated, where the problem's pace is known
   std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
 };
+
+/// Whether an integration with these options takes the reduced form of a model that has one. `splitting` knows no other, and
+/// splits in inertial axes too.
+inline bool takes_reduced_form(bool reducible, const IntegrationOptions& options) {
+  if (options.method == Method::closed_form) return false;
+  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
+  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
+  return (options.observer == Observer::laboratory || splits) && reducible;
+}
 
 /// What an integration cost.
 struct StepCounters {

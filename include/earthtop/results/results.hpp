@@ -32,8 +32,8 @@ std::optional<DriftDigits> drift_digits(const RunResult& result);
 /// bytes, on any host and at any time; a number that is not finite is null.
 std::string summary_json(const RunResult& result);
 
-/// The effect budget of a scenario, and what `run` would take for it, as JSON with a final newline.
-std::string budget_json(const Budget& budget, const Scenario& scenario);
+/// The effect budget of a scene, and what `run` would take for it, as JSON with a final newline.
+std::string budget_json(const Budget& budget, const Scene& scene);
 
 /// The matching rule in words: what is equal at release in both predictions.
 std::string matching_rule(const Scenario& scenario);
@@ -44,11 +44,11 @@ std::string timing_json(const RunResult& result);
 /// The drift over time: the angle between the two axes with its error bound, and its azimuth and tilt parts.
 Figure drift_figure(const RunResult& result);
 
-/// Whether `scenario`'s results may be written to `dir`, which need not exist; asked before a run, so that nothing is
+/// Whether a scene's results may be written to `dir`, which need not exist; asked before a run, so that nothing is
 /// computed in vain. @param force  overwrite the results of another scenario, too.
 /// @throws ScenarioError where `dir` cannot be a directory, or holds another scenario's results or a file of the same name
 /// that is not known to be a result. @throws WriteError where `dir` cannot be written to.
-void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
+void check_output_directory(const std::filesystem::path& dir, const Scene& scene, bool force);
 
 /// The watch asked to stop before the first file was in place: nothing has changed.
 class Interrupted : public std::runtime_error {
@@ -64,8 +64,8 @@ class Interrupted : public std::runtime_error {
 /// @param watch  may stop it until the first file is in place, and sees how far it is
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted.
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
-/// What that costs, roughly, in the seconds of `estimated_seconds`.
-double writing_work(const Scenario& scenario);
+/// The seconds that this takes, roughly.
+double writing_seconds(const Scenario& scenario);
 
 /// Writes one file, making its directory; the old one stays until the new one is whole. @throws WriteError, Interrupted
 void write_file(const std::filesystem::path& file, std::string_view content);

@@ -26,7 +26,7 @@ struct VerificationRow {
 
 struct VerificationOptions {
   bool slow = false;  ///< judge criteria, too, that take over a minute
-  Watch watch;        ///< may stop it, and sees how far it is
+  Watch watch = {};   ///< may stop it, and sees how far it is
 };
 
 /// A criterion in words: kind, quantity, times and changes.
@@ -36,7 +36,7 @@ std::string criterion_text(const CriterionSpec& criterion);
 /// criterion; it says which
 Scenario parse_verifiable(const ScenarioSource& source);
 
-/// What that costs, roughly, in the seconds of `estimated_seconds`. @throws ScenarioError as parse_verifiable
+/// The seconds that this takes on one core, roughly. @throws ScenarioError as parse_verifiable
 double verification_work(const ScenarioSource& source, const VerificationOptions& options);
 
 /// Judges the criteria in their order, each row told as soon as it is known. After an interrupt there are no more.

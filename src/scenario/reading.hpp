@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A scenario's text, read and decoded: what it gives, and what is wrong with it so far. The scene has more to say of it
+/// (scene/examine.cpp), and says it at places in the same text.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "scenario/findings.hpp"
+#include "scenario/node.hpp"
+#include "scenario/section.hpp"
+
+namespace earthtop::scenario {
+
+struct Reading {
+  std::string_view text;  ///< of the source, without a byte order mark
+  Node root;
+  Findings findings;
+  Scenario scenario;
+  bool is_whole = false;   ///< whether the text is JSON; after a syntax error the rest would be guesswork
+  bool has_start = false;  ///< whether body, release and gravity are known
+
+  /// To complain about a key.
+  Section section() { return {root, findings}; }
+  std::vector<Diagnostic> errors() const { return findings.errors(text); }
+};
+
+/// @param source  must outlive the reading   @param overrides  `--set` pairs
+Reading read_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
+
+}  // namespace earthtop::scenario
