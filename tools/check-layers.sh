@@ -16,6 +16,7 @@ integrate
 drift
 input
 scenario
+scene
 budget
 run
 results plot

@@ -8,7 +8,7 @@
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/stop_event.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -111,8 +111,8 @@ struct RunResult {
   RunResult& operator=(RunResult&&) noexcept;
   ~RunResult();
 
-  Scenario scenario;                       ///< as given
-  Scenario modelled;                       ///< the same with the effects and the tolerance that were chosen for it
+  Scene scene;                             ///< as given
+  Scene modelled;                          ///< the same with the effects and the tolerance that were chosen for it
   std::optional<Selection> selection;      ///< where the scenario leaves the choice of effects open
   std::optional<AccuracyReport> accuracy;  ///< where it asks for one
   RunStatus status = RunStatus::completed;
@@ -151,14 +151,15 @@ struct RunOptions {
   bool partial = false;
 };
 
-/// Runs a scenario; a pure function but for its watch. @throws ScenarioError for a scene that cannot be run;
-/// ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers.
-/// Numerical trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none but with
+/// Runs a scene, or the scene of a scenario; a pure function but for its watch. @throws ScenarioError for a scene that cannot
+/// be run; ArithmeticError where the processor rounds otherwise than to nearest, or flushes subnormal numbers. Numerical
+/// trouble is the result's status; the rows up to it are kept. A run that was asked to stop has none but with
 /// `RunOptions::partial`: then bounds are not numbers, and the verdict is `unassessed`.
-RunResult run(const Scenario& scenario, const RunOptions& options = {});
+RunResult run(const Scene& scene, const RunOptions& options = {});
 
-/// What a run costs with all that it assesses, roughly, in the seconds of `estimated_seconds`: for its progress.
-double estimated_run_seconds(const Scenario& scenario);
+/// The seconds that a run takes on one core with all that it assesses, the choice of effects included; within a factor of a
+/// few.
+double estimated_run_seconds(const Scene& scene);
 
 /// Whether a result has rows without bounds and verdict.
 bool is_partial(const RunResult& result);

@@ -20,6 +20,6 @@ struct BatchOutcome {
 /// Runs scenarios. The outcome of each depends on that scenario alone, not on its neighbours or on how many there are. After
 /// the watch has asked to stop, the unfinished outcomes have RunStatus::interrupted.
 /// @throws ArithmeticError as `run` does
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch = {});
+std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch = {});
 
 }  // namespace earthtop

@@ -10,8 +10,8 @@
 
 #include "bench/deadline.hpp"
 #include "bench/errors.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -60,23 +60,21 @@ PeerDrift subtract(const MotionTrajectory<double>& rotating, const MotionTraject
   return drift;
 }
 
-void prepare_peer(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+void prepare_peer(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
                   Racer& racer) {
-  const auto problem_of = [&](const Scenario& scene) {
-    MotionProblem<double> problem = make_problem<double>(scene);
+  const auto problem_of = [&](const Scene& of) {
+    MotionProblem<double> problem = of.problem<double>();
     problem.times_s = times_s;
     return problem;
   };
   const Peer peer = *contender.peer;
   const double tolerance = contender.options.relative_tolerance;
-  const MotionProblem<double> rotating = problem_of(scenario);
+  const MotionProblem<double> rotating = problem_of(scene);
   if (contender.workload != Workload::drift)
     return prepare([=](const Watch& watch) { return integrate_with_peer(peer, rotating, tolerance, watch); }, most_seconds,
                    racer);
-  Scenario still = scenario;
-  still.rotation_rate_rad_s = 0;
   prepare(
-      [=, reference = problem_of(still)](const Watch& watch) {
+      [=, reference = problem_of(scene.without_rotation())](const Watch& watch) {
         const auto first = integrate_with_peer(peer, rotating, tolerance, watch);
         return subtract(first, integrate_with_peer(peer, reference, tolerance, watch));
       },
@@ -84,9 +82,9 @@ void prepare_peer(const Contender& contender, const Scenario& scenario, const st
 }
 
 template <class T>
-void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+void prepare(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
              Racer& racer) {
-  auto problem = make_problem<T>(scenario);
+  DriftProblem<T> problem = scene.problem<T>();
   problem.times_s = times_s;
   const IntegrationOptions& options = contender.options;
   if (contender.workload == Workload::drift)
@@ -96,22 +94,22 @@ void prepare(const Contender& contender, const Scenario& scenario, const std::ve
 }
 
 /// @throws std::invalid_argument for a method that does not fit the scene
-void require_fit(const Contender& contender, Scenario scenario) {
-  scenario.numerics = {};
+/// @param scene  without numerics of its own
+void require_fit(const Contender& contender, const Scene& scene) {
   if (contender.peer) {
-    if (!is_plain(scenario)) throw std::invalid_argument("bench: no peer is made for this scene");
-  } else if (const auto reason = method_refusal(contender.options.method, scenario)) {
+    if (!scene.is_plain()) throw std::invalid_argument("bench: no peer is made for this scene");
+  } else if (const auto& reason = scene.method_refusal(contender.options.method)) {
     throw std::invalid_argument("bench: " + *reason);
   }
 }
 
-void prepare(const Contender& contender, const Scenario& scenario, const std::vector<double>& times_s, double most_seconds,
+void prepare(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
              Racer& racer) {
-  if (contender.peer) return prepare_peer(contender, scenario, times_s, most_seconds, racer);
+  if (contender.peer) return prepare_peer(contender, scene, times_s, most_seconds, racer);
   switch (contender.precision) {
-    case Precision::bits53: return prepare<double>(contender, scenario, times_s, most_seconds, racer);
-    case Precision::bits64: return prepare<long double>(contender, scenario, times_s, most_seconds, racer);
-    case Precision::bits113: return prepare<float128>(contender, scenario, times_s, most_seconds, racer);
+    case Precision::bits53: return prepare<double>(contender, scene, times_s, most_seconds, racer);
+    case Precision::bits64: return prepare<long double>(contender, scene, times_s, most_seconds, racer);
+    case Precision::bits113: return prepare<float128>(contender, scene, times_s, most_seconds, racer);
   }
 }
 
@@ -165,9 +163,13 @@ BenchEntry entry_of(const Contender& contender, Racer& racer, const std::vector<
 
 }  // namespace
 
-BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options) {
-  require_affordable(scenario);
-  for (const Contender& contender : contenders) require_fit(contender, scenario);
+BenchReport bench(const Scene& scene, std::span<const Contender> contenders, const BenchOptions& options) {
+  scene.require_affordable();
+  const Scenario& scenario = scene.scenario();
+  Scenario as_asked = scenario;
+  as_asked.numerics = {};
+  const Scene without_numerics = resolve(std::move(as_asked));
+  for (const Contender& contender : contenders) require_fit(contender, without_numerics);
   BenchReport report;
   report.scenario = scenario.name;
   report.title = scenario.title;
@@ -181,8 +183,8 @@ BenchReport bench(const Scenario& scenario, std::span<const Contender> contender
     if (options.progress) options.progress(what);
   };
   tell("reference");
-  const bool full = estimated_reference_seconds(scenario, Precision::bits113) <= options.reference_seconds;
-  report.reference = certified_reference(scenario, times_s, full ? Precision::bits113 : Precision::bits64);
+  const bool full = estimated_reference_seconds(scene, Precision::bits113) <= options.reference_seconds;
+  report.reference = certified_reference(scene, times_s, full ? Precision::bits113 : Precision::bits64);
   const std::vector<Checkpoint>& reference = report.reference.checkpoints;
   for (const Checkpoint& checkpoint : reference)
     report.largest_drift = std::max(report.largest_drift, static_cast<double>(checkpoint.drift_axis.value_or(0)));
@@ -198,7 +200,7 @@ BenchReport bench(const Scenario& scenario, std::span<const Contender> contender
       racers[i].seconds = {0};
       continue;
     }
-    prepare(contenders[i], scenario, times_s, options.most_seconds, racers[i]);
+    prepare(contenders[i], scene, times_s, options.most_seconds, racers[i]);
     plan_repetitions(options, racers[i]);
     rounds = std::max(rounds, racers[i].repetitions);
   }

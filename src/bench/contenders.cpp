@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "earthtop/bench/bench.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -35,10 +34,9 @@ std::vector<double> tolerances(Method method, Precision precision) {
 
 class Contenders {
  public:
-  Contenders(const Scenario& scenario, Workload workload)
-      : scenario_(scenario), workload_(workload), reducible_(is_reducible(make_model<double>(scenario))) {
-    const auto model = make_model<double>(scenario);
-    if (workload == Workload::axis && symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2) reducible_ = false;
+  Contenders(const Scene& scene, Workload workload)
+      : scene_(scene), as_asked_(without_numerics(scene)), workload_(workload), reducible_(scene.is_reducible()) {
+    if (workload == Workload::axis && scene.symmetry_axis() != 2) reducible_ = false;
   }
 
   std::vector<Contender> all() {
@@ -60,7 +58,7 @@ class Contenders {
 
  private:
   void add(Method method, std::initializer_list<Equations> forms, Composition composition = Composition::automatic) {
-    if (method_refusal(method, as_asked())) return;
+    if (as_asked_.method_refusal(method)) return;
     for (const Equations& equations : forms) {
       if (equations.form == ModelForm::reduced && !reducible_) continue;
       for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
@@ -88,13 +86,13 @@ class Contenders {
       options.method = Method::abm8;
       options.observer = Observer::body;
       options.form = ModelForm::general;
-      options.step_s = radians / fastest_rate_rad_s(scenario_);
+      options.step_s = radians / scene_.fastest_rate_rad_s();
       contenders_.push_back({workload_, options, Precision::bits53});
     }
   }
 
   void add_peers() {
-    if (!is_plain(scenario_)) return;
+    if (!scene_.is_plain()) return;
     for (const Peer peer : peers_built())
       for (const double tolerance : {1e-5, 1e-8, 1e-11, 1e-13}) {
         IntegrationOptions options;
@@ -106,23 +104,24 @@ class Contenders {
   }
 
   /// The scene without the numerics, which would decide whether a method fits.
-  Scenario as_asked() const {
-    Scenario scenario = scenario_;
+  static Scene without_numerics(const Scene& scene) {
+    Scenario scenario = scene.scenario();
     scenario.numerics = {};
-    return scenario;
+    return resolve(std::move(scenario));
   }
 
   void mark_automatic() {
-    Scenario scenario = scenario_;
+    Scenario scenario = scene_.scenario();
     scenario.numerics.method = Method::automatic;
     scenario.numerics.step_s.reset();
-    Contender automatic{workload_, method_choice(scenario).options, scenario.precision};
+    const Scene scene = resolve(std::move(scenario));
+    Contender automatic{workload_, scene.choice().options, scene.scenario().precision};
     IntegrationOptions& options = automatic.options;
     const bool own = options.method == Method::closed_form || options.method == Method::long_horizon;
     if (own)
       options.form = ModelForm::automatic;
     else
-      options.form = takes_reduced_form(make_model<double>(scenario), options) ? ModelForm::reduced : ModelForm::general;
+      options.form = scene.form(options);
     automatic.is_auto = true;
     const auto is_same = [&](const Contender& other) {
       return !other.peer && other.precision == automatic.precision && other.options.method == options.method &&
@@ -137,7 +136,8 @@ class Contenders {
       contenders_.insert(contenders_.begin(), automatic);
   }
 
-  const Scenario& scenario_;
+  const Scene& scene_;
+  Scene as_asked_;
   Workload workload_;
   bool reducible_;
   std::vector<Contender> contenders_;
@@ -145,8 +145,6 @@ class Contenders {
 
 }  // namespace
 
-std::vector<Contender> standard_contenders(const Scenario& scenario, Workload workload) {
-  return Contenders(scenario, workload).all();
-}
+std::vector<Contender> standard_contenders(const Scene& scene, Workload workload) { return Contenders(scene, workload).all(); }
 
 }  // namespace earthtop

@@ -2,15 +2,16 @@
 #include "bench/exact_motion.hpp"
 
 #include "earthtop/closed_form/exact_motion.hpp"
-#include "scenario/problem.hpp"
+#include "earthtop/model/model.hpp"
+#include "earthtop/model/release.hpp"
 
 namespace earthtop {
 
 template <class T>
-ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario) {
-  const auto model = make_model<T>(scenario);
+ExactLaboratoryMotion<T> exact_laboratory_motion(const Scene& scene) {
+  const Model<T>& model = scene.model<T>();
   if (!has_closed_form(exact_kind(model))) return {};
-  const auto release = make_release<T>(scenario.release, make_body<T>(scenario.body), T(scenario.site.gravity_m_s2));
+  const Release<T>& release = scene.release<T>();
   const Vec3<T> W_L = model.W_IL_L;
   Vec3<T> w_IB_B = release.w_XB_B;
   if (release.X == RatesRelativeTo::laboratory) w_IB_B += transposed_times(rotation_matrix(release.q_LB), W_L);
@@ -18,8 +19,8 @@ ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario) {
     return seen_from_laboratory(motion.at(t), W_L, t);
   };
 }
-template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scenario&);
-template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scenario&);
-template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scenario&);
+template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scene&);
+template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scene&);
+template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scene&);
 
 }  // namespace earthtop

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "earthtop/closed_form/special_cases.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -16,9 +16,9 @@ using ExactLaboratoryMotion = std::function<LaboratoryState<T>(T)>;
 /// The rotating motion of a scenario: for a body without torque anywhere, and for a symmetric top on an Earth that does not
 /// rotate or at one of its poles. Empty for all others, on platforms and with effects switched off.
 template <class T>
-ExactLaboratoryMotion<T> exact_laboratory_motion(const Scenario& scenario);
-extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scenario&);
-extern template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scenario&);
-extern template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scenario&);
+ExactLaboratoryMotion<T> exact_laboratory_motion(const Scene& scene);
+extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scene&);
+extern template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scene&);
+extern template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scene&);
 
 }  // namespace earthtop

@@ -7,8 +7,8 @@
 
 #include "bench/errors.hpp"
 #include "bench/exact_motion.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -26,12 +26,12 @@ struct Plan {
 
 /// In 113 bits the source is the general model with the method that needs a tenth of the evaluations; in 64 bits it is the
 /// Taylor series, of the reduced equations if possible. The witness has other variables, other equations and another method.
-Plan plan_of(const Scenario& scenario, Precision precision) {
-  const bool reducible = is_reducible(make_model<double>(scenario));
+Plan plan_of(const Scene& scene, Precision precision) {
+  const bool reducible = scene.is_reducible();
   const Recipe extrapolation{Method::extrapolation, Observer::body, ModelForm::general};
   const ModelForm form = reducible ? ModelForm::reduced : ModelForm::general;
   if (precision == Precision::bits113) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-20};
-  if (method_refusal(Method::taylor, scenario)) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-17};
+  if (scene.method_refusal(Method::taylor)) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-17};
   if (reducible) return {{Method::taylor, Observer::laboratory, form}, extrapolation, 1e-17};
   return {{Method::taylor, Observer::body, form}, {Method::extrapolation, Observer::inertial, form}, 1e-17};
 }
@@ -42,9 +42,9 @@ std::string in_words(const Recipe& recipe, Precision precision, double tolerance
 }
 
 template <class T>
-std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::vector<double>& times_s, const Recipe& recipe,
+std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<double>& times_s, const Recipe& recipe,
                                           double tolerance) {
-  auto problem = make_problem<T>(scenario);
+  DriftProblem<T> problem = scene.problem<T>();
   problem.times_s = times_s;
   IntegrationOptions options;
   options.method = recipe.method;
@@ -61,18 +61,17 @@ std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::v
   return checkpoints;
 }
 
-std::vector<Checkpoint> integrate_exactly(const Scenario& scenario, const std::vector<double>& times_s, const Recipe& recipe,
+std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<double>& times_s, const Recipe& recipe,
                                           double tolerance, Precision precision) {
-  if (precision == Precision::bits113) return integrate_exactly<float128>(scenario, times_s, recipe, tolerance);
-  return integrate_exactly<long double>(scenario, times_s, recipe, tolerance);
+  if (precision == Precision::bits113) return integrate_exactly<float128>(scene, times_s, recipe, tolerance);
+  return integrate_exactly<long double>(scene, times_s, recipe, tolerance);
 }
 
 /// Both motions in closed form, and the angle between their axes. It is found by subtracting them, for which 113 bits are
 /// enough.
-std::vector<Checkpoint> exact_checkpoints(const Scenario& scenario, const std::vector<double>& times_s) {
-  Scenario still = scenario;
-  still.rotation_rate_rad_s = 0;  // the release keeps its attitude, and its rates relative to the frame that it names
-  const auto rotating = exact_laboratory_motion<float128>(scenario), reference = exact_laboratory_motion<float128>(still);
+std::vector<Checkpoint> exact_checkpoints(const Scene& scene, const std::vector<double>& times_s) {
+  const auto rotating = exact_laboratory_motion<float128>(scene);
+  const auto reference = exact_laboratory_motion<float128>(scene.without_rotation());
   if (!rotating || !reference) return {};
   std::vector<Checkpoint> checkpoints;
   checkpoints.reserve(times_s.size());
@@ -90,7 +89,8 @@ BenchErrors stated(BenchErrors distance) {
   return distance;
 }
 
-double estimated_seconds_of(Scenario scenario, const Recipe& recipe, double tolerance, Precision precision) {
+double estimated_seconds_of(const Scene& scene, const Recipe& recipe, double tolerance, Precision precision) {
+  Scenario scenario = scene.scenario();
   scenario.numerics = {};
   scenario.numerics.method = recipe.method;
   scenario.numerics.observer = recipe.observer;
@@ -99,41 +99,42 @@ double estimated_seconds_of(Scenario scenario, const Recipe& recipe, double tole
   scenario.precision = precision;
   constexpr std::size_t kRows = 60;
   scenario.output_step_s = scenario.duration_s / kRows;
-  return estimated_seconds(scenario, method_choice(scenario).options);
+  const Scene planned = resolve(std::move(scenario));
+  return planned.seconds(planned.choice().options);
 }
 
 }  // namespace
 
-CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s, Precision precision) {
-  const Plan plan = plan_of(scenario, precision);
+CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s, Precision precision) {
+  const Plan plan = plan_of(scene, precision);
   CertifiedReference reference;
-  reference.checkpoints = integrate_exactly(scenario, times_s, plan.source, plan.tolerance, precision);
+  reference.checkpoints = integrate_exactly(scene, times_s, plan.source, plan.tolerance, precision);
   reference.source = in_words(plan.source, precision, plan.tolerance);
-  std::vector<Checkpoint> witness = exact_checkpoints(scenario, times_s);
+  std::vector<Checkpoint> witness = exact_checkpoints(scene, times_s);
   reference.witness = "closed form, float128";
   if (witness.empty()) {
-    witness = integrate_exactly(scenario, times_s, plan.witness, plan.tolerance, precision);
+    witness = integrate_exactly(scene, times_s, plan.witness, plan.tolerance, precision);
     reference.witness = in_words(plan.witness, precision, plan.tolerance);
   }
   reference.error = stated(largest_errors(reference.checkpoints, witness, true));
   return reference;
 }
 
-double estimated_reference_seconds(const Scenario& scenario, Precision precision) {
-  const Plan plan = plan_of(scenario, precision);
-  return estimated_seconds_of(scenario, plan.source, plan.tolerance, precision) +
-         estimated_seconds_of(scenario, plan.witness, plan.tolerance, precision);
+double estimated_reference_seconds(const Scene& scene, Precision precision) {
+  const Plan plan = plan_of(scene, precision);
+  return estimated_seconds_of(scene, plan.source, plan.tolerance, precision) +
+         estimated_seconds_of(scene, plan.witness, plan.tolerance, precision);
 }
 
-Scenario shortened_for_reference(const Scenario& scenario, double reference_seconds) {
-  Scenario shortened = scenario;
-  const double seconds = estimated_reference_seconds(scenario, Precision::bits64);
-  if (seconds <= reference_seconds) return shortened;
-  const double duration_s = scenario.duration_s * reference_seconds / seconds;
+Scene shortened_for_reference(const Scene& scene, double reference_seconds) {
+  const double seconds = estimated_reference_seconds(scene, Precision::bits64);
+  if (seconds <= reference_seconds) return scene;
+  Scenario shortened = scene.scenario();
+  const double duration_s = shortened.duration_s * reference_seconds / seconds;
   const double unit = real::power_of_ten(static_cast<int>(std::floor(real::log10(duration_s))));
   shortened.duration_s = std::floor(duration_s / unit) * unit;  // rounded down to one digit
   shortened.output_step_s = std::min(shortened.output_step_s, shortened.duration_s);
-  return shortened;
+  return resolve(std::move(shortened));
 }
 
 }  // namespace earthtop

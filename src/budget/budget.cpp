@@ -10,10 +10,8 @@
 
 #include "budget/candidates.hpp"
 #include "earthtop/drift/sensitivity.hpp"
-#include "scenario/input_derivatives.hpp"
-#include "scenario/pace.hpp"
-#include "scenario/problem.hpp"
-#include "scenario/work.hpp"
+#include "scene/input_derivatives.hpp"
+#include "scene/run_estimate.hpp"
 
 namespace earthtop {
 namespace {
@@ -23,12 +21,12 @@ constexpr double kFollowedPhase = 1e5;  // rad of the fastest rate; some ten sec
 constexpr double kBeforeFrictionStops = 0.9;
 
 /// How far the motion is followed: to its end, to where its cost ends it, or until dry friction is about to stop it.
-double followed_time(const Scenario& scenario, const DriftProblem<double>& problem) {
-  const double damping_rate = pace_of(scenario).damping / scenario.duration_s;
-  double time_s = std::min(scenario.duration_s, kFollowedPhase / std::max(fastest_rate_rad_s(scenario), damping_rate));
+double followed_time(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const double damping_rate = scene.pace().damping / scenario.duration_s;
+  double time_s = std::min(scenario.duration_s, kFollowedPhase / std::max(scene.fastest_rate_rad_s(), damping_rate));
   if (const double coulomb = scenario.effects.applied.coulomb_N_m; coulomb > 0) {
-    const auto body = make_body<double>(scenario.body);
-    const double momentum = norm(Vec3<double>(times(body.I_BP_B, problem.release.w_XB_B)));
+    const double momentum = norm(Vec3<double>(times(scene.body<double>().I_BP_B, scene.release<double>().w_XB_B)));
     time_s = std::min(time_s, kBeforeFrictionStops * momentum / coulomb);
   }
   return time_s;
@@ -87,34 +85,40 @@ EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const Natur
   return entry;
 }
 
-void in_double(Scenario& scenario) {
-  if (scenario.precision == Precision::bits53) return;
-  scenario.precision = Precision::bits53;
-  scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
+/// The scene whose drift is computed for a budget: in double, and the drift alone.
+Scene drift_scene(const Scene& scene) {
+  Scenario scenario = scene.scenario();
+  scenario.sensitivities = false;
+  scenario.ledger.reset();
+  if (scenario.precision != Precision::bits53) {
+    scenario.precision = Precision::bits53;
+    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
+  }
+  return resolve(std::move(scenario));
 }
 
-bool has_affordable_drift(const Scenario& scenario) {
+bool has_affordable_drift(const Scene& scene) {
   constexpr double kAffordable_s = 60;
-  return estimated_seconds(scenario) <= kAffordable_s && !method_refusal(scenario.numerics.method, scenario);
+  return scene.estimate().seconds.all() <= kAffordable_s && !scene.method_refusal();
 }
 
-/// What the drift at the end costs where the motion is followed for a part of its time.
-double drift_work(Scenario scenario, double followed_s) {
-  in_double(scenario);
-  if (!(followed_s < scenario.duration_s) || !has_affordable_drift(scenario)) return 0;
-  scenario.output_step_s = scenario.duration_s;
-  return estimated_seconds(scenario) / 2;
+/// The seconds for the drift at the end where the motion is followed for a part of its time.
+double drift_seconds(const Scene& scene, double followed_s) {
+  if (!(followed_s < scene.scenario().duration_s)) return 0;
+  const Scene drift = drift_scene(scene);
+  return has_affordable_drift(drift) ? drift.seconds(drift.choice().options) : 0;
 }
 
 /// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
 /// within a minute; in proportion to the time elsewhere.
-double drift_growth(Scenario scenario, DriftProblem<double> problem, double followed_s, double in_proportion,
-                    const Watch& watch) {
-  if (!(followed_s > 0) || !(followed_s < scenario.duration_s)) return 1;
-  in_double(scenario);
-  if (!has_affordable_drift(scenario)) return in_proportion;
-  problem.times_s = {0, followed_s, scenario.duration_s};
-  const DriftTrajectory<double> drift = integrate_drift(problem, method_choice(scenario).options, watch);
+double drift_growth(const Scene& scene, double followed_s, double in_proportion, const Watch& watch) {
+  const double duration_s = scene.scenario().duration_s;
+  if (!(followed_s > 0) || !(followed_s < duration_s)) return 1;
+  const Scene in_double = drift_scene(scene);
+  if (!has_affordable_drift(in_double)) return in_proportion;
+  DriftProblem<double> problem = scene.problem<double>();
+  problem.times_s = {0, followed_s, duration_s};
+  const DriftTrajectory<double> drift = integrate_drift(problem, in_double.choice().options, watch);
   if (drift.samples.size() < 3 || !(drift.samples[1].measures.axis > 0)) return in_proportion;
   return drift.samples[2].measures.axis / drift.samples[1].measures.axis;
 }
@@ -145,14 +149,13 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
   return warnings;
 }
 
-void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, double time_s, double later, double drift_later,
-                const Watch& watch, Budget& budget) {
-  if (scenario.rotation_rate_rad_s == 0) {
+void add_inputs(const Scene& scene, double time_s, double later, double drift_later, const Watch& watch, Budget& budget) {
+  if (scene.rotation_rate_rad_s() == 0) {
     budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
     return;
   }
-  const InputDerivatives inputs = input_derivatives(scenario, problem.units);
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs.by_scaled_input, time_s, kTolerance, watch);
+  const InputDerivatives inputs = input_derivatives(scene);
+  const DriftSensitivity drift = drift_sensitivity(scene.problem<double>(), inputs.by_scaled_input, time_s, kTolerance, watch);
   if (drift.status != RunStatus::completed) {
     budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
     return;
@@ -168,47 +171,47 @@ void add_inputs(const Scenario& scenario, const DriftProblem<double>& problem, d
   }
 }
 
-struct BudgetWork {
+/// What the parts of a budget take on one core.
+struct BudgetSeconds {
   double effects = 0, drift = 0, inputs = 0;
   double all() const { return effects + drift + inputs; }
 };
 
-BudgetWork work_of(const Scenario& scenario, double time_s, std::size_t candidates) {
-  BudgetWork work;
-  work.effects = sensitivity_work(scenario, time_s, kTolerance, candidates);
-  work.drift = drift_work(scenario, time_s);
-  if (scenario.rotation_rate_rad_s != 0) work.inputs = sensitivity_work(scenario, time_s, kTolerance, kInputNames.size());
-  return work;
+BudgetSeconds seconds_of(const Scene& scene, double time_s, std::size_t candidates) {
+  BudgetSeconds seconds;
+  seconds.effects = sensitivity_seconds(scene, time_s, kTolerance, candidates);
+  seconds.drift = drift_seconds(scene, time_s);
+  if (scene.rotation_rate_rad_s() != 0) seconds.inputs = sensitivity_seconds(scene, time_s, kTolerance, kInputNames.size());
+  return seconds;
 }
 
 }  // namespace
 
-double budget_work(const Scenario& scenario) {
-  const auto problem = make_problem<double>(scenario);
-  return work_of(scenario, followed_time(scenario, problem), effect_candidates(scenario, problem).size()).all();
+double budget_seconds(const Scene& scene) {
+  return seconds_of(scene, followed_time(scene), effect_candidates(scene).size()).all();
 }
 
-Budget effect_budget(const Scenario& scenario, const Watch& watch) {
-  const auto problem = make_problem<double>(scenario);
-  const std::vector<Candidate> candidates = effect_candidates(scenario, problem);
-  const double time_s = followed_time(scenario, problem);
-  const BudgetWork work = work_of(scenario, time_s, candidates.size());
-  Parts parts(watch, work.all());
+Budget effect_budget(const Scene& scene, const Watch& watch) {
+  const auto& problem = scene.problem<double>();
+  const std::vector<Candidate> candidates = effect_candidates(scene);
+  const double time_s = followed_time(scene);
+  const BudgetSeconds seconds = seconds_of(scene, time_s, candidates.size());
+  Parts parts(watch, seconds.all());
   Budget budget;
   RunStatus status = RunStatus::completed;
   const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, status,
-                                           parts.next(work.effects, "effects"));
-  const double later = budget.followed_s > 0 ? scenario.duration_s / budget.followed_s : 1;
-  const double drift_later = drift_growth(scenario, problem, budget.followed_s, later, parts.next(work.drift, "drift"));
+                                           parts.next(seconds.effects, "effects"));
+  const double later = budget.followed_s > 0 ? scene.scenario().duration_s / budget.followed_s : 1;
+  const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(seconds.drift, "drift"));
   budget.earth_drift_rad *= drift_later;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later, drift_later));
-  for (EffectEntry& entry : effects_of_unknown_size(scenario)) budget.effects.push_back(std::move(entry));
+  for (EffectEntry& entry : effects_of_unknown_size(scene)) budget.effects.push_back(std::move(entry));
   budget.warnings = warnings_of(budget.effects);
   if (status != RunStatus::completed)
     budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",
                                           budget.followed_s, to_string(status)));
-  add_inputs(scenario, problem, budget.followed_s, later, drift_later, parts.next(work.inputs, "inputs"), budget);
+  add_inputs(scene, budget.followed_s, later, drift_later, parts.next(seconds.inputs, "inputs"), budget);
   return budget;
 }
 

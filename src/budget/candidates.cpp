@@ -16,38 +16,38 @@ constexpr std::string_view kWithoutDate = "2026-01-01T00:00:00Z";  // for sizes 
 constexpr double kUsualExcess_s = 1e-3;                            // of the length of day
 constexpr double kUsualDeflection_arcsec = 10;                     // of the vertical
 
-using Problem = DriftProblem<double>;
-
 Vec3<double> seen_from(const FollowedStep& step, const Vec3<double>& u_L) {
   return transposed_times(rotation_matrix(step.q_LB), u_L);
 }
 
-UtcInstant start_of(const Scenario& scenario) {
-  return *parse_utc(scenario.start_utc ? std::string_view(*scenario.start_utc) : kWithoutDate);
+UtcInstant start_of(const Scene& scene) {
+  return *parse_utc(scene.scenario().start_utc ? std::string_view(*scene.scenario().start_utc) : kWithoutDate);
 }
-std::string dated(const Scenario& scenario) { return scenario.start_utc ? "" : fmt::format(", sized as on {}", kWithoutDate); }
+std::string dated(const Scene& scene) {
+  return scene.scenario().start_utc ? "" : fmt::format(", sized as on {}", kWithoutDate);
+}
 
-Candidate coriolis(const Scenario& scenario, const Problem& problem) {
+Candidate coriolis(const Scene& scene) {
   Candidate c;
   c.name = "coriolis";
-  c.modelled = scenario.effects.coriolis;
+  c.modelled = scene.scenario().effects.coriolis;
   c.reason = c.modelled ? "the Earth's rotation: on unless switched off" : "switched off";
   c.input.coriolis = 1;
-  c.torque = [&problem](const FollowedStep& s) {
-    const Model<double>& m = problem.model;
+  c.torque = [scene](const FollowedStep& s) {
+    const Model<double>& m = scene.problem<double>().model;
     return norm(coriolis_torque(seen_from(s, m.W_IL_L), velocity_moment(m.S_BP_B, s.w_LB_B)));
   };
   return c;
 }
 
-Candidate centrifugal(const Scenario& scenario, const Problem& problem) {
+Candidate centrifugal(const Scene& scene) {
   Candidate c;
   c.name = "centrifugal";
-  c.modelled = scenario.effects.centrifugal;
+  c.modelled = scene.scenario().effects.centrifugal;
   c.reason = c.modelled ? "of second order in the Earth's rate; the first is in apparent gravity" : "switched off";
   c.input.centrifugal = 1;
-  c.torque = [&problem](const FollowedStep& s) {
-    return norm(centrifugal_torque(seen_from(s, problem.model.W_IL_L), problem.model.S_BP_B));
+  c.torque = [scene](const FollowedStep& s) {
+    return norm(centrifugal_torque(seen_from(s, scene.problem<double>().model.W_IL_L), scene.problem<double>().model.S_BP_B));
   };
   return c;
 }
@@ -64,71 +64,70 @@ Candidate matching() {
 }
 
 /// A change of the Earth's rate in laboratory axes by `share` of it.
-Candidate earth_rate_change(std::string_view name, const Vec3<double>& share_L, const Problem& problem) {
+Candidate earth_rate_change(std::string_view name, const Vec3<double>& share_L, const Scene& scene) {
   Candidate c;
   c.name = name;
-  const Model<double>& m = problem.model;
+  const Model<double>& m = scene.problem<double>().model;
   const double rate_scaled = norm(m.W_IL_L_scaled), size = norm(share_L);
   const Vec3<double> direction = size > 0 ? Vec3<double>(share_L / size) : Vec3<double>(Vec3<double>::UnitZ());
   c.size = size;
   c.input.W_IL_L_scaled = rate_scaled * direction;
   const Vec3<double> change_L = m.epsilon * rate_scaled * direction;
-  c.torque = [&m, change_L](const FollowedStep& s) {
-    return norm(coriolis_torque(seen_from(s, change_L), velocity_moment(m.S_BP_B, s.w_LB_B)));
+  c.torque = [S_BP_B = m.S_BP_B, change_L](const FollowedStep& s) {
+    return norm(coriolis_torque(seen_from(s, change_L), velocity_moment(S_BP_B, s.w_LB_B)));
   };
   return c;
 }
 
-Vec3<double> axis_change(const Scenario& scenario, const PolarMotion& pole, const VerticalDeflection& deflection) {
-  Site ellipsoid = scenario.site;
+Vec3<double> axis_change(const Scene& scene, const PolarMotion& pole, const VerticalDeflection& deflection) {
+  Site ellipsoid = scene.site();
   ellipsoid.pole = {}, ellipsoid.deflection = {};
   return celestial_axis_L<double>(ellipsoid, pole, deflection) - celestial_axis_L<double>(ellipsoid);
 }
 
-Candidate polar_motion(const Scenario& scenario, const Problem& problem) {
-  const PolarMotion& given = scenario.site.pole;
+Candidate polar_motion(const Scene& scene) {
+  const PolarMotion& given = scene.site().pole;
   const bool modelled = given.x_arcsec != 0 || given.y_arcsec != 0;
-  const PolarMotion pole = modelled ? given : secular_pole(julian_epoch_year(start_of(scenario)));
-  Candidate c = earth_rate_change("polar_motion", axis_change(scenario, pole, {}), problem);
+  const PolarMotion pole = modelled ? given : secular_pole(julian_epoch_year(start_of(scene)));
+  Candidate c = earth_rate_change("polar_motion", axis_change(scene, pole, {}), scene);
   c.modelled = modelled;
-  c.reason = modelled ? "as given" : "left out; sized by the secular pole" + dated(scenario);
+  c.reason = modelled ? "as given" : "left out; sized by the secular pole" + dated(scene);
   return c;
 }
 
-Candidate length_of_day(const Scenario& scenario, const Problem& problem) {
-  const double given_s = scenario.excess_length_of_day_s;
+Candidate length_of_day(const Scene& scene) {
+  const double given_s = scene.scenario().excess_length_of_day_s;
   const double excess_s = given_s != 0 ? given_s : kUsualExcess_s;
   Candidate c =
-      earth_rate_change("length_of_day", Vec3<double>(excess_s / 86400 * celestial_axis_L<double>(scenario.site)), problem);
+      earth_rate_change("length_of_day", Vec3<double>(excess_s / 86400 * celestial_axis_L<double>(scene.site())), scene);
   c.modelled = given_s != 0;
   c.assumed = !c.modelled;
   c.reason = c.modelled ? "as given" : "left out; sized by a day longer by 1 ms";
   return c;
 }
 
-Candidate deflection(const Scenario& scenario, const Problem& problem) {
-  const VerticalDeflection& given = scenario.site.deflection;
+Candidate deflection(const Scene& scene) {
+  const VerticalDeflection& given = scene.site().deflection;
   const bool modelled = given.north_arcsec != 0 || given.east_arcsec != 0;
   const VerticalDeflection sized = modelled ? given : VerticalDeflection{kUsualDeflection_arcsec, 0};
-  Candidate c = earth_rate_change("deflection_of_vertical", axis_change(scenario, {}, sized), problem);
+  Candidate c = earth_rate_change("deflection_of_vertical", axis_change(scene, {}, sized), scene);
   c.modelled = modelled;
   c.assumed = !modelled;
   c.reason = modelled ? "as given" : fmt::format("left out; sized by {} arcsec to the North", kUsualDeflection_arcsec);
   return c;
 }
 
-Candidate axis_precession(const Scenario& scenario, const Problem& problem) {
-  const double rate = std::abs(scenario.rotation_rate_rad_s);
-  const Vec3<double> precession_L = precession_rate_L(scenario.site, start_of(scenario));
+Candidate axis_precession(const Scene& scene) {
+  const double rate = std::abs(scene.rotation_rate_rad_s());
+  const Vec3<double> precession_L = precession_rate_L(scene.site(), start_of(scene));
   const Vec3<double> share_L = rate > 0 ? Vec3<double>(precession_L / rate) : Vec3<double>(Vec3<double>::Zero());
-  Candidate c = earth_rate_change(kAxisPrecession, share_L, problem);
+  Candidate c = earth_rate_change(kAxisPrecession, share_L, scene);
   c.reason = "never modelled: the axis goes round in 26,000 years, 4e-8 of the Earth's rate";
   return c;
 }
 
 /// A torque in both predictions, in units of its own size at release.
-Candidate torque_in_both(std::string_view name, const AppliedTorques<double>& applied, double strength,
-                         const Problem& problem) {
+Candidate torque_in_both(std::string_view name, const AppliedTorques<double>& applied, double strength, const Scene& scene) {
   Candidate c;
   c.name = name;
   c.in_difference = false;
@@ -139,50 +138,50 @@ Candidate torque_in_both(std::string_view name, const AppliedTorques<double>& ap
                        &unit.gradient[0].strength, &unit.gradient[1].strength})
     *part /= strength;
   c.input.applied = unit;
-  c.torque = [&problem, unit](const FollowedStep& s) {
-    Model<double> alone = problem.model;
+  c.torque = [scene, unit](const FollowedStep& s) {
+    Model<double> alone = scene.problem<double>().model;
     alone.applied = unit;
     return norm(applied_torque_B(alone, s.t, s.q_LB, s.w_LB_B, true));
   };
   return c;
 }
 
-double largest_moment(const Problem& problem) { return problem.model.I_BP_B.diagonal().maxCoeff(); }
+double largest_moment(const Scene& scene) { return scene.problem<double>().model.I_BP_B.diagonal().maxCoeff(); }
 
-Candidate gravity_gradient(const Scenario& scenario, const Problem& problem) {
+Candidate gravity_gradient(const Scene& scene) {
   AppliedTorquesSpec spec;
-  const auto& given = scenario.effects.applied.gravity_gradient;
+  const auto& given = scene.scenario().effects.applied.gravity_gradient;
   spec.gravity_gradient = given ? given : GravityGradientSpec{GradientField::normal, 0};
   const auto applied =
-      make_applied_torques<double>(spec, scenario.site, 0, problem.units.mass_exponent, problem.units.time_exponent);
+      make_applied_torques<double>(spec, scene.site(), 0, scene.units().mass_exponent, scene.units().time_exponent);
   const double strength = std::max(std::abs(applied.gradient[0].strength), std::abs(applied.gradient[1].strength));
   if (!(strength > 0)) {
-    Candidate none = torque_in_both("gravity_gradient", applied, 1, problem);
+    Candidate none = torque_in_both("gravity_gradient", applied, 1, scene);
     none.modelled = true;
     none.reason = "of strength 0";
     return none;
   }
-  Candidate c = torque_in_both("gravity_gradient", applied, strength * largest_moment(problem), problem);
+  Candidate c = torque_in_both("gravity_gradient", applied, strength * largest_moment(scene), scene);
   c.modelled = given.has_value();
   c.reason = c.modelled ? "asked for" : "left out; sized by the tensor of the normal field";
   return c;
 }
 
-Candidate tide(const Scenario& scenario, const Problem& problem) {
+Candidate tide(const Scene& scene) {
   Candidate c;
   c.name = "tide";
   c.in_difference = false;
-  c.modelled = scenario.effects.tide.has_value();
-  c.reason = c.modelled ? "asked for" : "left out; sized on a rigid Earth" + dated(scenario);
+  c.modelled = scene.scenario().effects.tide.has_value();
+  c.reason = c.modelled ? "asked for" : "left out; sized on a rigid Earth" + dated(scene);
   constexpr double kLongest_s = 86400;  // a day shows its size
   TideSeries<double> series;
   if (c.modelled)
-    series = problem.model.tide;
+    series = scene.problem<double>().model.tide;
   else
-    series = TideSeries<double>::of_bodies(scenario.site, start_of(scenario), std::min(scenario.duration_s, kLongest_s))
-                 .scaled(problem.units.time_exponent);
+    series = TideSeries<double>::of_bodies(scene.site(), start_of(scene), std::min(scene.scenario().duration_s, kLongest_s))
+                 .scaled(scene.units().time_exponent);
   c.input.tide = series;
-  const Vec3<double> moment_B = problem.model.mass_moment_B;
+  const Vec3<double> moment_B = scene.problem<double>().model.mass_moment_B;
   c.torque = [moment_B, tide = c.input.tide](const FollowedStep& s) {
     return norm(field_torque(moment_B, seen_from(s, tide.acceleration_L(s.t))));
   };
@@ -190,14 +189,14 @@ Candidate tide(const Scenario& scenario, const Problem& problem) {
 }
 
 /// Friction that the scene gives, each kind by itself.
-void add_friction(const Problem& problem, std::vector<Candidate>& candidates) {
-  const AppliedTorques<double>& all = problem.model.applied;
-  const double rate = std::max(norm(problem.units.rate_from_rad_s(problem.release.w_XB_B)), 1e-3);
+void add_friction(const Scene& scene, std::vector<Candidate>& candidates) {
+  const AppliedTorques<double>& all = scene.problem<double>().model.applied;
+  const double rate = std::max(norm(scene.units().rate_from_rad_s(scene.problem<double>().release.w_XB_B)), 1e-3);
   const auto add = [&](std::string_view name, double size, const std::function<void(AppliedTorques<double>&)>& keep) {
     if (!(size > 0)) return;
     AppliedTorques<double> alone;
     keep(alone);
-    Candidate c = torque_in_both(name, alone, size, problem);
+    Candidate c = torque_in_both(name, alone, size, scene);
     c.modelled = true;
     c.reason = "as given";
     candidates.push_back(c);
@@ -213,31 +212,31 @@ void add_friction(const Problem& problem, std::vector<Candidate>& candidates) {
 
 }  // namespace
 
-std::vector<Candidate> effect_candidates(const Scenario& scenario, const Problem& problem) {
-  std::vector<Candidate> candidates{coriolis(scenario, problem), centrifugal(scenario, problem)};
-  if (scenario.release.rates_relative_to == RatesRelativeTo::inertial) candidates.push_back(matching());
-  candidates.push_back(gravity_gradient(scenario, problem));
-  candidates.push_back(tide(scenario, problem));
-  candidates.push_back(polar_motion(scenario, problem));
-  candidates.push_back(length_of_day(scenario, problem));
-  candidates.push_back(deflection(scenario, problem));
-  candidates.push_back(axis_precession(scenario, problem));
-  add_friction(problem, candidates);
+std::vector<Candidate> effect_candidates(const Scene& scene) {
+  std::vector<Candidate> candidates{coriolis(scene), centrifugal(scene)};
+  if (scene.scenario().release.rates_relative_to == RatesRelativeTo::inertial) candidates.push_back(matching());
+  candidates.push_back(gravity_gradient(scene));
+  candidates.push_back(tide(scene));
+  candidates.push_back(polar_motion(scene));
+  candidates.push_back(length_of_day(scene));
+  candidates.push_back(deflection(scene));
+  candidates.push_back(axis_precession(scene));
+  add_friction(scene, candidates);
   return candidates;
 }
 
-std::vector<Candidate> selectable_effects(const Scenario& scenario, const Problem& problem) {
-  std::vector<Candidate> candidates{gravity_gradient(scenario, problem)};
-  if (scenario.start_utc) {
-    candidates.push_back(tide(scenario, problem));
-    candidates.push_back(polar_motion(scenario, problem));
+std::vector<Candidate> selectable_effects(const Scene& scene) {
+  std::vector<Candidate> candidates{gravity_gradient(scene)};
+  if (scene.scenario().start_utc) {
+    candidates.push_back(tide(scene));
+    candidates.push_back(polar_motion(scene));
   }
   std::erase_if(candidates, [](const Candidate& candidate) { return candidate.modelled; });
   return candidates;
 }
 
-std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario) {
-  const AppliedTorquesSpec& applied = scenario.effects.applied;
+std::vector<EffectEntry> effects_of_unknown_size(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   std::vector<EffectEntry> entries;
   const auto add = [&](std::string_view name, bool modelled, std::string_view reason) {
     EffectEntry entry;
@@ -250,7 +249,7 @@ std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario) {
   {
     EffectEntry transverse;
     transverse.name = "transverse";
-    transverse.modelled = scenario.effects.transverse;
+    transverse.modelled = scene.scenario().effects.transverse;
     transverse.torque_release_N_m = transverse.torque_largest_N_m = transverse.drift_rad = transverse.drift_final_rad = 0;
     transverse.reason = "zero: the Earth turns uniformly";
     entries.push_back(std::move(transverse));
@@ -261,8 +260,9 @@ std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario) {
   if (applied.coulomb_N_m == 0) add("coulomb_torque_N_m", false, kNoCoefficient);
   if (!applied.air_drag) add("air_drag", false, kNoCoefficient);
   if (applied.gimbal) add("gimbal", true, "holds the axis level: a constraint, not sized");
-  add("platform", scenario.platform.has_value(),
-      scenario.platform ? "both predictions ride on it: not sized" : "left out; the pivot is at rest in the laboratory");
+  add("platform", scene.scenario().platform.has_value(),
+      scene.scenario().platform ? "both predictions ride on it: not sized"
+                                : "left out; the pivot is at rest in the laboratory");
   return entries;
 }
 

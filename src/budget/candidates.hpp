@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "earthtop/budget/budget.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/sensitivity.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 
@@ -27,14 +27,14 @@ struct Candidate {
 };
 
 /// Everything whose size is known, from the scene or in nature.
-/// @param problem  must outlive the candidates
-std::vector<Candidate> effect_candidates(const Scenario& scenario, const DriftProblem<double>& problem);
+/// @param scene  must outlive the candidates
+std::vector<Candidate> effect_candidates(const Scene& scene);
 
 /// Those of them that need no parameter of their own and are not in the scene yet: gravity gradient, and where a date is given
 /// tide and polar motion.
-std::vector<Candidate> selectable_effects(const Scenario& scenario, const DriftProblem<double>& problem);
+std::vector<Candidate> selectable_effects(const Scene& scene);
 
 /// Effects that the scene gives no coefficient for, and the platform, which both predictions ride on.
-std::vector<EffectEntry> effects_of_unknown_size(const Scenario& scenario);
+std::vector<EffectEntry> effects_of_unknown_size(const Scene& scene);
 
 }  // namespace earthtop

@@ -8,8 +8,7 @@
 #include "drift/stability.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
-#include "scenario/pace.hpp"
-#include "scenario/work.hpp"
+#include "scene/run_estimate.hpp"
 
 namespace earthtop {
 namespace {
@@ -22,8 +21,6 @@ constexpr double kLongestPhase = 3e5;  // rad, of any other motion: some ten sec
 constexpr double kSafety = 3;
 constexpr double kShare = 0.2;  // of the accuracy asked for: what each effect left out may cost of it
 
-using Problem = DriftProblem<double>;
-
 void switch_on(Scenario& scenario, std::string_view name) {
   if (name == "gravity_gradient") scenario.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
   if (name == "tide") scenario.effects.tide = TideSpec{};
@@ -31,24 +28,24 @@ void switch_on(Scenario& scenario, std::string_view name) {
 }
 
 /// The part of the duration that says enough; none where the motion is too long to follow.
-std::optional<double> followed_share(const Scenario& scenario, const Problem& problem) {
-  const double phase = std::max(fastest_rate_rad_s(scenario) * scenario.duration_s, pace_of(scenario).damping);
-  const bool regular = is_regular(problem);
+std::optional<double> followed_share(const Scene& scene) {
+  const double phase = std::max(scene.fastest_rate_rad_s() * scene.scenario().duration_s, scene.pace().damping);
+  const bool regular = is_regular(scene.problem<double>());
   if (!regular && phase > kLongestPhase) return std::nullopt;
   return regular ? std::min(1.0, kRegularPhase / phase) : 1;
 }
 
 /// By how much each effect changes the drift, to the safe side; without end where nothing is known.
-std::vector<double> changes_of(const Scenario& scenario, const Problem& problem, const std::vector<Candidate>& candidates,
-                               const Watch& watch) {
+std::vector<double> changes_of(const Scene& scene, const std::vector<Candidate>& candidates, const Watch& watch) {
   std::vector<double> changes(candidates.size(), HUGE_VAL);
-  const auto followed = followed_share(scenario, problem);
+  const auto followed = followed_share(scene);
   if (!followed) return changes;
   const double share = *followed;
   std::vector<ProblemDerivative> inputs;
   inputs.reserve(candidates.size());
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs, share * scenario.duration_s, kChoiceTolerance, watch);
+  const DriftSensitivity drift =
+      drift_sensitivity(scene.problem<double>(), inputs, share * scene.scenario().duration_s, kChoiceTolerance, watch);
   if (drift.status != RunStatus::completed) return changes;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const double later = candidates[i].in_difference ? 1 / share : 1 / (share * share);
@@ -60,18 +57,17 @@ std::vector<double> changes_of(const Scenario& scenario, const Problem& problem,
 
 }  // namespace
 
-double selection_work(const Scenario& scenario) {
-  const auto problem = make_problem<double>(scenario);
-  const auto share = followed_share(scenario, problem);
-  return share ? sensitivity_work(scenario, *share * scenario.duration_s, kChoiceTolerance,
-                                  selectable_effects(scenario, problem).size())
+double selection_seconds(const Scene& scene) {
+  const auto share = followed_share(scene);
+  return share ? sensitivity_seconds(scene, *share * scene.scenario().duration_s, kChoiceTolerance,
+                                     selectable_effects(scene).size())
                : 0;
 }
 
-Selection select_effects(Scenario& scenario, const Watch& watch) {
+Selection select_effects(Scene& scene, const Watch& watch) {
   const auto start = std::chrono::steady_clock::now();
   Selection selection;
-  selection.accuracy_rad = scenario.accuracy_rad.value_or(0);
+  selection.accuracy_rad = scene.scenario().accuracy_rad.value_or(0);
   // What is switched on moves the top to where others may matter: they are asked again.
   constexpr double kLastRound = 0.5;
   double done = 0;
@@ -80,9 +76,9 @@ Selection select_effects(Scenario& scenario, const Watch& watch) {
     const double next = done + kLastRound * (1 - done);
     const Watch round = watch.part(done, next);
     done = next;
-    const auto problem = make_problem<double>(scenario);
-    const std::vector<Candidate> candidates = selectable_effects(scenario, problem);
-    const std::vector<double> changes = changes_of(scenario, problem, candidates, round);
+    const std::vector<Candidate> candidates = selectable_effects(scene);
+    const std::vector<double> changes = changes_of(scene, candidates, round);
+    Scenario chosen = scene.scenario();
     selection.left_out.clear();
     selection.left_out_drift_rad = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -90,11 +86,12 @@ Selection select_effects(Scenario& scenario, const Watch& watch) {
         selection.left_out.push_back(candidates[i].name);
         selection.left_out_drift_rad += changes[i];
       } else {
-        switch_on(scenario, candidates[i].name);
+        switch_on(chosen, candidates[i].name);
         selection.switched_on.push_back(candidates[i].name);
         changed = true;
       }
     }
+    if (changed) scene = resolve(std::move(chosen));
     changed = changed && !selection.left_out.empty();
   }
   selection.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -99,7 +99,7 @@ void append(RowsComparison&& rows, PairReport& report) {
 double natural_rate(const Comparand& side) {
   if (!side.has_summary() || !side.summary->contains("scenario")) return 0;
   const ScenarioReport report = examine_scenario({"", written(side.summary->at("scenario")), false});
-  return report.scenario ? fastest_rate_rad_s(*report.scenario) : 0;
+  return report.scene ? report.scene->fastest_rate_rad_s() : 0;
 }
 
 /// Sum of both sides' error bounds on the attitudes, where both are known.

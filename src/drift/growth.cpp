@@ -20,13 +20,12 @@ namespace {
 constexpr std::size_t kDisturbances = 3, kMotionSize = 7, kSize = kMotionSize + 6 * kDisturbances;
 using State = std::array<double, kSize>;  // q, w, then theta and dw of each disturbance
 
-constexpr double kRegular = 100;       // in a regular motion disturbances grow by at most kRegular (1 + w0 t)
-constexpr double kRescaled = 1e3;      // a disturbance that has grown by this is brought back to size 1
-constexpr double kPointSpacing = 0.1;  // log growth between two points of GrowthReport::rises, at least
-constexpr double kToldApart = 2;       // e-foldings in the second half: an oscillation of the growth may make as many
-constexpr std::int64_t kStepLimit = 50'000'000;
-constexpr int kStages = 13;         // right-hand sides in a step of Fehlberg's method of order 8
-constexpr double kTurning = 1e-10;  // shortest step with dry friction (rad): where the motion reverses, disturbances jump
+constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
+constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
+constexpr double kPointSpacing = 0.1;
+constexpr double kToldApart = 2;    // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr int kStages = 13;         // of Fehlberg's method of order 8
+constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
 
 Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
 void put(const Vec3<double>& v, State& x, std::size_t i) {
@@ -243,7 +242,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   GrowthReport report;
   double t = 0, dt = std::min(end, 0.1 / rate);
   const WorkLimit limit = variational_limit(problem, duration_s, tolerance);
-  const std::int64_t most = std::min(kStepLimit, limit.steps);
+  const std::int64_t most = std::min(kMostGrowthSteps, limit.steps);
   std::int64_t steps = 0;
   StepCounters& counters = report.counters;
   for (; t < end && steps < most; ++steps) {
@@ -291,6 +290,12 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
   const auto point = std::lower_bound(rises.begin(), rises.end(), log_growth,
                                       [](const GrowthPoint& p, double level) { return p.log_growth < level; });
   return point == rises.end() ? std::nullopt : std::optional(point->t_s);
+}
+
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem) {
+  constexpr double kClose = 1e-13;
+  if (marginal_top(problem) || is_regular(problem)) return std::nullopt;
+  return is_integrable(problem) ? kClose : kCoarseGrowthTolerance;
 }
 
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,

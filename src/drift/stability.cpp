@@ -80,6 +80,12 @@ std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
   return UprightTop{top->spin_ratio_squared};
 }
 
+std::optional<UprightTop> marginal_top(const MotionProblem<double>& problem) {
+  constexpr double kCritical = 1e-3;  // of the square of the spin ratio
+  const auto upright = upright_top(problem);
+  return upright && std::abs(upright->spin_ratio_squared - 1) <= kCritical ? upright : std::nullopt;
+}
+
 bool is_regular(const MotionProblem<double>& problem) {
   const Model<double>& model = problem.model;
   if (!is_integrable(problem)) return false;

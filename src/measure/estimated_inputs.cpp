@@ -95,7 +95,7 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 }  // namespace
 
 EstimatedInputs::EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides,
-                                 const Scenario& base, const std::vector<std::string>& names)
+                                 const Scene& base, const std::vector<std::string>& names)
     : source_(std::move(source)), overrides_(std::move(overrides)), base_(base) {
   if (names.size() > kMostEstimates)
     refuse_estimate(names[kMostEstimates], fmt::format("at most {} numbers are estimated at once", kMostEstimates));
@@ -127,19 +127,19 @@ void EstimatedInputs::add(const std::string& name) {
   // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
   auto with_start = overrides_;
   with_start.emplace_back(pointer, fmt::format("{}", start));
-  parse_scenario(source_, with_start);
+  parse_scene(source_, with_start);
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
 }
 
 void EstimatedInputs::add_vertical_rate() {
-  if (!base_.site.follows_ellipsoid())
+  if (!base_.site().follows_ellipsoid())
     refuse_estimate(std::string(kVerticalRate),
                     "with polar motion or a deflection of the vertical the latitude is not that of the Earth's rate; estimate "
                     "rotation_rate_rad_s or latitude_deg");
-  const Vec3<double> axis_L = celestial_axis_L<double>(base_.site);
-  northward_rate_rad_s_ = base_.rotation_rate_rad_s * axis_L[1];
-  const double scale = std::max(std::abs(base_.rotation_rate_rad_s), kEarthRateWgs84);
-  list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s * axis_L[2], scale});
+  const Vec3<double> axis_L = celestial_axis_L<double>(base_.site());
+  northward_rate_rad_s_ = base_.rotation_rate_rad_s() * axis_L[1];
+  const double scale = std::max(std::abs(base_.rotation_rate_rad_s()), kEarthRateWgs84);
+  list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s() * axis_L[2], scale});
 }
 
 /// As the scenario's text has it; else the table's default; else the one that was computed.
@@ -150,12 +150,12 @@ double EstimatedInputs::number_at(const std::string& pointer, const std::string&
     double fallback = 0;
     const std::string_view text = field->fallback;
     if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;
-    if (const auto number = number_in(tree_of(canonical_json(base_), {}), pointer)) return *number;
+    if (const auto number = number_in(tree_of(base_.canonical(), {}), pointer)) return *number;
   }
   refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
 }
 
-std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& values) const {
+std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) const {
   auto overrides = overrides_;
   std::optional<double> vertical_rate_rad_s;
   for (std::size_t i = 0; i < list_.size(); ++i) {
@@ -165,12 +165,12 @@ std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& val
     else
       overrides.emplace_back(list_[i].pointer, fmt::format("{}", values[i]));
   }
-  std::optional<Scenario> varied = examine_scenario(source_, overrides).scenario;
-  if (varied && vertical_rate_rad_s) {
-    varied->rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
-    varied->site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
-  }
-  return varied;
+  const ScenarioReport varied = examine_scenario(source_, overrides);
+  if (!varied.scenario || !vertical_rate_rad_s) return varied.scene;
+  Scenario turned = *varied.scenario;
+  turned.rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
+  turned.site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
+  return resolve(std::move(turned));
 }
 
 }  // namespace earthtop::measure

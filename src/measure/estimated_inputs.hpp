@@ -24,13 +24,13 @@ class EstimatedInputs {
  public:
   /// @param base  the scenario of source and overrides
   /// @throws ScenarioError for unknown or equal names, more than 8, and pointers where the scenario has no number
-  EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides, const Scenario& base,
+  EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides, const Scene& base,
                   const std::vector<std::string>& names);
 
   const std::vector<EstimatedInput>& list() const { return list_; }
 
   /// The scenario with these values, in the order of the list; nothing where one is out of its range.
-  std::optional<Scenario> scenario(const std::vector<double>& values) const;
+  std::optional<Scene> scene(const std::vector<double>& values) const;
 
  private:
   void add(const std::string& name);
@@ -39,7 +39,7 @@ class EstimatedInputs {
 
   ScenarioSource source_;
   std::vector<std::pair<std::string, std::string>> overrides_;
-  const Scenario& base_;
+  Scene base_;
   double northward_rate_rad_s_ = 0;
   std::vector<EstimatedInput> list_;
 };

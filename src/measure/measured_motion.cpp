@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/vectors.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -112,17 +112,19 @@ bool has_drifts(const Measurement& measurement) {
   });
 }
 
-PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+PredictedMotion predict(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+  Scenario scenario = measured.scenario();
   prepare(scenario, times_s.back());
-  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) throw ScenarioError("/numerics/method", *reason);
-  require_affordable(scenario);
-  auto problem = make_problem<double>(scenario);
+  const Scene scene(std::move(scenario));
+  if (const auto& reason = scene.method_refusal()) throw ScenarioError("/numerics/method", *reason);
+  scene.require_affordable();
+  DriftProblem<double> problem = scene.problem<double>();
   problem.times_s = times_s;
-  const IntegrationOptions options = method_choice(scenario).options;
+  const IntegrationOptions& options = scene.choice().options;
   PredictedMotion predicted;
   predicted.axes.reserve(times_s.size());
   // A motion that dry friction brings to rest is held at rest where drifts are computed.
-  if (drift || scenario.effects.applied.coulomb_N_m != 0) {
+  if (drift || scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
@@ -132,7 +134,7 @@ PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, b
     }
     return predicted;
   }
-  const bool axis_alone = symmetry_axis(make_body<double>(scenario.body)) == 2;
+  const bool axis_alone = scene.symmetry_axis() == 2;
   const MotionTrajectory<double> motion =
       integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
@@ -141,11 +143,12 @@ PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, b
   return predicted;
 }
 
-VerdictReport verdict_at(Scenario scenario, double end_s, const Watch& watch, RunStatus& status) {
+VerdictReport verdict_at(const Scene& measured, double end_s, const Watch& watch, RunStatus& status) {
   constexpr double kLooks = 200;  // at which bounds are looked at
+  Scenario scenario = measured.scenario();
   prepare(scenario, end_s);
   scenario.output_step_s = scenario.duration_s / kLooks;
-  const RunResult result = run(scenario, {watch, false});
+  const RunResult result = run(resolve(std::move(scenario)), {watch, false});
   status = result.status;
   return result.verdict;
 }

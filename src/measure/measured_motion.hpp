@@ -30,13 +30,13 @@ struct PredictedMotion {
 /// @param times_s  ascending, from 0 on, none beyond the scenario's duration   @param drift  whether drifts are wanted, which
 /// take the non-rotating prediction as well: threefold work   @param watch  may end it early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
-PredictedMotion predict(Scenario scenario, const std::vector<double>& times_s, bool drift, const Watch& watch);
+PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
 
 bool has_drifts(const Measurement& measurement);
 
 /// The verdict on a run of the scenario to this time, prepared as for `predict`.
 /// @param status  of the run: completed, or why there is no verdict
-VerdictReport verdict_at(Scenario scenario, double end_s, const Watch& watch, RunStatus& status);
+VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, RunStatus& status);
 
 /// A measurement's residuals against the motion at measured_times(), as many rows as were reached. Azimuths are folded to
 /// the nearest turn. The components of an axis are along directions that the measured axis alone decides, so that they do not

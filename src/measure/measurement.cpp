@@ -84,13 +84,13 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   const double part = 1 / expected_predictions(inputs.list().size());
   double share = 0;
   problem.residuals_at = [&](const std::vector<double>& values, std::vector<double>& residuals) {
-    const std::optional<Scenario> scenario = inputs.scenario(values);
-    if (!scenario) return false;
+    const std::optional<Scene> scene = inputs.scene(values);
+    if (!scene) return false;
     try {
       ++report.predictions;
       const double begun = share;
       share += part * (1 - share);
-      const PredictedMotion motion = predict(*scenario, times, drift, watch.part(begun, share));
+      const PredictedMotion motion = predict(*scene, times, drift, watch.part(begun, share));
       if (motion.status != RunStatus::completed) return false;
       latest = residuals_of(measurement, motion);
     } catch (const ScenarioError&) {  // no steady precession for these values, an axis that is vertical, days of work
@@ -119,9 +119,9 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
 }
 
 /// Refuses rows that no computation can predict; notes what hangs on digits that are not known.
-void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scenario& scenario, const Watch& watch) {
+void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const Watch& watch) {
   RunStatus status = RunStatus::completed;
-  const VerdictReport verdict = verdict_at(scenario, measurement.values.back().t_s, watch, status);
+  const VerdictReport verdict = verdict_at(scene, measurement.values.back().t_s, watch, status);
   if (status == RunStatus::interrupted) report.status = status;
   if (status != RunStatus::completed) return;
   report.verdict = verdict.verdict;
@@ -175,16 +175,16 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Watch& watch) {
   using namespace measure;
   if (measurement.values.empty()) throw ScenarioError("", "no measured value");
-  const Scenario given = parse_scenario(source, overrides);
-  if (given.effects.automatic)
+  const Scene given = parse_scene(source, overrides);
+  if (given.scenario().effects.automatic)
     throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
-  const auto longer = with_duration(overrides, given, measurement.values.back().t_s);
-  const Scenario scenario = parse_scenario(source, longer);
-  const EstimatedInputs inputs(source, longer, scenario, estimates);
+  const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
+  const Scene scene = parse_scene(source, longer);
+  const EstimatedInputs inputs(source, longer, scene, estimates);
 
   MeasurementReport report;
-  report.scenario_name = given.name;
-  report.scenario_sha256 = scenario_sha256(given);
+  report.scenario_name = given.scenario().name;
+  report.scenario_sha256 = given.sha256();
   report.file = measurement.file;
   report.rows = measurement.rows;
   std::map<MeasuredQuantity, std::uint64_t> counts;
@@ -196,13 +196,13 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
   Parts parts(watch, 1 + kVerdict + of_fit);
   const PredictedMotion motion =
-      predict(scenario, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
+      predict(scene, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
   report.predictions = 1;
   report.status = motion.status;
   report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
   report.residuals = residuals_of(measurement, motion);
   report.as_given = chi_squared_of(report.residuals, 0);
-  if (report.status == RunStatus::completed) require_reliable(report, measurement, scenario, parts.next(kVerdict, "verdict"));
+  if (report.status == RunStatus::completed) require_reliable(report, measurement, scene, parts.next(kVerdict, "verdict"));
   if (!estimates.empty()) {
     if (report.status == RunStatus::completed) {
       fit_estimates(report, measurement, inputs, parts.next(of_fit, "fit"));

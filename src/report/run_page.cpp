@@ -6,6 +6,7 @@
 
 #include "compare/comparand.hpp"
 #include "earthtop/budget/budget.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
@@ -14,7 +15,6 @@
 #include "report/pages.hpp"
 #include "report/thinning.hpp"
 #include "results/time_unit.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -35,7 +35,7 @@ double value(const Row& row, std::size_t at) { return row.kind[at] == CellKind::
 /// The data of a run that the page needs.
 struct Run {
   Comparand results;
-  std::optional<Scenario> scenario;  ///< none if this version cannot read the scenario in the summary
+  std::optional<Scene> scene;  ///< none where the summary's text is not one that this version reads
   std::vector<Row> rows;
   TimeUnit time{"s", 1};
   std::string word(const std::string& pointer) const { return results.word(pointer); }
@@ -201,15 +201,15 @@ void add_motion(const Run& run, Page& page) {
   data["earth_rate_L"] = {0, 0, 0};
   data["precession_axis_L"] = {0, 0, 1};
   data["torques"] = nullptr;
-  if (!run.scenario) return;
-  const Model<double> model = make_model<double>(*run.scenario);
+  if (!run.scene) return;
+  const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
   data["torques"] = torques_of(run, model);
 }
 
 /// The largest torque of apparent gravity about the pivot over the displayed rows (N m).
 double largest_gravity(const Run& run) {
-  const Model<double> model = make_model<double>(*run.scenario);
+  const Model<double>& model = run.scene->model<double>();
   const std::size_t axis = column("q_LB_w");
   double largest = 0;
   for (const Row& row : run.rows) {
@@ -221,9 +221,9 @@ double largest_gravity(const Run& run) {
 }
 
 std::string ledger_section(const Run& run, Page& page) {
-  if (!run.scenario || estimated_steps(*run.scenario) > kBudgetSteps)
+  if (!run.scene || run.scene->work(run.scene->choice().options).steps > kBudgetSteps)
     return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
-  const Budget budget = effect_budget(*run.scenario);
+  const Budget budget = effect_budget(*run.scene);
   std::vector<Bar> bars;
   std::vector<std::vector<std::string>> rows;
   if (const double gravity = largest_gravity(run); gravity > 0) {
@@ -298,7 +298,7 @@ constexpr const char* kAnimation =
 Run read_run(const std::filesystem::path& directory) {
   Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, {"s", 1}};
   const ScenarioReport report = examine_scenario({"", run.results.summary->value("scenario", Json()).dump(), false});
-  run.scenario = report.scenario;
+  run.scene = report.scene;
   const auto rows = run.results.open_rows();
   for (const char* needed : {"axis_L_x", "ref_axis_L_x", "drift_axis_rad", "q_LB_w", "w_LB_B_x_rad_s"})
     if (!rows->has_column(column(needed)))

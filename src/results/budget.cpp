@@ -36,11 +36,12 @@ Json input_json(const InputNeed& need) {
 
 }  // namespace
 
-std::string budget_json(const Budget& budget, const Scenario& scenario) {
+std::string budget_json(const Budget& budget, const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
   Json effects = Json::array(), inputs = Json::array();
   for (const EffectEntry& entry : budget.effects) effects.push_back(effect_json(entry));
   for (const InputNeed& need : budget.inputs) inputs.push_back(input_json(need));
-  const MethodChoice choice = method_choice(scenario);
+  const MethodChoice& choice = scene.choice();
   Json document = {{"$schema", "earthtop-budget-1.json"},
                    {"name", scenario.name},
                    {"duration_s", scenario.duration_s},
@@ -56,8 +57,8 @@ std::string budget_json(const Budget& budget, const Scenario& scenario) {
                      {"observer", to_string(choice.options.observer)},
                      {"reason", choice.reason},
                      {"relative_tolerance", choice.options.relative_tolerance},
-                     {"estimated_steps", estimated_steps(scenario)},
-                     {"estimated_seconds", estimated_seconds(scenario)}}}};
+                     {"estimated_steps", scene.estimate().solution.steps},
+                     {"estimated_seconds", scene.estimate().seconds.all()}}}};
   return written_replacing(document, 2) + '\n';
 }
 

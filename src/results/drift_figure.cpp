@@ -70,7 +70,7 @@ Panel parts_panel(const RunResult& result, TimeUnit time) {
 }  // namespace
 
 Figure drift_figure(const RunResult& result) {
-  const Scenario& scenario = result.scenario;
+  const Scenario& scenario = result.scene.scenario();
   const TimeUnit time = time_unit(result.rows.empty() ? scenario.duration_s : result.rows.back().t_s);
   return {scenario.title.empty() ? scenario.name : scenario.title,
           "Rotating minus non-rotating Earth; " + matching_rule(scenario),

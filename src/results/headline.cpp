@@ -25,7 +25,7 @@ constexpr SummaryFigure kFigures[] = {
 
 /// The row of time `t`; a k x step that rounding has moved is still that row.
 const DriftRow* row_at(const RunResult& result, double t) {
-  const double slack = 1e-9 * std::min(result.scenario.output_step_s, result.scenario.duration_s);
+  const double slack = 1e-9 * std::min(result.scene.scenario().output_step_s, result.scene.scenario().duration_s);
   const auto row = std::find_if(result.rows.begin(), result.rows.end(),
                                 [&](const DriftRow& candidate) { return std::abs(candidate.t_s - t) <= slack; });
   return row == result.rows.end() ? nullptr : &*row;
@@ -47,15 +47,15 @@ std::optional<double> find_figure(const RunResult& result, std::string_view quan
 }
 
 std::optional<HeadlineCheck> check_headline(const RunResult& result) {
-  if (!result.scenario.headline) return std::nullopt;
-  HeadlineCheck check{*result.scenario.headline, {}, {}, {}, false};
+  if (!result.scene.scenario().headline) return std::nullopt;
+  HeadlineCheck check{*result.scene.scenario().headline, {}, {}, {}, false};
   const std::string_view quantity = check.stated.quantity;
-  const double t_s = check.stated.at_s.value_or(result.scenario.duration_s);
+  const double t_s = check.stated.at_s.value_or(result.scene.scenario().duration_s);
   if (quantity.find('.') == std::string_view::npos) check.at_s = t_s;
   if (!has_drift(result)) return check;
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
-  if (result.verdict.from_s && check.at_s.value_or(result.scenario.duration_s) >= *result.verdict.from_s) {
+  if (result.verdict.from_s && check.at_s.value_or(result.scene.scenario().duration_s) >= *result.verdict.from_s) {
     check.computed.reset();  // past the verdict's time it is no figure
     return check;
   }

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "build_info.hpp"
-#include "text/sha256.hpp"
 
 namespace earthtop {
 
@@ -35,17 +34,15 @@ const BuildInfo& build_info() {
   return info;
 }
 
-std::string scenario_sha256(const Scenario& scenario) { return sha256_hex(canonical_json(scenario)); }
-
-std::vector<Constant> constants_used(const Scenario& scenario) {
+std::vector<Constant> constants_used(const Scene& scene) {
   const std::string wgs84 = "WGS 84 [NIMA TR8350.2]";
   const std::string given = "scenario";
-  const bool default_rate = scenario.rotation_rate_rad_s == kEarthRateWgs84;
-  const Site& site = scenario.site;
+  const bool default_rate = scene.rotation_rate_rad_s() == kEarthRateWgs84;
+  const Site& site = scene.site();
   const bool default_gravity = site.gravity_m_s2 == normal_gravity(site.latitude_deg, site.height_m);
 
   std::vector<Constant> constants = {
-      {"earth_rotation_rate", scenario.rotation_rate_rad_s, "rad/s", default_rate ? wgs84 : given},
+      {"earth_rotation_rate", scene.rotation_rate_rad_s(), "rad/s", default_rate ? wgs84 : given},
       {"apparent_gravity", site.gravity_m_s2, "m/s^2",
        default_gravity ? "WGS 84 normal gravity at latitude and height [GeographicLib]" : given}};
   if (default_gravity) {

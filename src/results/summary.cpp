@@ -68,7 +68,7 @@ Json largest(const std::vector<DriftRow>& rows, const Value& value_of) {
 
 Json drift_json(const RunResult& result) {
   const DriftSummary& drift = result.drift;
-  const std::optional<double>& threshold_rad = result.scenario.threshold_rad;
+  const std::optional<double>& threshold_rad = result.scene.scenario().threshold_rad;
   Json secular = nullptr;
   Json oscillation = nullptr;
   if (drift.secular) {
@@ -220,10 +220,11 @@ Json ledger_json(const LedgerReport& ledger) {
 }
 
 /// Everything that could turn a top is on one of the two lists.
-Json effects_json(const Scenario& scenario) {
+Json effects_json(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
   const EffectsSpec& effects = scenario.effects;
   const AppliedTorquesSpec& applied = effects.applied;
-  const Site& site = scenario.site;
+  const Site& site = scene.site();
   Json modelled = Json::array({"gravity"});
   Json left_out = Json::array();
   const auto list = [&](const char* name, bool on) { (on ? modelled : left_out).push_back(name); };
@@ -260,12 +261,12 @@ Json accuracy_json(const AccuracyReport& accuracy) {
           {"attempts", accuracy.attempts}};
 }
 
-Json provenance_json(const Scenario& scenario) {
+Json provenance_json(const Scene& scene) {
   const BuildInfo& build = build_info();
   Json libraries = Json::object();
   for (const auto& [name, version] : build.libraries) libraries[name] = version;
   Json constants = Json::array();
-  for (const Constant& constant : constants_used(scenario))
+  for (const Constant& constant : constants_used(scene))
     constants.push_back(
         {{"name", constant.name}, {"value", constant.value}, {"unit", constant.unit}, {"source", constant.source}});
   return {{"program", "earthtop"},
@@ -274,7 +275,7 @@ Json provenance_json(const Scenario& scenario) {
           {"compiler", build.compiler},
           {"flags", build.flags},
           {"libraries", std::move(libraries)},
-          {"scenario_sha256", scenario_sha256(scenario)},
+          {"scenario_sha256", scene.sha256()},
           {"constants", std::move(constants)}};
 }
 
@@ -301,7 +302,7 @@ std::string matching_rule(const Scenario& scenario) {
 
 std::optional<DriftDigits> drift_digits(const RunResult& result) {
   if (result.extended_rows.empty() || !has_drift(result)) return std::nullopt;
-  const auto in_full = [&](float128 value) { return digits(value, result.scenario.precision); };
+  const auto in_full = [&](float128 value) { return digits(value, result.scene.scenario().precision); };
   float128 axis_max = 0;
   for (const ExtendedDriftRow& row : result.extended_rows) axis_max = std::max(axis_max, row.drift_axis_rad);
   const ExtendedDriftRow& last = result.extended_rows.back();
@@ -327,15 +328,16 @@ Json section_json(const Section& section, const RunResult& result) {
 constexpr bool kOfRows = true;
 constexpr Section kSections[] = {
     {"$schema", false, [](const RunResult&) -> Json { return "earthtop-summary-1.json"; }},
-    {"name", false, [](const RunResult& r) -> Json { return r.scenario.name; }},
-    {"title", false, [](const RunResult& r) -> Json { return r.scenario.title; }},
+    {"name", false, [](const RunResult& r) -> Json { return r.scene.scenario().name; }},
+    {"title", false, [](const RunResult& r) -> Json { return r.scene.scenario().title; }},
     {"outcome", false,
      [](const RunResult& r) -> Json {
        return {{"status", to_string(r.status)}, {"reached_s", r.reached_s}, {"rows", r.rows.size()}};
      }},
     {"matching_rule", false,
      [](const RunResult& r) -> Json {
-       return {{"rates_relative_to", to_word(r.scenario.release.rates_relative_to)}, {"statement", matching_rule(r.scenario)}};
+       return {{"rates_relative_to", to_word(r.scene.scenario().release.rates_relative_to)},
+               {"statement", matching_rule(r.scene.scenario())}};
      }},
     {"drift", false, [](const RunResult& r) { return drift_json(r); }, kOfRows},
     {"motion", false, [](const RunResult& r) { return motion_json(r); }, kOfRows},
@@ -349,14 +351,14 @@ constexpr Section kSections[] = {
     {"theory", false, [](const RunResult& r) { return theory_json(r.theory); }},
     {"sensitivities", true, [](const RunResult& r) { return r.sensitivities ? sensitivities_json(*r.sensitivities) : Json(); }},
     {"uncertainty", true,
-     [](const RunResult& r) { return r.sensitivities && r.scenario.uncertainty ? uncertainty_json(r) : Json(); }},
+     [](const RunResult& r) { return r.sensitivities && r.scene.scenario().uncertainty ? uncertainty_json(r) : Json(); }},
     {"ledger", true, [](const RunResult& r) { return r.ledger ? ledger_json(*r.ledger) : Json(); }},
     {"effects", false, [](const RunResult& r) { return effects_json(r.modelled); }},
     {"selection", true, [](const RunResult& r) { return r.selection ? selection_json(*r.selection) : Json(); }},
     {"accuracy", true, [](const RunResult& r) { return r.accuracy ? accuracy_json(*r.accuracy) : Json(); }},
     {"notes", false, [](const RunResult& r) -> Json { return r.notes; }},
-    {"scenario", false, [](const RunResult& r) { return json_of(canonical_json(r.scenario)); }},
-    {"provenance", false, [](const RunResult& r) { return provenance_json(r.scenario); }},
+    {"scenario", false, [](const RunResult& r) { return json_of(r.scene.canonical()); }},
+    {"provenance", false, [](const RunResult& r) { return provenance_json(r.scene); }},
 };
 
 }  // namespace

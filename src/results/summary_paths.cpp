@@ -65,7 +65,7 @@ Scenario any_scenario(int kind) {
 
 RunResult any_result(int kind) {
   RunResult result;
-  result.scenario = result.modelled = any_scenario(kind);
+  result.scene = result.modelled = resolve(any_scenario(kind));
   result.rows.resize(2);  // a row beyond the release, without which there are no numbers
   result.extended_rows.resize(1);
   result.solution.status = result.certificate.status = RunStatus::step_limit;

@@ -56,7 +56,7 @@ void append_torques(std::string& text, const LedgerRow<T>& entry, const EffectsS
 
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
-  const EffectsSpec& effects = result.modelled.effects;
+  const EffectsSpec& effects = result.modelled.scenario().effects;
   const auto append_row = [&](std::string& text, std::size_t i) {
     append_number(text, result.rows[i].t_s);
     const LedgerReport& ledger = *result.ledger;
@@ -64,7 +64,7 @@ void write_torques_csv(const RunResult& result, const std::function<void(std::st
       append_torques(text, ledger.entries[i], effects, [&](double value) { append_number(text, value); });
     else
       append_torques(text, ledger.extended_entries[i], effects,
-                     [&](float128 value) { text += digits(value, result.scenario.precision); });
+                     [&](float128 value) { text += digits(value, result.scene.scenario().precision); });
     text += '\n';
   };
   write_csv(header_of(effects), rows, append_row, sink, watch);

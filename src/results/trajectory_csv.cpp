@@ -42,7 +42,7 @@ void write_trajectory_csv(const RunResult& result, const std::function<void(std:
     if (result.extended_rows.empty())
       append_row(text, result.rows[i]);
     else
-      append_row(text, result.extended_rows[i], result.scenario.precision);
+      append_row(text, result.extended_rows[i], result.scene.scenario().precision);
   };
   write_csv(header(), result.rows.size(), append, sink, watch);
 }

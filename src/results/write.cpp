@@ -53,7 +53,7 @@ bool is_there(const fs::path& path) {
 }
 
 /// Refuses what must not be overwritten in an existing directory.
-void check_present_files(const fs::path& dir, const Scenario& scenario, bool force) {
+void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   for (const std::string_view name : kFiles)
     if (std::error_code error; fs::is_directory(fs::symlink_status(dir / name, error)))
       refuse(dir, std::string(name) + " in it is a directory; choose another --out");
@@ -63,15 +63,15 @@ void check_present_files(const fs::path& dir, const Scenario& scenario, bool for
     const std::string present = scenario_of(summary);
     if (present.empty())
       refuse(dir, "summary.json in it is not a summary of earthtop's; choose another --out, or --force to overwrite it");
-    if (present != scenario_sha256(scenario))
+    if (present != scene.sha256())
       refuse(dir, "holds the results of another scenario; choose another --out, or --force to overwrite them");
-    if (!scenario.ledger && is_there(dir / "torques.csv"))
+    if (!scene.scenario().ledger && is_there(dir / "torques.csv"))
       refuse(dir, "torques.csv in it is none of this scenario's results; choose another --out, or --force to remove it");
     return;
   }
   // A run that was killed while it put its files in place left the summary under a temporary name.
   const auto left = FileSet::temporaries(dir, kSummary);
-  const std::string ours = scenario_sha256(scenario);
+  const std::string ours = scene.sha256();
   if (std::any_of(left.begin(), left.end(), [&](const fs::path& path) { return scenario_of(path) == ours; })) return;
   for (const std::string_view name : kFiles)
     if (is_there(dir / name))
@@ -80,7 +80,7 @@ void check_present_files(const fs::path& dir, const Scenario& scenario, bool for
 
 }  // namespace
 
-void check_output_directory(const fs::path& dir, const Scenario& scenario, bool force) {
+void check_output_directory(const fs::path& dir, const Scene& scene, bool force) {
   if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
@@ -92,7 +92,7 @@ void check_output_directory(const fs::path& dir, const Scenario& scenario, bool 
                          : "is not a directory; choose another --out");
   }
   if (::access(present.c_str(), W_OK | X_OK) != 0) fail_to_write(present, errno);
-  if (fs::is_directory(dir, error)) check_present_files(dir, scenario, force);
+  if (fs::is_directory(dir, error)) check_present_files(dir, scene, force);
 }
 
 void write_file(const fs::path& file, std::string_view content) {
@@ -107,15 +107,15 @@ void write_file(const fs::path& file, std::string_view content) {
   files.commit();
 }
 
-double writing_work(const Scenario& scenario) {
+double writing_seconds(const Scenario& scenario) {
   const double seconds_a_row = scenario.precision == Precision::bits53 ? 3e-6 : 8e-5;  // as measured
   return (scenario.ledger ? 2 : 1) * seconds_a_row * scenario.duration_s / scenario.output_step_s;
 }
 
 void write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
-  check_output_directory(dir, result.scenario, force);
+  check_output_directory(dir, result.scene, force);
   FileSet files(dir, kFiles, watch);
-  check_present_files(dir, result.scenario, force);  // once more: no other run writes there now
+  check_present_files(dir, result.scene, force);  // once more: no other run writes there now
   files.add("trajectory.csv",
             [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });
   if (result.ledger)

@@ -64,7 +64,7 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
     add_row(row, result);
   }
-  result.drift = summarize_drift(result.rows, result.scenario.rotation_rate_rad_s);
+  result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
   if (made.first.threshold) result.drift.threshold_time_s = made.first.threshold->time_s();
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
   result.stops = made.first.stops;
@@ -77,9 +77,9 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
 
 /// What is known of a run that was asked to stop: how far its solution came, and the rows if they are to be kept.
 template <class T>
-RunResult stopped(const Scenario& scenario, const TwoIntegrations<T>& made, bool partial) {
+RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool partial) {
   RunResult result;
-  result.scenario = scenario;
+  result.scene = result.modelled = scene;
   result.solution = made.solution;
   result.certificate = made.certificate;
   result.status = RunStatus::interrupted;
@@ -91,7 +91,7 @@ RunResult stopped(const Scenario& scenario, const TwoIntegrations<T>& made, bool
 
 /// A disc whose flow changes on the way: the formula taken at release is kept.
 std::optional<std::string> note_on_air(const RunResult& result) {
-  const auto& disc = result.scenario.effects.applied.air_drag;
+  const auto& disc = result.modelled.scenario().effects.applied.air_drag;
   if (!disc || disc->flow != DiscFlow::automatic || result.rows.empty()) return std::nullopt;
   const bool turbulent = is_turbulent(*disc, result.rows.front().w_LB_B[2]);
   const auto other = std::find_if(result.rows.begin(), result.rows.end(),
@@ -115,7 +115,7 @@ std::int64_t steps_of(const IntegrationReport& report) { return report.counters.
 }  // namespace
 
 bool stopped_beyond_estimate(const RunResult& result) {
-  const IntegrationOptions& numerics = result.scenario.numerics;
+  const IntegrationOptions& numerics = result.scene.scenario().numerics;
   return result.status == RunStatus::step_limit && numerics.stops_beyond_estimate &&
          steps_of(limited(result)) < numerics.step_limit;
 }
@@ -145,7 +145,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
               Precision precision, IntegrationReport& report) {
   report.observer = options.observer;
   const bool closed_form = options.method == Method::closed_form;
-  report.form = form_taken(problem, options);
+  report.form = takes_reduced_form(problem.model, options) ? ModelForm::reduced : ModelForm::general;
   report.method = options.method;
   report.precision = to_string(precision);
   if (!closed_form) report.relative_tolerance = options.relative_tolerance;
@@ -155,12 +155,13 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 }
 
 template <class T>
-RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made, const RunWork& work, Parts parts,
+RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, const RunSeconds& seconds, Parts parts,
                           bool partial) {
-  const Watch rows = parts.next(work.rows);
+  const Scenario& scenario = scene.scenario();
+  const Watch rows = parts.next(seconds.rows);
   const auto stop = [&] { return rows.asks_to_stop(); };
   RunResult result;
-  result.scenario = scenario;
+  result.scene = result.modelled = scene;
   result.solution = made.solution;
   result.certificate = made.certificate;
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
@@ -185,30 +186,30 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
     result.attitude_bound_rad =
         std::max(result.attitude_bound_rad, safety * distance + static_cast<double>(sample.attitude_error));
   }
-  if (stop()) return stopped(scenario, made, partial);
+  if (stop()) return stopped(scene, made, partial);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
-  result.drift = summarize_drift(result.rows, scenario.rotation_rate_rad_s);
+  result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, safety, result.drift);
   result.stops = assess_stops(made, safety);
-  if (stop()) return stopped(scenario, made, partial);
-  result.verdict = assess_verdict(result, parts.next(work.growth, "growth of disturbances"));
+  if (stop()) return stopped(scene, made, partial);
+  result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
   // Two integrations can agree on a passing that rounding has moved in both.
   if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s) {
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;
     result.drift.threshold_time_bound_s.reset();
   }
-  if (stop()) return stopped(scenario, made, partial);
+  if (stop()) return stopped(scene, made, partial);
   if (has_drift(result)) {
-    result.sensitivities = assess_sensitivities(result, parts.next(work.sensitivities, "sensitivities"));
-    if (stop()) return stopped(scenario, made, partial);
+    result.sensitivities = assess_sensitivities(result, parts.next(seconds.sensitivities, "sensitivities"));
+    if (stop()) return stopped(scene, made, partial);
     result.invariants = assess_invariants(result, rows);
-    if (stop()) return stopped(scenario, made, partial);
-    result.theory = assess_theory(scenario, result.rows, result.drift);
-    if (stop()) return stopped(scenario, made, partial);
+    if (stop()) return stopped(scene, made, partial);
+    result.theory = assess_theory(scene, result.rows, result.drift);
+    if (stop()) return stopped(scene, made, partial);
   }
-  result.ledger = assess_ledger(result, parts.next(work.ledger, "ledger"));
-  if (stop()) return stopped(scenario, made, partial);
+  result.ledger = assess_ledger(result, parts.next(seconds.ledger, "ledger"));
+  if (stop()) return stopped(scene, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
@@ -219,7 +220,7 @@ RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& ma
   template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&, T);                                      \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
-  template RunResult assemble_result(const Scenario&, const TwoIntegrations<T>&, const RunWork&, Parts, bool);
+  template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);
 EARTHTOP_ASSEMBLE(double)
 EARTHTOP_ASSEMBLE(long double)
 EARTHTOP_ASSEMBLE(float128)

@@ -4,7 +4,6 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
-#include "run/run_work.hpp"
 
 namespace earthtop {
 
@@ -21,23 +20,16 @@ struct TwoIntegrations {
 template <class T>
 void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units = T(8));
 
-/// The form of the equations that these options take.
-template <class T>
-ModelForm form_taken(const DriftProblem<T>& problem, const IntegrationOptions& options) {
-  const bool reduced = options.method != Method::closed_form && takes_reduced_form(problem.model, options);
-  return reduced ? ModelForm::reduced : ModelForm::general;
-}
-
 /// Fills a report but for its reason and its time.
 template <class T>
 void describe(const DriftProblem<T>& problem, const IntegrationOptions& options, const DriftTrajectory<T>& trajectory,
               Precision precision, IntegrationReport& report);
 
-/// The result of a scenario without a choice of effects or an accuracy to reach; `modelled` is left to the caller. Can be
-/// interrupted. @param work, parts  what is left of the run's watch, and how it is shared out   @param partial  as in
+/// The result of a scene without a choice of effects or an accuracy to reach. Can be interrupted.
+/// @param seconds, parts  what is left of the run's watch, and how it is shared out   @param partial  as in
 /// RunOptions
 template <class T>
-RunResult assemble_result(const Scenario& scenario, const TwoIntegrations<T>& made, const RunWork& work, Parts parts,
+RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, const RunSeconds& seconds, Parts parts,
                           bool partial = false);
 
 }  // namespace earthtop

@@ -6,7 +6,6 @@
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/ledger.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -46,12 +45,12 @@ Vec3<T> vector(const std::array<T, 3>& v) {
 }
 
 template <class T>
-std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows,
+std::vector<InvariantReport> follow_invariants(const Scene& scene, const std::vector<BasicDriftRow<T>>& rows,
                                                const Watch& watch) {
-  const auto body = make_body<T>(scenario.body);
+  const Body<T>& body = scene.body<T>();
   const Vec3<T> mass_moment_B = body.mass * body.p_PBcm_B;
-  const Vec3<T> gravity_L = apparent_gravity_L<T>(scenario.site);
-  const Vec3<T> W_L = T(scenario.rotation_rate_rad_s) * celestial_axis_L<T>(scenario.site);
+  const Vec3<T> gravity_L = apparent_gravity_L<T>(scene.site());
+  const Vec3<T> W_L = T(scene.rotation_rate_rad_s()) * celestial_axis_L<T>(scene.site());
   const int axis = symmetry_axis(body);
   InvariantFollower<T> jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s");
   for (const BasicDriftRow<T>& row : rows) {
@@ -74,14 +73,15 @@ std::vector<InvariantReport> follow_invariants(const Scenario& scenario, const s
 }
 
 template <class T>
-std::vector<LedgerRow<T>> ledger_rows(const Scenario& scenario, const std::vector<BasicDriftRow<T>>& rows, const Watch& watch) {
-  const auto model = make_model<T>(scenario);
+std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<BasicDriftRow<T>>& rows, const Watch& watch) {
+  const Model<T>& model = scene.model<T>();
   std::vector<LedgerRow<T>> ledger;
   ledger.reserve(rows.size());
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     if (ledger.size() % 64 == 0) watch.reach(static_cast<double>(ledger.size()) / static_cast<double>(rows.size()));
-    ledger.push_back(ledger_row(ledger_entry(*scenario.ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B))));
+    ledger.push_back(
+        ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B))));
   }
   return ledger;
 }
@@ -99,23 +99,23 @@ LedgerRow<double> in_double(const LedgerRow<float128>& entry) {
 }  // namespace
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
-  const Scenario& scenario = result.scenario;
-  if (!is_plain(scenario)) return {};
-  return result.extended_rows.empty() ? follow_invariants(scenario, result.rows, watch)
-                                      : follow_invariants(scenario, result.extended_rows, watch);
+  const Scene& scene = result.modelled;
+  if (!scene.is_plain()) return {};
+  return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
+                                      : follow_invariants(scene, result.extended_rows, watch);
 }
 
-std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows,
-                                        const DriftSummary& drift) {
-  const auto body = make_body<double>(scenario.body);
-  const double Omega = scenario.rotation_rate_rad_s;
-  if (symmetry_axis(body) != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
+std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
+  const Scenario& scenario = scene.scenario();
+  const double Omega = scene.rotation_rate_rad_s();
+  if (scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
       !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
     return {};
-  const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
-  const SinCos<double> phi = sin_cos_degrees(scenario.site.latitude_deg);
+  const Body<double>& body = scene.body<double>();
+  const Release<double>& release = scene.release<double>();
+  const SinCos<double> phi = sin_cos_degrees(scene.site().latitude_deg);
   const double I1 = body.I_BP_B(0, 0), spin_momentum = body.I_BP_B(2, 2) * release.w_XB_B[2];
-  const double mgl = body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2];
+  const double mgl = scene.axial_gravity_torque_N_m();
   const Vec3<double> axis_L = rotation_matrix(release.q_LB).col(2);
   const bool vertical = real::hypot(axis_L[0], axis_L[1]) < 1e-9;
   std::vector<TheoryReport> theory;
@@ -123,7 +123,7 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
     const bool along_axis = release.X == RatesRelativeTo::inertial && release.w_XB_B[0] == 0 && release.w_XB_B[1] == 0;
     if (along_axis) {
       // The axis keeps its direction in space: in the laboratory it turns about the celestial axis.
-      const double sine = norm(Vec3<double>(celestial_axis_L<double>(scenario.site).cross(axis_L)));
+      const double sine = norm(Vec3<double>(celestial_axis_L<double>(scene.site()).cross(axis_L)));
       const double t = rows.back().t_s;
       theory.push_back({"free_gyro_axis_drift",
                         "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)", "rad",
@@ -149,14 +149,14 @@ std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vec
 }
 
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch) {
-  const Scenario& scenario = result.scenario;
-  if (!scenario.ledger) return std::nullopt;
+  const Scene& scene = result.modelled;
+  if (!scene.scenario().ledger) return std::nullopt;
   LedgerReport report;
-  report.observer = *scenario.ledger;
+  report.observer = *scene.scenario().ledger;
   if (result.extended_rows.empty()) {
-    report.entries = ledger_rows(scenario, result.rows, watch);
+    report.entries = ledger_rows(scene, result.rows, watch);
   } else {
-    report.extended_entries = ledger_rows(scenario, result.extended_rows, watch);
+    report.extended_entries = ledger_rows(scene, result.extended_rows, watch);
     report.entries.reserve(report.extended_entries.size());
     for (const LedgerRow<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
   }

@@ -13,7 +13,7 @@ namespace earthtop {
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch);
 
 /// Leading-order predictions that fit the scene: fast top, free gyroscope, sleeping top.
-std::vector<TheoryReport> assess_theory(const Scenario& scenario, const std::vector<DriftRow>& rows, const DriftSummary& drift);
+std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 
 /// The ledger of the rotating motion, for the observer whom the scenario names; none if it names none.
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch);

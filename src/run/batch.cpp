@@ -9,31 +9,32 @@
 #include "earthtop/drift/drift_lanes.hpp"
 #include "earthtop/run_batch.hpp"
 #include "run/assemble.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
 
-/// A scenario that goes into a lane.
+/// A scene that goes into a lane.
 struct LanePoint {
-  std::size_t index;  ///< of the scenario in the batch
+  std::size_t index;  ///< in the batch
   IntegrationOptions options;
   std::string reason;
 };
 /// What points side by side share: form, tolerance and step limit.
 using Shared = std::tuple<ModelForm, double, std::int64_t>;
 
-/// Whether the run of this scenario is one pair of integrations, of which the first is a series: of a symmetric top without its
+/// Whether the run of this scene is one pair of integrations, of which the first is a series: of a symmetric top without its
 /// spin, or of any body in its own axes.
-bool fits_lanes(const Scenario& scenario, const IntegrationOptions& options) {
+bool fits_lanes(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const IntegrationOptions& options = scene.choice().options;
   return scenario.precision == Precision::bits53 && !scenario.accuracy_rad && !scenario.effects.automatic &&
-         options.method == Method::taylor && is_plain(scenario) && options.observer != Observer::inertial;
+         options.method == Method::taylor && scene.is_plain() && options.observer != Observer::inertial;
 }
 
 /// A point with the form it takes named.
-LanePoint lane_point(std::size_t index, const Scenario& scenario, MethodChoice choice) {
-  const bool reduced = takes_reduced_form(make_model<double>(scenario), choice.options);
-  choice.options.form = reduced ? ModelForm::reduced : ModelForm::general;
+LanePoint lane_point(std::size_t index, const Scene& scene) {
+  MethodChoice choice = scene.choice();
+  choice.options.form = scene.form(choice.options);
   return {index, choice.options, std::move(choice.reason)};
 }
 
@@ -69,12 +70,12 @@ std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftPro
 }
 
 /// Runs points that share what they must.
-void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint> points, const Watch& watch,
+void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> points, const Watch& watch,
                   std::vector<BatchOutcome>& outcomes) {
   const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
   std::vector<DriftProblem<double>> problems;
   problems.reserve(points.size());
-  for (const LanePoint& point : points) problems.push_back(make_problem<double>(scenarios[point.index]));
+  for (const LanePoint& point : points) problems.push_back(scenes[point.index].problem<double>());
   std::vector<TwoIntegrations<double>> made(points.size());
 
   std::vector<double> seconds;
@@ -87,46 +88,43 @@ void run_in_lanes(std::span<const Scenario> scenarios, std::span<const LanePoint
   trajectories = integrate_together(problems, other_options, watch.part(0.5, 1), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     TwoIntegrations<double>& both = made[i];
-    const Scenario& scenario = scenarios[points[i].index];
+    const Scene& scene = scenes[points[i].index];
+    const Precision precision = scene.scenario().precision;
     both.second = std::move(trajectories[i]);
     both.options = points[i].options;
     both.other_options = second_lane_options(both.options);
-    describe(problems[i], both.options, both.first, scenario.precision, both.solution);
-    describe(problems[i], both.other_options, both.second, scenario.precision, both.certificate);
+    describe(problems[i], both.options, both.first, precision, both.solution);
+    describe(problems[i], both.other_options, both.second, precision, both.certificate);
     both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
-    RunResult result = assemble_result(scenario, both, {}, Parts(watch, 0));
-    result.modelled = scenario;
-    outcomes[points[i].index].result = std::move(result);
+    outcomes[points[i].index].result = assemble_result(scene, both, {}, Parts(watch, 0));
     both = {};
   }
 }
 
 }  // namespace
 
-std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const Watch& watch) {
+std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch) {
   require_ieee_arithmetic();
-  std::vector<BatchOutcome> outcomes(scenarios.size());
+  std::vector<BatchOutcome> outcomes(scenes.size());
   std::map<Shared, std::vector<LanePoint>> lanes;
-  Parts parts(watch, static_cast<double>(scenarios.size()));
+  Parts parts(watch, static_cast<double>(scenes.size()));
   const auto share_of = [&](std::size_t points) { return parts.next(static_cast<double>(points)); };
-  for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    const Scenario& scenario = scenarios[i];
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Scene& scene = scenes[i];
     try {
-      if (!scenario.effects.automatic) {
-        if (const auto reason = method_refusal(scenario.numerics.method, scenario))
-          throw ScenarioError("/numerics/method", *reason);
-        MethodChoice choice = method_choice(scenario);
-        if (fits_lanes(scenario, choice.options)) {
-          require_affordable(scenario);
-          LanePoint point = lane_point(i, scenario, std::move(choice));
+      if (!scene.scenario().effects.automatic) {
+        if (const auto& reason = scene.method_refusal()) throw ScenarioError("/numerics/method", *reason);
+        if (fits_lanes(scene)) {
+          scene.require_affordable();
+          LanePoint point = lane_point(i, scene);
           const Shared shared{point.options.form, point.options.relative_tolerance, point.options.step_limit};
           lanes[shared].push_back(std::move(point));
           continue;
         }
       }
-      outcomes[i].result = run(scenario, {share_of(1), false});
+      outcomes[i].result = run(scene, {share_of(1), false});
     } catch (const ScenarioError& refusal) {
       outcomes[i].refusal = refusal.what();
     }
@@ -134,7 +132,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scenario> scenarios, const W
   constexpr std::size_t kTogether = 64;  // so that the samples of few are in memory
   for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
-      run_in_lanes(scenarios, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)),
+      run_in_lanes(scenes, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)),
                    share_of(std::min(kTogether, points.size() - begin)), outcomes);
   return outcomes;
 }

@@ -9,9 +9,7 @@
 
 #include "earthtop/arithmetic.hpp"
 #include "run/assemble.hpp"
-#include "run/run_work.hpp"
-#include "scenario/problem.hpp"
-#include "scenario/second_integration.hpp"
+#include "scene/second_integration.hpp"
 
 namespace earthtop {
 namespace {
@@ -28,56 +26,56 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
 
 /// The methods that know beforehand how many steps they take are limited in those. Whether long_horizon steps over the nutation
 /// it finds by trial; in a short run it may follow it.
-IntegrationOptions within_estimate(const Scenario& scenario, IntegrationOptions options) {
+IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions options) {
   constexpr double kShortRun = 1e6;  // steps
   const bool long_horizon = options.method == Method::long_horizon;
   if (!options.stops_beyond_estimate || !(long_horizon || options.method == Method::closed_form)) return options;
-  Work work = estimated_work(scenario, options);
+  Work work = scene.work(options);
   if (long_horizon) work.steps = std::max(work.steps, kShortRun);
   options.step_limit = std::min(options.step_limit, limit_of(work).steps);
   return options;
 }
 
 template <class T>
-RunResult run_in(const Scenario& scenario, const RunOptions& run_options) {
-  auto problem = make_problem<T>(scenario);
-  const Precision precision = scenario.precision;
-  const MethodChoice choice = method_choice(scenario);
+RunResult run_in(const Scene& scene, const RunOptions& run_options) {
+  const Precision precision = scene.scenario().precision;
 
   TwoIntegrations<T> made;
-  made.options = within_estimate(scenario, choice.options);
-  const ModelForm form = form_taken(problem, made.options);
-  made.other_options = second_options(scenario, made.options, form);
+  made.options = within_estimate(scene, scene.choice().options);
+  made.other_options = second_options(scene, made.options);
   const Watch& watch = run_options.watch;
-  const RunWork work = watch.is_told() ? work_of_run(scenario, made.options, made.other_options, form) : RunWork();
-  Parts parts(watch, work.all());
+  const RunSeconds seconds = watch.is_told() ? scene.estimate().seconds : RunSeconds();
+  Parts parts(watch, seconds.all());
 
-  made.first = integrate_timed(problem, made.options, precision, parts.next(work.solution, "solution"), made.solution);
-  made.solution.reason = choice.reason;
+  made.first =
+      integrate_timed(scene.problem<T>(), made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
+  made.solution.reason = scene.choice().reason;
+  DriftProblem<T> problem = scene.problem<T>();
   make_second(problem, made.first);
   if (made.other_options.method == Method::long_horizon) made.other_options.kick_steps = made.first.kick_steps;
-  made.other_options = within_estimate(scenario, made.other_options);
+  made.other_options = within_estimate(scene, made.other_options);
   made.second =
-      integrate_timed(problem, made.other_options, precision, parts.next(work.bound, "error bound"), made.certificate);
-  return assemble_result(scenario, made, work, parts, run_options.partial);
+      integrate_timed(problem, made.other_options, precision, parts.next(seconds.bound, "error bound"), made.certificate);
+  return assemble_result(scene, made, seconds, parts, run_options.partial);
 }
 
-RunResult run_once(const Scenario& scenario, const RunOptions& options) {
-  require_affordable(scenario);
-  switch (scenario.precision) {
+RunResult run_once(const Scene& scene, const RunOptions& options) {
+  scene.require_affordable();
+  switch (scene.scenario().precision) {
     case Precision::bits53: break;
-    case Precision::bits64: return run_in<long double>(scenario, options);
-    case Precision::bits113: return run_in<float128>(scenario, options);
+    case Precision::bits64: return run_in<long double>(scene, options);
+    case Precision::bits113: return run_in<float128>(scene, options);
   }
-  return run_in<double>(scenario, options);
+  return run_in<double>(scene, options);
 }
 
 /// Where an error is asked for, and method and tolerance are free, from the loosest tolerance that may reach it to finer ones.
 /// @param left_out_rad  what the effects left out may cost of it
-RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptions& options) {
-  if (!scenario.accuracy_rad) return run_once(scenario, options);
+RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOptions& options) {
+  if (!scene.scenario().accuracy_rad) return run_once(scene, options);
   constexpr double kLoosest = 1e-6, kFiner = 1e-3;
   constexpr int kAttempts = 4;
+  Scenario scenario = scene.scenario();
   AccuracyReport accuracy{*scenario.accuracy_rad, 0, 0};
   double& tolerance = scenario.numerics.relative_tolerance;
   const double least = least_tolerance(scenario.precision);
@@ -90,7 +88,7 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptio
   for (double done = 0;;) {
     const double next = free ? done + kShare * (1 - done) : 1;
     attempt.watch = options.watch.part(std::exchange(done, next), next);
-    RunResult result = run_once(scenario, attempt);
+    RunResult result = run_once(free ? resolve(scenario) : scene, attempt);
     ++accuracy.attempts;
     accuracy.reached_rad = has_drift(result) ? result.drift.axis_bound_rad + left_out_rad : HUGE_VAL;
     const bool may_be_finer = free && tolerance > least && accuracy.attempts < kAttempts;
@@ -107,28 +105,25 @@ RunResult run_to_accuracy(Scenario scenario, double left_out_rad, const RunOptio
 
 }  // namespace
 
-double estimated_run_seconds(const Scenario& scenario) {
-  const IntegrationOptions first = method_choice(scenario).options;
-  const ModelForm form = form_taken(make_problem<double>(scenario), first);
-  const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
-  return choice + work_of_run(scenario, first, second_options(scenario, first, form), form).all();
+double estimated_run_seconds(const Scene& scene) {
+  const double choice = scene.scenario().effects.automatic ? selection_seconds(scene) : 0;
+  return choice + scene.estimate().seconds.all();
 }
 
-RunResult run(const Scenario& scenario, const RunOptions& options) {
+RunResult run(const Scene& scene, const RunOptions& options) {
   require_ieee_arithmetic();
-  Scenario modelled = scenario;
+  Scene modelled = scene;
   std::optional<Selection> selection;
   RunOptions after = options;
-  if (scenario.effects.automatic) {
-    const double choice = options.watch.is_told() ? selection_work(scenario) : 0;
-    const double share = choice > 0 ? choice / estimated_run_seconds(scenario) : 0;
+  if (scene.scenario().effects.automatic) {
+    const double choice = options.watch.is_told() ? selection_seconds(scene) : 0;
+    const double share = choice > 0 ? choice / estimated_run_seconds(scene) : 0;
     selection = select_effects(modelled, options.watch.part(0, share, "choice of effects"));
     after.watch = options.watch.part(share, 1);
   }
-  if (const auto reason = method_refusal(modelled.numerics.method, modelled)) throw ScenarioError("/numerics/method", *reason);
+  if (const auto& reason = modelled.method_refusal()) throw ScenarioError("/numerics/method", *reason);
   RunResult result = run_to_accuracy(modelled, selection ? selection->left_out_drift_rad : 0, after);
-  result.modelled = std::move(result.scenario);
-  result.scenario = scenario;
+  result.scene = scene;
   result.selection = std::move(selection);
   return result;
 }

@@ -11,7 +11,4 @@ namespace earthtop {
 /// The derivatives of the last reliable drift; none where the scenario does not ask for them.
 std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const Watch& watch);
 
-/// The tolerance of their integration; none where the scenario asks for none, or they could not be had to its end.
-std::optional<double> sensitivity_tolerance(const Scenario& scenario);
-
 }  // namespace earthtop

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "drift/stability.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -21,7 +21,6 @@ constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its re
 constexpr double kLoose = 1e-2;  // rad: a bound that has grown to this, where disturbances grow, says that the motion is lost
 constexpr double kResolved = 3;  // a drift so many times its bound is more than noise
 constexpr double kStill = 1e-3;  // of the attitude's drift: an axis that moves less stands still beside it
-constexpr double kCritical = 1e-3;  // of the square of an upright top's spin ratio
 
 double epsilon_of(Precision precision) {
   switch (precision) {
@@ -39,8 +38,8 @@ std::optional<double> earlier(std::optional<double> a, std::optional<double> b) 
 
 /// An upright top near its critical spin.
 std::optional<std::string> marginal_reason(const MotionProblem<double>& problem) {
-  const auto upright = upright_top(problem);
-  if (!upright || std::abs(upright->spin_ratio_squared - 1) > kCritical) return std::nullopt;
+  const auto upright = marginal_top(problem);
+  if (!upright) return std::nullopt;
   return fmt::format(
       "an upright top at {:.6g} of its critical spin: whether it stands or falls hangs on digits of spin and moments that are "
       "not known",
@@ -56,23 +55,20 @@ struct Growth {
   double followed_s = HUGE_VAL;  ///< along both motions
 };
 
-/// The tolerance of the first look at the growth: motions with a closed form are followed closely, as they leave a separatrix
-/// by the integration's own error.
-double growth_tolerance(const MotionProblem<double>& problem) { return is_integrable(problem) ? 1e-13 : 1e-7; }
-
 /// The growth along one motion. What a coarse integration calls growth may be its own error, so that a finer one has to say so,
 /// too.
-GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s, const Watch& watch) {
-  constexpr double kFine = 1e-10;
-  const double tolerance = growth_tolerance(problem);
+GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s, double tolerance,
+                              const Watch& watch) {
   GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, watch);
   const bool grows = report.exponential_s || report.late_exponent_1_s.value_or(0) > 0;
-  return grows && tolerance > kFine ? disturbance_growth(problem, kind, until_s, kFine, watch) : report;
+  return grows && tolerance > kConfirmingGrowthTolerance
+             ? disturbance_growth(problem, kind, until_s, kConfirmingGrowthTolerance, watch)
+             : report;
 }
 
-Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, const Watch& watch) {
+Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, double tolerance, const Watch& watch) {
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
-  const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.scenario.precision)));
+  const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.modelled.scenario().precision)));
   const double log_earth = real::log(kGrownAngle / earth_share);
   // Dry friction damps the more the slower the motion is: at rest without end.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
@@ -80,7 +76,7 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
     const Watch part = kind == MotionKind::reference ? watch.part(0, earth_share == 0 ? 1 : 0.5) : watch.part(0.5, 1);
-    const GrowthReport report = confirmed_growth(problem, kind, until_s, part);
+    const GrowthReport report = confirmed_growth(problem, kind, until_s, tolerance, part);
     growth.mean_exponent_1_s = std::max(growth.mean_exponent_1_s, report.mean_exponent_1_s);
     if (report.late_exponent_1_s)
       growth.late_exponent_1_s = std::max(growth.late_exponent_1_s.value_or(-HUGE_VAL), *report.late_exponent_1_s);
@@ -93,7 +89,7 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
     growth.round_off_s = earlier(growth.round_off_s, report.passes_s(log_round_off));
     if (earth_share > 0) growth.earth_s = earlier(growth.earth_s, report.passes_s(log_earth));
   }
-  const double W_IL = std::abs(result.scenario.rotation_rate_rad_s);
+  const double W_IL = std::abs(result.modelled.rotation_rate_rad_s());
   if (growth.earth_s && W_IL * *growth.earth_s > kGrownAngle) growth.earth_s.reset();
   return growth;
 }
@@ -176,12 +172,6 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
 
 }  // namespace
 
-std::optional<double> growth_tolerance(const Scenario& scenario) {
-  const auto problem = make_problem<double>(scenario);
-  if (marginal_reason(problem) || is_regular(problem)) return std::nullopt;
-  return growth_tolerance(problem);
-}
-
 VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   VerdictReport report;
   if (!has_drift(result)) {
@@ -189,17 +179,18 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
     report.reason = "there is no row beyond the release";
     return report;
   }
-  const auto problem = make_problem<double>(result.scenario);
+  const DriftProblem<double>& problem = result.modelled.problem<double>();
   if (const auto reason = marginal_reason(problem)) {
     report.verdict = Verdict::marginal;
     report.from_s = 0;
     report.reason = *reason;
     return report;
   }
-  if (is_regular(problem))
+  const auto tolerance = growth_tolerance(problem);
+  if (!tolerance)
     report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, watch), result.rows, is_integrable(problem),
+    judge_growth(follow_growth(result, problem, *tolerance, watch), result.rows, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
   if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {

@@ -11,9 +11,6 @@ namespace earthtop {
 /// @param watch  may end it early, with what is known by then
 VerdictReport assess_verdict(const RunResult& result, const Watch& watch);
 
-/// The tolerance that the growth of disturbances is integrated at; none where it is not.
-std::optional<double> growth_tolerance(const Scenario& scenario);
-
 /// Marks the rows from the verdict's time on.
 void mark_rows(RunResult& result);
 

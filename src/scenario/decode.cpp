@@ -5,15 +5,14 @@
 
 #include <filesystem>
 
-#include "earthtop/model/release.hpp"
 #include "input/check.hpp"
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/plausibility.hpp"
+#include "scenario/reading.hpp"
 
-namespace earthtop {
-namespace scenario {
+namespace earthtop::scenario {
 namespace {
 
 void decode_name(const Section& root, const std::string& file, Scenario& scenario) {
@@ -74,94 +73,47 @@ bool decode_site(const Section& root, Scenario& scenario) {
   return true;
 }
 
-/// A steady precession may not exist; whether it does needs the body and gravity.
-/// @returns whether there is a start
-bool check_start(const Section& release, const Scenario& scenario) {
-  try {
-    const auto start = make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
-    if (start.w_XB_B.allFinite()) return true;
-    release.refuse("precession", "no steady precession: its rate is too large for a double");
-  } catch (const ScenarioError& error) {
-    for (const Diagnostic& diagnostic : error.diagnostics()) release.refuse("precession", diagnostic.message);
-  }
-  return false;
-}
-
-void check_cost(const Section& root, const Scenario& scenario) {
-  try {
-    require_affordable(scenario);
-  } catch (const ScenarioError& error) {
-    constexpr std::string_view kEffects = "/effects/";
-    for (const Diagnostic& diagnostic : error.diagnostics())
-      if (diagnostic.pointer.starts_with(kEffects))
-        root.section("effects").refuse_key(diagnostic.pointer.substr(kEffects.size()), diagnostic.message);
-      else
-        root.section("motion").refuse("duration_s", diagnostic.message);
-  }
-}
-
-void check_method(const Section& numerics, const Scenario& scenario) {
-  if (const auto reason = method_refusal(scenario.numerics.method, scenario)) numerics.refuse("method", *reason);
-}
-
 std::array<double, kInputNames.size()> decode_uncertainty(const Section& uncertainty) {
   std::array<double, kInputNames.size()> standard_errors = {};
   for (std::size_t i = 0; i < kInputNames.size(); ++i) standard_errors[i] = uncertainty.number(kInputNames[i]).value_or(0);
   return standard_errors;
 }
 
-void decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
+/// @returns whether body, release and gravity are known
+bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
   const auto body = root.require("body") ? decode_body(root.section("body")) : std::nullopt;
   const auto release = root.require("release") ? decode_release(root.section("release")) : std::nullopt;
   if (body) scenario.body = *body;
   if (release) scenario.release = *release;
-  const bool starts = body && release && gravity && check_start(root.section("release"), scenario);
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
   scenario.accuracy_rad = root.section("accuracy").number("drift_rad");
   decode_effects(root, scenario);
-  if (starts) check_effects(root.section("effects"), scenario);
   decode_numerics(root.section("numerics"), scenario);
-  if (starts) check_method(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.criteria = decode_criteria(root);
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));
-  if (starts && scenario.duration_s > 0 && !scenario.numerics.step_s) check_cost(root, scenario);
   warn_of_implausible(root, scenario);
+  return body && release && gravity;
 }
 
 }  // namespace
-}  // namespace scenario
 
-ScenarioReport examine_scenario(const ScenarioSource& source,
-                                const std::vector<std::pair<std::string, std::string>>& overrides) {
-  using namespace scenario;
-  using namespace input;
-  std::string_view text = source.text;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark: columns are counted behind it
-  Findings findings;
-  Node root;
-  const ReadOutcome outcome = read_json(text, "", false, root, findings);
-  // After a syntax error the rest would be guesswork.
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused)
-    return {std::nullopt, findings.count(), findings.errors(text), {}};
-  Scenario scenario;
-  if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
-  check_structure(root, findings, fields());
-  decode(Section(root, findings, fields()), source, scenario);
-  ScenarioReport report{std::nullopt, findings.count(), findings.errors(text), findings.warnings(text)};
-  if (findings.empty()) report.scenario = std::move(scenario);
-  return report;
+Reading read_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  Reading reading;
+  reading.text = source.text;
+  if (reading.text.starts_with("\xEF\xBB\xBF")) reading.text.remove_prefix(3);  // columns are counted behind it
+  const ReadOutcome outcome = read_json(reading.text, "", false, reading.root, reading.findings);
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) return reading;
+  reading.is_whole = true;
+  if (reading.root.kind == JsonKind::object) apply_overrides(reading.root, overrides, reading.findings);
+  check_structure(reading.root, reading.findings, fields());
+  reading.has_start = decode(reading.section(), source, reading.scenario);
+  return reading;
 }
 
-Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
-  ScenarioReport report = examine_scenario(source, overrides);
-  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
-  return *std::move(report.scenario);
-}
-
-}  // namespace earthtop
+}  // namespace earthtop::scenario

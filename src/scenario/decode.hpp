@@ -28,8 +28,6 @@ std::optional<PlatformSpec> decode_platform(const Section& platform, const Scena
 /// Which torques act, where the Earth's pole and the plumb line are, and when the top is released.
 /// @param scenario  its site and rate must be known; effects, site and rate are written
 void decode_effects(const Section& root, Scenario& scenario);
-/// What the effects need of the release, of the platform and of one another.
-void check_effects(const Section& effects, const Scenario& scenario);
 
 /// Method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
 void decode_numerics(const Section& numerics, Scenario& scenario);

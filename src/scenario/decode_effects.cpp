@@ -4,10 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "earthtop/frames/earth_orientation.hpp"
-#include "earthtop/model/release.hpp"
 #include "input/suggest.hpp"
 #include "scenario/decode.hpp"
 
@@ -92,31 +90,6 @@ void decode_orientation(const Section& effects, const Section& motion, Scenario&
     scenario.rotation_rate_rad_s = earth_rate_with_length_of_day(scenario.rotation_rate_rad_s, scenario.excess_length_of_day_s);
 }
 
-/// A gimbal that holds the axis level cannot take one that is not, nor a rate at which it would leave the level.
-void check_gimbal(const Section& effects, const Scenario& scenario) {
-  constexpr double kLevel = 1e-12;
-  const auto release = make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
-  const Mat3<double> R_LB = rotation_matrix(release.q_LB);
-  const Vec3<double> up_B = R_LB.row(2).transpose();
-  if (scenario.platform) return effects.refuse_key("gimbal", "is not available on a platform; leave one of the two out");
-  if (scenario.effects.applied.coulomb_N_m != 0)
-    return effects.refuse_key("coulomb_torque_N_m", "is not available with a gimbal; give the gimbal a damping instead");
-  if (std::abs(up_B[2]) > kLevel)
-    return effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release tilts it by {:.6g} deg; give "
-                                                "/release/tilt_deg 90, or leave the gimbal out",
-                                                real::atan2(real::hypot(up_B[0], up_B[1]), up_B[2]) * 180 / std::numbers::pi));
-  if (scenario.release.rates_relative_to == RatesRelativeTo::inertial)
-    return effects.refuse(
-        "gimbal",
-        "holds body axis 3 level in the laboratory, and rates that are the same in inertial space would let it "
-        "leave the level; give /release/rates_relative_to \"laboratory\"");
-  const double leaving = release.w_XB_B.dot(up_B.cross(Vec3<double>::UnitZ()));
-  if (std::abs(leaving) > kLevel * norm(release.w_XB_B))
-    effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release turns it out of the level at {:.6g} rad/s; "
-                                         "give rates about axis 3 and Up only",
-                                         std::abs(leaving)));
-}
-
 }  // namespace
 
 void decode_effects(const Section& root, Scenario& scenario) {
@@ -145,17 +118,6 @@ void decode_effects(const Section& root, Scenario& scenario) {
   if (effects.has("air_drag")) applied.air_drag = decode_air_drag(effects.section("air_drag"));
   applied.gravity_gradient = decode_gradient(effects);
   applied.gimbal = decode_gimbal(effects);
-}
-
-void check_effects(const Section& effects, const Scenario& scenario) {
-  const AppliedTorquesSpec& applied = scenario.effects.applied;
-  if (applied.gimbal) check_gimbal(effects, scenario);
-  constexpr double kLongestTide_s = 3.2e7;  // a second or two for its series
-  if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
-    effects.refuse("tide",
-                   "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");
-  if (applied.coulomb_N_m != 0 && scenario.platform)
-    effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
 }
 
 }  // namespace earthtop::scenario

@@ -11,17 +11,17 @@ namespace {
 /// Largest number of output rows that the results of one batch may hold together, about 100 MB.
 constexpr double kMostRows = 200'000;
 
-double rows_of(const Scenario& scenario) { return 2 + scenario.duration_s / scenario.output_step_s; }
+double rows_of(const Scene& scene) { return 2 + scene.rows(); }
 
 Value axis_cell(const StudyAxis& axis, const Setting& setting) {
   return setting.at_base ? Value() : read_value(axis_value(axis, setting));
 }
 
-std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const Watch& watch) {
+std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch& watch) {
   try {
-    return run_batch(scenarios, watch);
+    return run_batch(scenes, watch);
   } catch (const std::exception& error) {
-    if (scenarios.size() == 1) {
+    if (scenes.size() == 1) {
       std::vector<BatchOutcome> outcome(1);
       outcome.front().refusal = error.what();
       return outcome;
@@ -29,8 +29,8 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const
   }
   // One of the scenarios caused the error: run each of them alone.
   std::vector<BatchOutcome> outcomes;
-  outcomes.reserve(scenarios.size());
-  for (const Scenario& scenario : scenarios) outcomes.push_back(std::move(run_guarded({&scenario, 1}, watch).front()));
+  outcomes.reserve(scenes.size());
+  for (const Scene& scene : scenes) outcomes.push_back(std::move(run_guarded({&scene, 1}, watch).front()));
   return outcomes;
 }
 
@@ -39,10 +39,10 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const
 std::vector<PointResult> compute(const Study& study, const Collector& collector, const Chunk& chunk, const Watch& watch) {
   std::vector<PointResult> results;
   results.reserve(chunk.size());
-  std::vector<Scenario> scenarios;
-  scenarios.reserve(chunk.size());
-  std::vector<std::size_t> of_scenario;  // index in `results` of each scenario's point
-  of_scenario.reserve(chunk.size());
+  std::vector<Scene> scenes;
+  scenes.reserve(chunk.size());
+  std::vector<std::size_t> of_scene;  // index in `results`
+  of_scene.reserve(chunk.size());
   for (const PlannedPoint& point : chunk) {
     PointResult& result = results.emplace_back();
     result.number = point.number;
@@ -51,21 +51,21 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
       result.axis_values.push_back(axis_cell(study.axes[a], point.settings[a]));
     if (watch.asks_to_stop()) {
       result.status = to_string(RunStatus::interrupted);
-    } else if (auto scenario = collector.scenario(overrides(study, point), result.reason)) {
-      of_scenario.push_back(results.size() - 1);
-      scenarios.push_back(*std::move(scenario));
+    } else if (auto scene = collector.scene(overrides(study, point), result.reason)) {
+      of_scene.push_back(results.size() - 1);
+      scenes.push_back(*std::move(scene));
     } else {
       result.status = "refused";
     }
   }
-  Parts parts(watch, static_cast<double>(scenarios.size()));
-  for (std::size_t begin = 0; begin < scenarios.size();) {
+  Parts parts(watch, static_cast<double>(scenes.size()));
+  for (std::size_t begin = 0; begin < scenes.size();) {
     std::size_t end = begin + 1;
-    for (double rows = rows_of(scenarios[begin]); end < scenarios.size(); ++end)
-      if (rows += rows_of(scenarios[end]); rows > kMostRows) break;
+    for (double rows = rows_of(scenes[begin]); end < scenes.size(); ++end)
+      if (rows += rows_of(scenes[end]); rows > kMostRows) break;
     const auto outcomes =
-        run_guarded(std::span(scenarios).subspan(begin, end - begin), parts.next(static_cast<double>(end - begin)));
-    for (std::size_t i = begin; i < end; ++i) collector.collect(outcomes[i - begin], results[of_scenario[i]]);
+        run_guarded(std::span(scenes).subspan(begin, end - begin), parts.next(static_cast<double>(end - begin)));
+    for (std::size_t i = begin; i < end; ++i) collector.collect(outcomes[i - begin], results[of_scene[i]]);
     begin = end;
   }
   std::erase_if(results, [](const PointResult& point) { return point.status == to_string(RunStatus::interrupted); });

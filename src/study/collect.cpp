@@ -94,20 +94,22 @@ Collector::Collector(const Study& study) : study_(study) {
 ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::string>>& overrides) const {
   ScenarioReport report = examine_scenario(study_.base, overrides);
   if (!report.scenario) return report;
-  report.scenario->numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
-  if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
+  Scenario& scenario = *report.scenario;
+  scenario.numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
+  if (ends_only_) scenario.output_step_s = scenario.duration_s;
   if (!sensitivities_) {
-    report.scenario->sensitivities = false;
-    report.scenario->uncertainty.reset();
+    scenario.sensitivities = false;
+    scenario.uncertainty.reset();
   }
+  report.scene = resolve(scenario);
   return report;
 }
 
-std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                            std::string& refusal) const {
+std::optional<Scene> Collector::scene(const std::vector<std::pair<std::string, std::string>>& overrides,
+                                      std::string& refusal) const {
   ScenarioReport report = examine(overrides);
-  if (!report.scenario) refusal = first_message(report);
-  return std::move(report.scenario);
+  if (!report.scene) refusal = first_message(report);
+  return std::move(report.scene);
 }
 
 void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
@@ -120,13 +122,13 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
   const RunResult& result = *outcome.result;
   point.status = to_string(result.status);
   if (result.status != RunStatus::completed)
-    point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scenario.duration_s);
+    point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scene.scenario().duration_s);
   if (point.status == "completed" && result.accuracy && !result.accuracy->reached()) {
     point.status = "accuracy_not_reached";
     point.reason = fmt::format("the drift error asked for, {} rad, was not reached: it is {:.2g} rad",
                                result.accuracy->asked_rad, result.accuracy->reached_rad);
   }
-  point.scenario_sha256 = scenario_sha256(result.scenario);
+  point.scenario_sha256 = result.scene.sha256();
   std::string made;
   std::optional<Json> section;
   for (std::size_t i = 0; i < paths_.size(); ++i) {

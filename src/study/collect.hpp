@@ -39,8 +39,7 @@ class Collector {
   ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
 
   /// The scenario of a point. If it is refused, nothing is returned, and `refusal` receives the reason.
-  std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                   std::string& refusal) const;
+  std::optional<Scene> scene(const std::vector<std::pair<std::string, std::string>>& overrides, std::string& refusal) const;
 
   /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;

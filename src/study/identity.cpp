@@ -78,8 +78,8 @@ StudyEstimate estimate(const Study& study) {
   for (const std::uint64_t number : spread(reach(study, *count), 25)) {
     std::string refusal;
     points += 1;
-    if (const auto scenario = collector.scenario(overrides(study, design.point(number)), refusal))
-      seconds += estimated_seconds(*scenario);
+    if (const auto scene = collector.scene(overrides(study, design.point(number)), refusal))
+      seconds += scene->estimate().seconds.all();
   }
   constexpr double kSecondsAPoint = 2e-4;  // reading, verdict, storing
   estimate.core_seconds = static_cast<double>(*count) * (kSecondsAPoint + (points > 0 ? seconds / points : 0));
@@ -163,9 +163,9 @@ std::string study_sha256(const Study& study) {
   bool seen = false;
   for (const std::uint64_t number : spread(reach(study, point_count(study).value_or(0)), 7)) {
     std::string refusal;
-    const auto scenario = collector.scenario(overrides(study, design.point(number)), refusal);
-    text += fmt::format("point {} {}\n", number, scenario ? scenario_sha256(*scenario) : refusal);
-    seen = seen || scenario;
+    const auto scene = collector.scene(overrides(study, design.point(number)), refusal);
+    text += fmt::format("point {} {}\n", number, scene ? scene->sha256() : refusal);
+    seen = seen || scene;
   }
   if (!seen) text += study.base.text;
   return sha256_hex(text);

@@ -5,7 +5,7 @@
 
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
-#include "scenario/problem.hpp"
+#include "earthtop/model/model.hpp"
 #include "verify/formulas.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
@@ -19,11 +19,8 @@ using Q = float128;
 /// The closed form of the rotating motion, or of the reference.
 class Exact {
  public:
-  Exact(const Scenario& scenario, bool rotating)
-      : release_(make_release<Q>(scenario.release, make_body<Q>(scenario.body), scenario.site.gravity_m_s2)) {
-    Scenario scene = scenario;
-    if (!rotating) scene.rotation_rate_rad_s = 0;
-    const Model<Q> model = make_model<Q>(scene);
+  Exact(const Scene& scene, bool rotating) : release_(scene.release<Q>()) {
+    const Model<Q> model = rotating ? scene.model<Q>() : scene.without_rotation().model<Q>();
     if (!has_closed_form(exact_kind(model))) throw NotJudged("this motion has no closed form");
     W_L_ = model.W_IL_L;
     Vec3<Q> w_IB_B = release_.w_XB_B;
@@ -39,7 +36,7 @@ class Exact {
 };
 
 double attitude_error(const RunResult& result, bool rotating, double until_s) {
-  const Exact exact(result.scenario, rotating);
+  const Exact exact(result.scene, rotating);
   double error = 0;
   for (const DriftRow& row : result.rows)
     if (row.t_s <= until_s)
@@ -49,7 +46,7 @@ double attitude_error(const RunResult& result, bool rotating, double until_s) {
 
 /// The error of the axis alone: after 1e9 turns a double cannot hold the spin angle accurately.
 double axis_error(const RunResult& result, double until_s) {
-  const Exact exact(result.scenario, true);
+  const Exact exact(result.scene, true);
   double error = 0;
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
@@ -89,18 +86,12 @@ double closed_form_error(const CriterionSpec& criterion, Runs& runs) {
   throw std::logic_error("no such closed form: " + criterion.quantity);
 }
 
-SymmetricTop<double> symmetric_top(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  if (symmetry_axis(body) != 2) throw NotJudged("the formula is that of a top symmetric about body axis 3");
-  return {body.I_BP_B(0, 0), body.I_BP_B(2, 2), body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2]};
+SymmetricTop<double> symmetric_top(const Scene& scene) {
+  if (scene.symmetry_axis() != 2) throw NotJudged("the formula is that of a top symmetric about body axis 3");
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  return {inertia(0, 0), inertia(2, 2), scene.axial_gravity_torque_N_m()};
 }
 
-Release<double> release_of(const Scenario& scenario) {
-  return make_release<double>(scenario.release, make_body<double>(scenario.body), scenario.site.gravity_m_s2);
-}
-
-Vec3<double> earth_rate_L(const Scenario& scenario) {
-  return scenario.rotation_rate_rad_s * celestial_axis_L<double>(scenario.site);
-}
+Vec3<double> earth_rate_L(const Scene& scene) { return scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site()); }
 
 }  // namespace earthtop::verify_detail

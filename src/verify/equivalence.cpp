@@ -79,7 +79,7 @@ double mirrored_north_south(const Pair& pair, double until_s) {
 
 /// The drifts of axis and attitude are proportional to the Earth's rate; relative to the largest axis drift.
 double proportional(const Pair& pair, double until_s) {
-  const double A = std::abs(pair.a.scenario.rotation_rate_rad_s), B = std::abs(pair.b.scenario.rotation_rate_rad_s);
+  const double A = std::abs(pair.a.scene.rotation_rate_rad_s()), B = std::abs(pair.b.scene.rotation_rate_rad_s());
   double largest = 0;
   const double error = over_rows(pair, until_s, [&](const DriftRow& a, const DriftRow& b) {
     largest = std::max(largest, a.drift_axis_rad / A);
@@ -91,13 +91,13 @@ double proportional(const Pair& pair, double until_s) {
 
 /// If at the end all rates are reversed, also the Earth's, the top returns to its release (rad; rates relative to their size).
 double reversed_in_time(const RunResult& forth, const Watch& watch) {
-  Scenario back = forth.scenario;
+  Scenario back = forth.scene.scenario();
   const DriftRow &start = forth.rows.front(), &end = forth.rows.back();
-  back.rotation_rate_rad_s = -back.rotation_rate_rad_s;
+  back.rotation_rate_rad_s = -forth.scene.rotation_rate_rad_s();
   back.release.quaternion_LB = end.q_LB;
   back.release.angular_velocity_body_rad_s = {-end.w_LB_B[0], -end.w_LB_B[1], -end.w_LB_B[2]};
   back.release.rates_relative_to = RatesRelativeTo::laboratory;
-  const RunResult result = completed_run(back, watch);
+  const RunResult result = completed_run(resolve(std::move(back)), watch);
   return return_error(result.rows.back(), start);
 }
 

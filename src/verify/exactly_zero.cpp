@@ -26,17 +26,18 @@ int nonzero_reference_tilts(const DriftRow& row) {
 }
 
 /// The scene with every method, and in every observer's equations, that the scene and its precision allow.
-std::vector<Scenario> by_all_methods(const Scenario& scenario) {
-  std::vector<Scenario> scenes;
+std::vector<Scene> by_all_methods(const Scenario& scenario) {
+  std::vector<Scene> scenes;
   for (const Method method : scenario::kMethods)
     for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
       for (const ModelForm form : {ModelForm::automatic, ModelForm::general}) {
-        Scenario scene = scenario;
-        scene.numerics.method = method;
-        scene.numerics.observer = observer;
-        scene.numerics.form = form;
-        if (scenario::step_rule(method).step_s == scenario::Need::required) scene.numerics.step_s = scene.output_step_s / 50;
-        if (is_built(method, scene.precision) && !method_refusal(method, scene)) scenes.push_back(scene);
+        Scenario varied = scenario;
+        varied.numerics.method = method;
+        varied.numerics.observer = observer;
+        varied.numerics.form = form;
+        if (scenario::step_rule(method).step_s == scenario::Need::required) varied.numerics.step_s = varied.output_step_s / 50;
+        Scene scene = resolve(std::move(varied));
+        if (is_built(method, scenario.precision) && !scene.method_refusal()) scenes.push_back(std::move(scene));
       }
   return scenes;
 }
@@ -50,7 +51,7 @@ double exactly_zero_error(const CriterionSpec& criterion, Runs& runs) {
     return count;
   }
   const auto count_of = criterion.quantity == "drift" ? nonzero_drifts : nonzero_reference_tilts;
-  for (const Scenario& scene : by_all_methods(runs.scenario(criterion.set)))
+  for (const Scene& scene : by_all_methods(runs.scene(criterion.set).scenario()))
     for (const DriftRow& row : completed_run(scene, runs.next_watch()).rows) count += count_of(row);
   return count;
 }

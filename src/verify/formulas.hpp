@@ -24,6 +24,6 @@ double cusp_tilts_error(const RunResult& result);
 double reference_turned_error(const RunResult& result, double until_s);
 
 /// The spin above which an upright top is stable ("sleeps") (rad/s).
-double critical_spin_of(const Scenario& scenario);
+double critical_spin_of(const Scene& scene);
 
 }  // namespace earthtop::verify_detail

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "earthtop/model/invariants.hpp"
-#include "scenario/problem.hpp"
+#include "earthtop/model/model.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 
@@ -54,7 +54,7 @@ Instant instant(const Model<double>& model, const DriftRow& row) {
 }
 
 double largest_change(const RunResult& result, Term (*integral)(const Instant&)) {
-  const Model<double> model = make_model<double>(result.scenario);
+  const Model<double>& model = result.modelled.model<double>();
   const double first = integral(instant(model, result.rows.front())).value;
   double change = 0, scale = 0;
   for (const DriftRow& row : result.rows) {

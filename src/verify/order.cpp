@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
-#include "earthtop/integrate/motion_integration.hpp"
-#include "scenario/problem.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 
@@ -30,19 +29,17 @@ double steps_of(const CriterionSpec& criterion, double fewest) {
 class StepErrors {
  public:
   /// @param work  number of steps from row to row, summed over all trajectories that will be requested
-  StepErrors(const Scenario& scenario, const Watch& watch, double work)
-      : scenario_(scenario), problem_(make_problem<double>(scenario)), parts_(watch, work) {
-    Scenario fine = scenario;
+  StepErrors(const Scene& scene, const Watch& watch, double work) : scene_(scene), parts_(watch, work) {
+    Scenario fine = scene.scenario();
     fine.numerics = {};
     fine.numerics.method = Method::taylor;
     fine.numerics.relative_tolerance = least_tolerance(Precision::bits53);
-    fine.numerics = method_choice(fine).options;
-    reference_ = trajectory(fine.numerics, 1);
+    reference_ = trajectory(resolve(std::move(fine)).choice().options, 1);
   }
   /// The largest angle between the attitudes at the rows (rad).   @param parts  steps from row to row
   double at(long parts) {
-    IntegrationOptions options = scenario_.numerics;
-    options.step_s = scenario_.output_step_s / static_cast<double>(parts);
+    IntegrationOptions options = scene_.scenario().numerics;
+    options.step_s = scene_.scenario().output_step_s / static_cast<double>(parts);
     const auto samples = trajectory(options, static_cast<double>(parts));
     double error = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -53,14 +50,13 @@ class StepErrors {
  private:
   std::vector<MotionSample<double>> trajectory(const IntegrationOptions& options, double work) {
     const Watch watch = parts_.next(work);
-    auto motion = integrate_motion(problem_, options, MotionSought::attitude, watch);
+    auto motion = integrate_motion<double>(scene_.problem<double>(), options, MotionSought::attitude, watch);
     if (watch.asks_to_stop()) throw NotJudged("interrupted");
     if (motion.status != RunStatus::completed) throw NotJudged("an integration ended early");
     return std::move(motion.samples);
   }
 
-  const Scenario& scenario_;
-  DriftProblem<double> problem_;
+  Scene scene_;
   Parts parts_;
   std::vector<MotionSample<double>> reference_;
 };
@@ -90,18 +86,18 @@ double resonance(StepErrors& errors, double parts) {
 }  // namespace
 
 double order_work(const CriterionSpec& criterion, const Runs& runs) {
-  const Scenario scenario = runs.scenario(criterion.set);
-  if (!scenario.numerics.step_s) return 0;
+  const Scene scene = runs.scene(criterion.set);
+  if (!scene.scenario().numerics.step_s) return 0;
   // The work is for one motion, whereas the estimate is for two integrations of two motions and their deviation.
   constexpr double kOfEstimate = 0.15;
-  const auto fewest = static_cast<double>(fewest_parts(scenario));
-  return kOfEstimate * estimated_seconds(scenario) * steps_of(criterion, fewest) / fewest;
+  const auto fewest = static_cast<double>(fewest_parts(scene.scenario()));
+  return kOfEstimate * scene.estimate().seconds.all() * steps_of(criterion, fewest) / fewest;
 }
 
 double order_error(const CriterionSpec& criterion, Runs& runs) {
-  const Scenario scenario = runs.scenario(criterion.set);
-  const long parts = fewest_parts(scenario);
-  StepErrors errors(scenario, runs.watch(), steps_of(criterion, static_cast<double>(parts)) + 1);
+  const Scene scene = runs.scene(criterion.set);
+  const long parts = fewest_parts(scene.scenario());
+  StepErrors errors(scene, runs.watch(), steps_of(criterion, static_cast<double>(parts)) + 1);
   if (criterion.quantity == "step_resonance") return resonance(errors, static_cast<double>(parts));
   const double order = real::log2(errors.at(parts) / errors.at(2 * parts));
   return std::abs(order - criterion.values.at(0));

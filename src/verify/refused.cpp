@@ -5,7 +5,7 @@ namespace earthtop::verify_detail {
 
 double refused_error(const CriterionSpec& criterion, Runs& runs) {
   try {
-    runs.scenario(criterion.set);
+    runs.scene(criterion.set);
   } catch (const ScenarioError&) {
     return 0;
   }

@@ -5,19 +5,19 @@
 
 namespace earthtop::verify_detail {
 
-Scenario Runs::scenario(const Changes& changes) const {
+Scene Runs::scene(const Changes& changes) const {
   std::vector<std::pair<std::string, std::string>> overrides;
   for (const std::string& change : changes) {
     const std::size_t equals = change.find('=');
     overrides.emplace_back(change.substr(0, equals), change.substr(equals + 1));
   }
-  return parse_scenario(source_, overrides);
+  return parse_scene(source_, overrides);
 }
 
 const RunResult& Runs::run(const Changes& changes) {
   const auto found = done_.find(changes);
   return found != done_.end() ? found->second
-                              : done_.emplace(changes, completed_run(scenario(changes), next_watch())).first->second;
+                              : done_.emplace(changes, completed_run(scene(changes), next_watch())).first->second;
 }
 
 Watch Runs::next_watch() {
@@ -27,8 +27,8 @@ Watch Runs::next_watch() {
   return watch_.part(begun, share_);
 }
 
-RunResult completed_run(const Scenario& scenario, const Watch& watch) {
-  RunResult result = earthtop::run(scenario, {watch, false});
+RunResult completed_run(const Scene& scene, const Watch& watch) {
+  RunResult result = earthtop::run(scene, {watch, false});
   if (result.status == RunStatus::completed) return result;
   throw NotJudged(fmt::format("the run ended at t = {} s: {}", result.reached_s, to_string(result.status)));
 }

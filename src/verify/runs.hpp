@@ -23,7 +23,7 @@ class Runs {
   explicit Runs(ScenarioSource source) : source_(std::move(source)) {}
 
   /// @throws ScenarioError if the changed scene is not valid
-  Scenario scenario(const Changes& changes = {}) const;
+  Scene scene(const Changes& changes = {}) const;
   /// @throws NotJudged if the run does not complete; ScenarioError
   const RunResult& run(const Changes& changes = {});
   bool has_run(const Changes& changes) const { return done_.contains(changes); }
@@ -42,6 +42,6 @@ class Runs {
 };
 
 /// Runs a scenario to its end.   @throws NotJudged if it does not get there
-RunResult completed_run(const Scenario& scenario, const Watch& watch);
+RunResult completed_run(const Scene& scene, const Watch& watch);
 
 }  // namespace earthtop::verify_detail

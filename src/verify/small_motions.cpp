@@ -34,16 +34,16 @@ double growth_rate_error(const RunResult& result) {
   }
   double sum = 0, squares = 0;
   for (std::size_t k = 1; k + 1 < d.size(); ++k) sum += d[k] * (d[k + 1] + d[k - 1]) / 2, squares += d[k] * d[k];
-  const double computed = real::acosh(sum / squares) / (2 * result.scenario.output_step_s);
-  const double theory = upright_growth_rate(symmetric_top(result.scenario), release_of(result.scenario).w_XB_B[2]);
+  const double computed = real::acosh(sum / squares) / (2 * result.scene.scenario().output_step_s);
+  const double theory = upright_growth_rate(symmetric_top(result.scene), result.scene.release<double>().w_XB_B[2]);
   return std::abs(computed / theory - 1);
 }
 
 // Compares the planes of swing of the first and the last sixth of the run; each sixth should hold a whole number of swings.
 double foucault_rate_error(const RunResult& result) {
-  const Scenario& scenario = result.scenario;
-  const auto rate =
-      foucault_rate(symmetric_top(scenario), scenario.release.tilt_deg * real::pi<double>() / 180, earth_rate_L(scenario));
+  const Scenario& scenario = result.scene.scenario();
+  const auto rate = foucault_rate(symmetric_top(result.scene), scenario.release.tilt_deg * real::pi<double>() / 180,
+                                  earth_rate_L(result.scene));
   const std::size_t last = result.rows.size() - 1, window = last / 6;
   const double angle = swing_plane(result.rows, last - window, last) - swing_plane(result.rows, 0, window);
   const double between_s = result.rows[last - window].t_s;
@@ -53,11 +53,11 @@ double foucault_rate_error(const RunResult& result) {
 
 // An axis that is released at rest at its place of rest stays there.
 double resting_axis_error(const RunResult& result) {
-  const Vec3<double> W_L = earth_rate_L(result.scenario);
-  const auto release = release_of(result.scenario);
+  const Vec3<double> W_L = earth_rate_L(result.scene);
+  const auto release = result.scene.release<double>();
   const Vec3<double> W_B = rotation_matrix(release.q_LB).transpose() * W_L;
   const double w3 = release.w_XB_B[2] + (release.X == RatesRelativeTo::laboratory ? W_B[2] : 0);
-  const Vec3<double> rest = resting_axis_L(symmetric_top(result.scenario), w3, W_L);
+  const Vec3<double> rest = resting_axis_L(symmetric_top(result.scene), w3, W_L);
   double error = 0;
   for (const DriftRow& row : result.rows) error = worse(error, norm(Vec3<double>(vector(row.axis_L) - rest)));
   return error / real::hypot(rest[0], rest[1]);
@@ -67,10 +67,10 @@ double resting_axis_error(const RunResult& result) {
 // turns long (at least three), and nearly zero if the run is long.
 double mean_lean_error(const RunResult& result) {
   const Vec3<double> rest =
-      resting_axis_L(symmetric_top(result.scenario), release_of(result.scenario).w_XB_B[2], earth_rate_L(result.scenario));
+      resting_axis_L(symmetric_top(result.scene), result.scene.release<double>().w_XB_B[2], earth_rate_L(result.scene));
   double east = 0, north = 0, weights = 0;
   for (const DriftRow& row : result.rows) {
-    const double sine = real::sin(real::pi<double>() * row.t_s / result.scenario.duration_s),
+    const double sine = real::sin(real::pi<double>() * row.t_s / result.scene.scenario().duration_s),
                  weight = sine * sine * sine * sine;
     east += weight * row.axis_L[0], north += weight * row.axis_L[1], weights += weight;
   }

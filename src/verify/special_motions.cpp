@@ -13,7 +13,7 @@
 namespace earthtop::verify_detail {
 
 double balanced_axis_error(const RunResult& result) {
-  const Vec3<double> start = vector(result.rows.front().axis_L), W_L = earth_rate_L(result.scenario);
+  const Vec3<double> start = vector(result.rows.front().axis_L), W_L = earth_rate_L(result.scene);
   double error = 0;
   for (const DriftRow& row : result.rows)
     error = worse(error, norm(Vec3<double>(vector(row.axis_L) - balanced_gyroscope_axis_L(start, W_L, row.t_s))));
@@ -23,10 +23,10 @@ double balanced_axis_error(const RunResult& result) {
 // The axis goes round Up at the rate that the release asks for. At a pole it does so in inertial space while the laboratory
 // turns below it; elsewhere only the reference does so.
 double steady_precession_error(const RunResult& result) {
-  const Scenario& scenario = result.scenario;
-  const auto release = release_of(scenario);
-  const Vec3<double> start = rotation_matrix(release.q_LB).col(2), W_L = earth_rate_L(scenario);
-  const auto rates = steady_precession_rates(symmetric_top(scenario), release.w_XB_B[2], start[2]);
+  const Scenario& scenario = result.scene.scenario();
+  const auto release = result.scene.release<double>();
+  const Vec3<double> start = rotation_matrix(release.q_LB).col(2), W_L = earth_rate_L(result.scene);
+  const auto rates = steady_precession_rates(symmetric_top(result.scene), release.w_XB_B[2], start[2]);
   if (!rates || scenario.release.precession == Precession::none || scenario.release.precession == Precession::given)
     throw NotJudged("the release asks for no steady precession");
   const bool at_pole = W_L[1] == 0 && release.X == RatesRelativeTo::inertial;
@@ -42,8 +42,8 @@ double steady_precession_error(const RunResult& result) {
 
 // cos(tilt) = 1 - 2 k^2 sech^2(g t): the top is released at the lowest point of the motion that tends to the vertical.
 double homoclinic_tilt_error(const RunResult& result, double until_s) {
-  const SymmetricTop<double> top = symmetric_top(result.scenario);
-  const double w3 = release_of(result.scenario).w_XB_B[2], f = w3 / critical_spin(top), g = upright_growth_rate(top, w3);
+  const SymmetricTop<double> top = symmetric_top(result.scene);
+  const double w3 = result.scene.release<double>().w_XB_B[2], f = w3 / critical_spin(top), g = upright_growth_rate(top, w3);
   double error = 0;
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
@@ -55,10 +55,10 @@ double homoclinic_tilt_error(const RunResult& result, double until_s) {
 
 // The rate goes once from one end of axis 2 to the other, as tanh, while its other components vary as sech.
 double separatrix_rates_error(const RunResult& result, double until_s) {
-  const auto body = make_body<double>(result.scenario.body);
+  const Body<double>& body = result.scene.body<double>();
   if (!body.p_PBcm_B.isZero(0)) throw NotJudged("the formula is for a body without torque");
   const Mat3<double>& I = body.I_BP_B;
-  const double a = I(0, 0), b = I(1, 1), c = I(2, 2), start = release_of(result.scenario).w_XB_B[0];
+  const double a = I(0, 0), b = I(1, 1), c = I(2, 2), start = result.scene.release<double>().w_XB_B[0];
   if (!(a < b && b < c)) throw NotJudged("the formula is for moments in ascending order");
   const double w2 = start / std::sqrt(b * (c - b) / (a * (c - a))), p = w2 * std::sqrt((c - b) * (b - a) / (a * c));
   double error = 0;
@@ -75,8 +75,8 @@ double separatrix_rates_error(const RunResult& result, double until_s) {
 // its cusp again. The extremes are taken as vertices of parabolas through three rows, with an error of (row step x nutation
 // rate)^4 of the swing.
 double cusp_tilts_error(const RunResult& result) {
-  const SymmetricTop<double> top = symmetric_top(result.scenario);
-  const double momentum = top.I3 * release_of(result.scenario).w_XB_B[2], L = momentum * momentum / (4 * top.I1 * top.mgl);
+  const SymmetricTop<double> top = symmetric_top(result.scene);
+  const double momentum = top.I3 * result.scene.release<double>().w_XB_B[2], L = momentum * momentum / (4 * top.I1 * top.mgl);
   const double high = result.rows.front().ref_axis_L[2], low = L - std::sqrt(L * L - 2 * L * high + 1);
   double error = 0;
   int lows = 0, highs = 0;
@@ -93,14 +93,14 @@ double cusp_tilts_error(const RunResult& result) {
 }
 
 double reference_turned_error(const RunResult& result, double until_s) {
-  const double rate = std::abs(result.scenario.rotation_rate_rad_s);
-  const Vec3<double> celestial = celestial_axis_L<double>(result.scenario.site);
+  const double rate = std::abs(result.scene.rotation_rate_rad_s());
+  const Vec3<double> celestial = celestial_axis_L<double>(result.scene.site());
   double error = 0, largest = 0, apart = 0;
   for (const DriftRow& row : result.rows) {
     if (row.t_s > until_s) break;
     const double angle = rate * row.t_s, sine = norm(Vec3<double>(celestial.cross(vector(row.ref_axis_L))));
     const double axis = 2 * real::asin(sine * std::abs(real::sin(angle / 2)));
-    const Rotation<double> turn = Rotation<double>::about(celestial, -result.scenario.rotation_rate_rad_s * row.t_s);
+    const Rotation<double> turn = Rotation<double>::about(celestial, -result.scene.rotation_rate_rad_s() * row.t_s);
     largest = std::max(largest, angle);
     error = worse(error, worse(std::abs(row.drift_attitude_rad - angle), std::abs(row.drift_axis_rad - axis)));
     apart = worse(apart, attitude_distance(quaternion(row.q_LB), turn.quaternion() * quaternion(row.ref_q_LB)));
@@ -110,10 +110,9 @@ double reference_turned_error(const RunResult& result, double until_s) {
   return error / largest;
 }
 
-double critical_spin_of(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  const double mgl = body.mass * scenario.site.gravity_m_s2 * body.p_PBcm_B[2];
-  return critical_spin<double>({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl});
+double critical_spin_of(const Scene& scene) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  return critical_spin<double>({inertia(0, 0), inertia(2, 2), scene.axial_gravity_torque_N_m()});
 }
 
 }  // namespace earthtop::verify_detail

@@ -27,7 +27,7 @@ double figure(const RunResult& result, std::string_view quantity, double t_s) {
 std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
   if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
   if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};
-  if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scenario)};
+  if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scene)};
   const bool is_attitude = quantity.ends_with("q_LB"), is_axis = quantity.ends_with("axis_L");
   const bool is_rate = quantity.ends_with("w_LB_B_rad_s");
   if (!is_attitude && !is_axis && !is_rate) return {figure(result, quantity, t_s)};
@@ -43,7 +43,7 @@ std::vector<double> numbers_of(const RunResult& result, const std::string& quant
 
 double value_error(const CriterionSpec& criterion, Runs& runs) {
   const RunResult& result = runs.run(criterion.set);
-  const double t_s = criterion.at_s.value_or(result.scenario.duration_s);
+  const double t_s = criterion.at_s.value_or(result.scene.scenario().duration_s);
   const std::vector<double> computed = numbers_of(result, criterion.quantity, t_s), &known = criterion.values;
   if (computed.size() == 4)
     return attitude_distance({computed[0], computed[1], computed[2], computed[3]}, {known[0], known[1], known[2], known[3]});

@@ -69,9 +69,9 @@ std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Ru
       work = order_work(criterion, runs);
       continue;
     }
-    if (known.insert(criterion.set).second) work += estimated_seconds(runs.scenario(criterion.set));
+    if (known.insert(criterion.set).second) work += runs.scene(criterion.set).estimate().seconds.all();
     if (criterion.kind == CriterionKind::equivalence && known.insert(Changes()).second)
-      work += estimated_seconds(runs.scenario());
+      work += runs.scene().estimate().seconds.all();
     if (criterion.kind == CriterionKind::exactly_zero) work *= kMethodsHeld;
   }
   return all;
@@ -96,13 +96,13 @@ std::string criterion_text(const CriterionSpec& criterion) {
 
 Scenario parse_verifiable(const ScenarioSource& source) {
   const Runs runs(source);
-  Scenario scenario = runs.scenario();
+  Scenario scenario = runs.scene().scenario();
   if (scenario.criteria.empty())
     throw ScenarioError({{0, 0, "/criteria", "is missing: there is nothing to verify"}}, source.file);
   for (std::size_t i = 0; i < scenario.criteria.size(); ++i) {
     if (scenario.criteria[i].kind == CriterionKind::refused) continue;
     try {
-      runs.scenario(scenario.criteria[i].set);
+      runs.scene(scenario.criteria[i].set);
     } catch (const ScenarioError& error) {
       std::vector<Diagnostic> diagnostics;
       for (const Diagnostic& d : error.diagnostics())

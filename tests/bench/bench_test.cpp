@@ -233,7 +233,7 @@ TEST(Bench, WhatAutoTakesIsAmongTheContendersAndMarkedOnce) {
   long_run.duration_s = 3600;
   std::set<Method> taken;
   for (const Scenario& scene : {testing::toy_top(), testing::asymmetric_top(), pole, without_coriolis, long_run}) {
-    const IntegrationOptions choice = method_choice(scene).options;
+    const IntegrationOptions choice = Scene(scene).choice().options;
     taken.insert(choice.method);
     for (const Workload workload : {Workload::drift, Workload::motion}) {
       const std::vector<Contender> contenders = standard_contenders(scene, workload);
@@ -291,12 +291,12 @@ TEST(Bench, TheCheaperReferenceAgreesWithTheOtherWithinItsStatedError) {
 TEST(Bench, LongScenesAreShortenedToWhatAReferenceCanAfford) {
   Scenario scene = testing::toy_top();
   scene.duration_s = 1e6;
-  const Scenario shortened = shortened_for_reference(scene, 10);
-  EXPECT_LT(shortened.duration_s, 1e4);
+  const Scene shortened = shortened_for_reference(scene, 10);
+  EXPECT_LT(shortened.scenario().duration_s, 1e4);
   EXPECT_LE(estimated_reference_seconds(shortened, Precision::bits64), 10);
   EXPECT_GT(estimated_reference_seconds(shortened, Precision::bits64), 2);
   scene.duration_s = 1;
-  EXPECT_EQ(shortened_for_reference(scene, 10).duration_s, 1);
+  EXPECT_EQ(shortened_for_reference(scene, 10).scenario().duration_s, 1);
 }
 
 std::size_t count(const std::string& text, std::string_view what) {

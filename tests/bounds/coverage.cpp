@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "scenario/problem.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -41,7 +41,7 @@ JudgedRow judged_row(const RunResult& result, std::size_t i) {
 
 template <class T>
 std::vector<JudgedRow> integrate_truth(const Scenario& scenario, const IntegrationOptions& options) {
-  const auto trajectory = integrate_drift(make_problem<T>(scenario), options);
+  const auto trajectory = integrate_drift(Scene(scenario).problem<T>(), options);
   if (trajectory.status != RunStatus::completed)
     throw std::runtime_error("no truth: " + std::string(to_string(trajectory.status)));
   std::vector<JudgedRow> truths;
@@ -59,12 +59,12 @@ std::vector<JudgedRow> truth_of(const Scenario& scenario, Truth truth) {
   options.method = Method::extrapolation;
   options.relative_tolerance = 1e-22;
   const bool wide = truth == Truth::bits113 || scenario.precision != Precision::bits53;
-  if (wide && fastest_rate_rad_s(scenario) * scenario.duration_s < kAffordable)
+  if (wide && Scene(scenario).fastest_rate_rad_s() * scenario.duration_s < kAffordable)
     return integrate_truth<float128>(scenario, options);
   options.relative_tolerance = least_tolerance(Precision::bits64);
-  if (!method_refusal(Method::taylor, scenario)) {
+  if (!Scene(scenario).method_refusal(Method::taylor)) {
     options.method = Method::taylor;
-    if (is_reducible(make_problem<long double>(scenario).model)) {
+    if (is_reducible(Scene(scenario).problem<long double>().model)) {
       options.observer = Observer::laboratory;
       options.form = ModelForm::automatic;
     }

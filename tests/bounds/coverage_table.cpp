@@ -60,7 +60,7 @@ void print_scene(std::string_view stratum, const Scenario& scenario, const Cover
       "{:24} {:14} {:13} {:7.1e} {:11} {:9.3g} drift {:.2e} axis {:.1e} of {:.1e}, attitude {:.1e} of {:.1e}, attitudes "
       "themselves {:.1e} of {:.1e}, used {:.2g}{}\n",
       stratum, scenario.name, to_string(c.method), scenario.numerics.relative_tolerance, to_string(c.verdict.verdict),
-      fastest_rate_rad_s(scenario) * scenario.duration_s, c.drift, c.axis.error, c.axis.bound, c.attitude.error,
+      Scene(scenario).fastest_rate_rad_s() * scenario.duration_s, c.drift, c.axis.error, c.axis.bound, c.attitude.error,
       c.attitude.bound, c.states.error, c.states.bound, c.used, c.tight() ? "" : " LOOSE");
 }
 

@@ -273,7 +273,7 @@ Method any_method(const Scenario& scene, Random& random) {
   std::array<Method, scenario::kMethods.size()> allowed;
   std::size_t count = 0;
   for (const Method method : scenario::kMethods)
-    if (method != Method::automatic && is_built(method, scene.precision) && !method_refusal(method, scene))
+    if (method != Method::automatic && is_built(method, scene.precision) && !Scene(scene).method_refusal(method))
       allowed[count++] = method;
   return allowed.at(static_cast<std::size_t>(random.uniform(0, static_cast<double>(count))));
 }
@@ -292,13 +292,13 @@ Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, doubl
     constexpr std::array kObservers{Observer::laboratory, Observer::body, Observer::inertial};
     s.numerics.observer = kObservers[static_cast<std::size_t>(random.uniform(0, 3))];
     s.numerics.form = random.coin() ? ModelForm::automatic : ModelForm::general;
-  } while (method_refusal(s.numerics.method, s));
+  } while (Scene(s).method_refusal(s.numerics.method));
   if (s.numerics.method == Method::splitting)
     s.numerics.composition =
         scenario::kCompositions.at(static_cast<std::size_t>(random.uniform(0, double{scenario::kCompositions.size()})));
   const auto rule = scenario::step_rule(s.numerics.method);
   if (rule.step_s == scenario::Need::required || (rule.step_s == scenario::Need::optional && random.coin()))
-    s.numerics.step_s = random.log_uniform(0.01, 0.15) / fastest_rate_rad_s(s);
+    s.numerics.step_s = random.log_uniform(0.01, 0.15) / Scene(s).fastest_rate_rad_s();
   const double least = s.precision == Precision::bits53 ? 1e-13 : 10 * least_tolerance(s.precision);
   s.numerics.relative_tolerance = s.numerics.step_s ? default_tolerance(s.precision) : random.log_uniform(least, 1e-6);
   return s;
@@ -310,7 +310,7 @@ Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double lea
   Scenario s = stratum.make(random);
   s.name = "random-" + std::to_string(number) + "-" + std::to_string(index);
   s.duration_s = 1;  // for a platform that spins up
-  s.duration_s = random.log_uniform(least_phase, largest_phase) / fastest_rate_rad_s(s);
+  s.duration_s = random.log_uniform(least_phase, largest_phase) / Scene(s).fastest_rate_rad_s();
   s.output_step_s = s.duration_s / 12;
   return s;
 }

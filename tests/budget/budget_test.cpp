@@ -8,9 +8,9 @@
 #include <cmath>
 #include <functional>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/run.hpp"
-#include "scenario/problem.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {
@@ -83,8 +83,8 @@ struct Difference {
 Difference difference(const Scenario& with, const Scenario& without) {
   IntegrationOptions options;
   options.observer = Observer::body, options.method = Method::dop853, options.relative_tolerance = 1e-14;
-  const auto a = integrate_drift(make_problem<double>(with), options),
-             b = integrate_drift(make_problem<double>(without), options);
+  const auto a = integrate_drift(Scene(with).problem<double>(), options),
+             b = integrate_drift(Scene(without).problem<double>(), options);
   EXPECT_EQ(a.status, RunStatus::completed);
   EXPECT_EQ(b.status, RunStatus::completed);
   Difference d;
@@ -168,10 +168,10 @@ TEST(Selection, AccuracyDecidesWhatActs) {
     ASSERT_TRUE(result.selection);
     ASSERT_TRUE(result.accuracy);
     EXPECT_TRUE(result.accuracy->reached()) << accuracy;
-    const bool has_gradient = result.modelled.effects.applied.gravity_gradient.has_value();
+    const bool has_gradient = result.modelled.scenario().effects.applied.gravity_gradient.has_value();
     const auto& on = result.selection->switched_on;
     EXPECT_EQ(std::count(on.begin(), on.end(), "gravity_gradient"), has_gradient ? 1 : 0);
-    EXPECT_FALSE(result.scenario.effects.applied.gravity_gradient);  // as given
+    EXPECT_FALSE(result.scene.scenario().effects.applied.gravity_gradient);  // as given
     if (accuracy != 1e-9) {
       EXPECT_EQ(has_gradient, accuracy == 1e-12) << accuracy;
     }

@@ -21,7 +21,7 @@ constexpr const char* kLongest = "fast-gyro";
 
 /// Compares all drifts at the headline's time with the values of the reference program, within the bounds that the run states.
 void expect_generated_drifts(const RunResult& result) {
-  const testing::GeneratedValues generated = testing::generated_values(result.scenario.name);
+  const testing::GeneratedValues generated = testing::generated_values(result.scene.scenario().name);
   const auto row = std::find_if(result.rows.begin(), result.rows.end(),
                                 [&](const DriftRow& r) { return std::abs(r.t_s - generated.at_s) < 1e-9; });
   ASSERT_NE(row, result.rows.end());

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::testing {
 

@@ -2,7 +2,7 @@
 // Reads a scenario, runs it for a tenth of a second and prints the drift.
 #include <cstdio>
 #include <earthtop/run.hpp>
-#include <earthtop/scenario/scenario.hpp>
+#include <earthtop/scene/scene.hpp>
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "earthtop/frames/angle_spline.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "scenario/angle_table.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "hostile/kinds.hpp"
 
 namespace earthtop::hostile_test {

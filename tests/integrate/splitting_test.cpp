@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/compositions.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -34,7 +34,7 @@ struct Sweep {
 
   Sweep(Scenario scene, double seconds) : duration_s(seconds) {
     scene.duration_s = scene.output_step_s = seconds;
-    problem = make_problem<double>(scene);
+    problem = Scene(scene).problem<double>();
     const ReducedTop<double> top = reduced_top(problem.model);
     nutation_rad_s = scene.release.spin_rad_s * top.I3 / top.I1;
     IntegrationOptions options;
@@ -113,7 +113,7 @@ TEST(StepResonance, TheFirstIsWhereAStepIsAWholeNutation) {
 TEST(Splitting, FindsAStepThatMeetsItsTolerance) {
   Scenario scene = testing::toy_top();
   scene.duration_s = 10;
-  const auto problem = make_problem<double>(scene);
+  const auto problem = Scene(scene).problem<double>();
   IntegrationOptions options;
   options.method = Method::extrapolation;
   options.relative_tolerance = 1e-14;
@@ -157,7 +157,7 @@ TEST(LongRuns, TheJacobiIntegralHasNoTrend) {
   Scenario scene = testing::toy_top();
   scene.duration_s = 600;
   scene.output_step_s = 0.6;
-  const auto problem = make_problem<double>(scene);
+  const auto problem = Scene(scene).problem<double>();
   for (const Method method : {Method::gauss, Method::splitting}) {
     SCOPED_TRACE(to_string(method));
     IntegrationOptions options;

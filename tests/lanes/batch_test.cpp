@@ -8,6 +8,7 @@
 
 #include "earthtop/run_batch.hpp"
 #include "lanes/lane_bits.hpp"
+#include "support/changed_scene.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -43,7 +44,7 @@ std::vector<std::uint64_t> bits_of(const RunResult& result) {
 /// Batch and single runs agree, within their bounds, with a third run: more digits, another method, other equations.
 TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
   const std::vector<Scenario> scenes = tops(36, 60);
-  const std::vector<BatchOutcome> outcomes = run_batch(scenes);
+  const std::vector<BatchOutcome> outcomes = run_batch(testing::resolved(scenes));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     SCOPED_TRACE(i);
     ASSERT_TRUE(outcomes[i].result) << outcomes[i].refusal;
@@ -77,17 +78,17 @@ TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
     EXPECT_EQ(batch.certificate.observer, Observer::inertial);
     EXPECT_NE(batch.certificate.relative_tolerance, batch.solution.relative_tolerance);
     EXPECT_GT(batch.solution.counters.accepted, 0);
-    EXPECT_EQ(batch.scenario.name, scenes[i].name);
-    EXPECT_EQ(batch.modelled.name, scenes[i].name);
+    EXPECT_EQ(batch.scene.scenario().name, scenes[i].name);
+    EXPECT_EQ(batch.modelled.scenario().name, scenes[i].name);
   }
 }
 
 TEST(RunBatch, OutcomesAreTheirOwn) {
   std::vector<Scenario> scenes = tops(70, 20);
   for (std::size_t i = 0; i < scenes.size(); i += 5) scenes[i].numerics.relative_tolerance = 1e-9;
-  const auto all = run_batch(scenes);
+  const auto all = run_batch(testing::resolved(scenes));
   for (const std::size_t i : {0U, 1U, 5U, 33U, 69U}) {
-    const auto one = run_batch(std::span(scenes).subspan(i, 1));
+    const auto one = run_batch(testing::resolved({scenes[i]}));
     EXPECT_EQ(bits_of(*one[0].result), bits_of(*all[i].result)) << i;
   }
 }
@@ -108,7 +109,7 @@ TEST(RunBatch, RunsWhatDoesNotFitByItself) {
   scenes.push_back(testing::asymmetric_top());
   scenes.back().numerics.observer = Observer::inertial;
   for (Scenario& scene : scenes) scene.duration_s = 0.3;
-  const auto outcomes = run_batch(scenes);
+  const auto outcomes = run_batch(testing::resolved(scenes));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     ASSERT_TRUE(outcomes[i].result);
     EXPECT_FALSE(in_lanes(*outcomes[i].result)) << i;
@@ -119,13 +120,14 @@ TEST(RunBatch, RunsWhatDoesNotFitByItself) {
 /// A refused scene, and one that runs into its step limit, do not affect the sound ones beside them.
 TEST(RunBatch, LeavesTroubleWhereItIs) {
   std::vector<Scenario> scenes = tops(9, 20);
-  const auto expected = run_batch(scenes);
+  const auto expected = run_batch(testing::resolved(scenes));
   scenes[3] = testing::asymmetric_top();
   scenes[3].numerics.method = Method::long_horizon;
   scenes[6] = testing::random_scene(5, 200);
   scenes[6].numerics.method = Method::taylor;
-  scenes[6].numerics.step_limit = static_cast<std::int64_t>(estimated_steps(scenes[6])) + 1;  // fewer than it takes
-  const auto got = run_batch(scenes);
+  scenes[6].numerics.step_limit =
+      static_cast<std::int64_t>(Scene(scenes[6]).estimate().solution.steps) + 1;  // fewer than it takes
+  const auto got = run_batch(testing::resolved(scenes));
   for (std::size_t i = 0; i < scenes.size(); ++i)
     if (i != 3 && i != 6) {
       EXPECT_EQ(bits_of(*got[i].result), bits_of(*expected[i].result)) << i;

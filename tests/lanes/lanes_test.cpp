@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "lanes/lane_bits.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -57,7 +57,7 @@ template <class Problem>
 std::vector<Problem> problems_of(const std::vector<Scenario>& scenes) {
   std::vector<Problem> problems;
   problems.reserve(scenes.size());
-  for (const Scenario& scene : scenes) problems.push_back(make_problem<double>(scene));
+  for (const Scenario& scene : scenes) problems.push_back(Scene(scene).problem<double>());
   return problems;
 }
 
@@ -270,7 +270,7 @@ TEST(DriftLanes, LeaveTroubleWhereItIs) {
   problems[11].model.mass_moment_B *= 1e200;
   Scenario longer = testing::toy_top();
   longer.duration_s = 100;
-  problems[13] = make_problem<double>(longer);
+  problems[13] = Scene(longer).problem<double>();
   for (const InstructionSet set : instruction_sets()) {
     const auto got = integrate_drift_in_lanes(problems, options, nullptr, set);
     for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -300,7 +300,7 @@ TEST(DriftLanes, StopWhenAsked) {
 }
 
 TEST(DriftLanes, RefuseWhatDoesNotHaveTheForm) {
-  const std::vector<DriftProblem<double>> asymmetric{make_problem<double>(testing::asymmetric_top())};
+  const std::vector<DriftProblem<double>> asymmetric{Scene(testing::asymmetric_top()).problem<double>()};
   EXPECT_THROW(integrate_drift_in_lanes(asymmetric, reduced(Method::taylor, Observer::laboratory)), std::logic_error);
   EXPECT_THROW(integrate_drift_in_lanes(asymmetric, general(Method::taylor, Observer::laboratory)), std::logic_error);
   const auto symmetric = problems_of<DriftProblem<double>>(tops(1));

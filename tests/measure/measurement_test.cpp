@@ -255,16 +255,16 @@ TEST_F(MeasurementTest, TheVerticalRateLeavesGravityAsItWas) {
     "release": {"tilt_deg": 20, "spin_rad_s": 100}})"};
   const Scenario base = parse_scenario(source);
   const measure::EstimatedInputs vertical(source, {}, base, {"omega_sin_latitude_rad_s"});
-  const auto varied = vertical.scenario({0.9 * kOmega});
+  const auto varied = vertical.scene({0.9 * kOmega});
   ASSERT_TRUE(varied);
-  EXPECT_EQ(varied->site.gravity_m_s2, base.site.gravity_m_s2);
-  const Vec3<double> W_L = varied->rotation_rate_rad_s * celestial_axis_L<double>(varied->site);
+  EXPECT_EQ(varied->site().gravity_m_s2, base.site.gravity_m_s2);
+  const Vec3<double> W_L = varied->rotation_rate_rad_s() * celestial_axis_L<double>(varied->site());
   EXPECT_NEAR(W_L[1], kOmega * std::cos(30 * kDegree), 1e-15 * kOmega);
   EXPECT_NEAR(W_L[2], 0.9 * kOmega, 1e-15 * kOmega);
   // Changing the latitude also changes the gravity at the plumb line, as it does with --set.
   const measure::EstimatedInputs latitude(source, {}, base, {"latitude_deg"});
-  EXPECT_NE(latitude.scenario({31})->site.gravity_m_s2, base.site.gravity_m_s2);
-  EXPECT_FALSE(latitude.scenario({91}));
+  EXPECT_NE(latitude.scene({31})->site().gravity_m_s2, base.site.gravity_m_s2);
+  EXPECT_FALSE(latitude.scene({91}));
 }
 
 /// Start values may come from the text, from --set, from the table's defaults, from computed defaults, and from lists.
@@ -284,11 +284,11 @@ TEST_F(MeasurementTest, NumbersAreFoundWhereverTheyStand) {
     EXPECT_EQ(inputs.list()[i].start, expected[i]) << inputs.list()[i].name;
     EXPECT_EQ(inputs.list()[i].unit, units[i]) << inputs.list()[i].name;
   }
-  const auto varied = inputs.scenario({91, 21, 2, 9.7, 7e-5, 0.11, 0.021});
+  const auto varied = inputs.scene({91, 21, 2, 9.7, 7e-5, 0.11, 0.021});
   ASSERT_TRUE(varied);
-  EXPECT_EQ(varied->body.center_of_mass_m[2], 0.11);
-  EXPECT_EQ(varied->release.azimuth_deg, 2);
-  EXPECT_EQ(varied->release.spin_angle_deg, 33);
+  EXPECT_EQ(varied->scenario().body.center_of_mass_m[2], 0.11);
+  EXPECT_EQ(varied->scenario().release.azimuth_deg, 2);
+  EXPECT_EQ(varied->scenario().release.spin_angle_deg, 33);
 }
 
 /// A straight line through azimuths: its intercept is the azimuth at release, its slope Omega sin(latitude). Standard errors

@@ -8,7 +8,7 @@
 #include "earthtop/frames/gravity_gradient.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "paper/particles.hpp"
-#include "scenario/problem.hpp"
+#include "scene/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -42,7 +42,7 @@ Scenario scene_with(const AppliedTorquesSpec& applied, Random& random, bool on_p
 
 /// The applied torque on the rotating motion (N m).
 Vec3<double> torque(const Scenario& scenario, double t, const Quaternion<double>& q_LB, const Vec3<double>& w_LB_B) {
-  return applied_torque_B(make_model<double>(scenario), t, q_LB, w_LB_B, true);
+  return applied_torque_B(Scene(scenario).model<double>(), t, q_LB, w_LB_B, true);
 }
 
 TEST(AppliedTorques, NormalGravityGradientIsTheSumOverParticles) {
@@ -96,7 +96,7 @@ TEST(AppliedTorques, RadialGravityGradientIsAPointEarthsPull) {
       const Vec3<T> r_L = real::scale(T(1), kSize) * R_LB * p.r;
       sum += p.m * R_LB.transpose() * r_L.cross(Vec3<T>(pull(Vec3<T>(pivot_L + r_L)) - pull(pivot_L)));
     }
-    const Vec3<T> computed = applied_torque_B(make_model<T>(scenario), T(0), q_LB, random.vector<T>(9), true);
+    const Vec3<T> computed = applied_torque_B(Scene(scenario).model<T>(), T(0), q_LB, random.vector<T>(9), true);
     // Strength and direction are doubles.
     EXPECT_TRUE(close<T>(computed, sum, T(1e-12) * norm(sum)));
     EXPECT_GT(norm(sum), T(0));
@@ -230,8 +230,8 @@ TEST(AppliedTorques, InNaturalUnitsTheyAreTheSameTorques) {
       const auto w_LB_B = random.vector<double>(5);
       const double t = random.uniform(-3, 3);
       const Vec3<double> in_SI = torque(scenario, t, q_LB, w_LB_B);
-      const Vec3<double> computed = applied_torque_B(make_model<double>(scenario, units), units.time_from_s(t), q_LB,
-                                                     units.rate_from_rad_s(w_LB_B), true);
+      const Vec3<double> computed =
+          applied_torque_B(model_of<double>(scenario, units), units.time_from_s(t), q_LB, units.rate_from_rad_s(w_LB_B), true);
       const double scale = std::ldexp(1.0, 2 * units.time_exponent - units.mass_exponent);
       EXPECT_TRUE(close<double>(computed, Vec3<double>(scale * in_SI), is_exact ? 0 : 4e-15 * scale * norm(in_SI)));
     }
@@ -251,10 +251,10 @@ TEST(AppliedTorques, AGimbalHoldsTheAxisLevelAndDoesNothingElse) {
     scenario.effects.coriolis = k % 4 < 2;  // what is left out acts as an applied torque, which the gimbal holds as well
     TideSpec& tide = scenario.effects.tide.emplace();
     tide.given = true, tide.amplitude_m_s2 = {0.3, -0.2, 0.1}, tide.frequency_hz = 0.2;
-    const Model<T> model = make_model<T>(scenario);
+    const Model<T> model = Scene(scenario).model<T>();
     Scenario freed = scenario;
     freed.effects.applied.gimbal.reset();
-    const Model<T> free = make_model<T>(freed);
+    const Model<T> free = Scene(freed).model<T>();
     const T t = random.uniform(-3, 3);
     const Mat3<T> R_LP = k % 2 == 1 ? Rotation<T>::about(model.platform.turn.axis, model.platform.turn.angle(t)).matrix()
                                     : Mat3<T>(Mat3<T>::Identity());
@@ -314,7 +314,7 @@ TEST(AppliedTorques, ALevelRotorTurnsAsLagrangeHasIt) {
     const Eigen::Quaternion<double> q(R_LB);
     const Quaternion<double> q_LB{q.w(), q.vec()};
     const Vec3<double> w_LB_B(0, phi_rate, spin), W_L(0, W * std::cos(lat), W * std::sin(lat));
-    const Model<double> model = make_model<double>(scenario);
+    const Model<double> model = Scene(scenario).model<double>();
     const Vec3<double> w_IB_B = w_LB_B + R_LB.transpose() * W_L;
     const Vec3<double> L_B = model.I_BP_B * w_IB_B;
     const Vec3<double> dw_IB_B = model.I_BP_B_inverse * (L_B.cross(w_IB_B) + torque(scenario, 0, q_LB, w_LB_B));

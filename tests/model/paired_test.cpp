@@ -2,9 +2,9 @@
 // Compares the difference that paired numbers carry with a subtraction in 113 bits.
 #include "earthtop/model/paired.hpp"
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "frames/random_cases.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -119,8 +119,8 @@ TEST(Paired, TheTorquesDifferenceIsThatOfTheTorques) {
     for (const int kind : {0, 1, 2, 3}) {
       Scenario scenario = all_torques(random, kind >= 2, kind % 2 == 1);
       scenario.rotation_rate_rad_s = epsilon;  // below 1, so that it is the model's epsilon
-      const auto model = make_model<double>(scenario);
-      const auto exact = make_model<Q>(scenario);
+      const auto model = resolve(scenario).model<double>();
+      const auto exact = resolve(scenario).model<Q>();
       ASSERT_EQ(model.epsilon, epsilon);
       const double t = random.uniform(0, 4);
       const auto ref_q = random.quaternion<double>();
@@ -150,7 +150,7 @@ TEST(Paired, TheTorquesChangeIsTheirDerivative) {
       Scenario scenario = all_torques(random, kind >= 2, kind % 2 == 1);
       scenario.rotation_rate_rad_s = 0.3;
       scenario.effects.coriolis = true;
-      const auto exact = make_model<Q>(scenario);
+      const auto exact = resolve(scenario).model<Q>();
       const double t = random.uniform(0, 4);
       const auto q_LB = random.quaternion<double>();
       const auto w_LB_B = random.vector<double>(60), theta = random.vector<double>(), dw_IB = random.vector<double>(3);
@@ -162,7 +162,8 @@ TEST(Paired, TheTorquesChangeIsTheirDerivative) {
         return applied_torque_B(exact, Q(t), turned, Vec3<Q>(cast<Q>(w_LB_B) + W + s * cast<Q>(dw_IB) - W_turned), earth);
       };
       const Vec3<Q> derivative = (moved(Q(1e-12)) - moved(Q(-1e-12))) / Q(2e-12);
-      const Vec3<double> change = applied_torque_change_B(make_model<double>(scenario), t, q_LB, w_LB_B, earth, theta, dw_IB);
+      const Vec3<double> change =
+          applied_torque_change_B(resolve(scenario).model<double>(), t, q_LB, w_LB_B, earth, theta, dw_IB);
       EXPECT_TRUE(close<Q>(cast<Q>(change), derivative, Q(1e-12) * norm(derivative))) << earth << " " << kind;
     }
 }

@@ -63,7 +63,7 @@ TEST(Digits, NoneOfWhatIsNotFinite) {
 /// A made-up run with rows in extended precision.
 RunResult extended_run(Precision precision) {
   RunResult result = test::made_up_run(2);
-  result.scenario.precision = precision;
+  result.scene = testing::changed(result.scene, [&](Scenario& s) { s.precision = precision; });
   for (const DriftRow& row : result.rows) {
     ExtendedDriftRow extended;
     extended.t_s = row.t_s;

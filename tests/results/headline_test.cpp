@@ -21,7 +21,7 @@ using nlohmann::json;
 RunResult run_with(HeadlineSpec headline) {
   RunResult result = test::made_up_run();
   result.drift.threshold_time_s = 12.5;
-  result.scenario.headline = std::move(headline);
+  result.scene = testing::changed(result.scene, [&](Scenario& s) { s.headline = std::move(headline); });
   return result;
 }
 

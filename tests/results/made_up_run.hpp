@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "earthtop/run.hpp"
+#include "support/changed_scene.hpp"
 
 namespace earthtop::test {
 
 inline RunResult made_up_run(std::size_t rows = 201) {
   RunResult result;
-  Scenario& scenario = result.scenario;
+  Scenario scenario;
   scenario.name = "made-up";
   scenario.title = "A fast top, slowly precessing";
   scenario.site = {45, 0, 0, 9.80665};
@@ -22,6 +23,7 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   scenario.release.spin_rad_s = 200;
   scenario.duration_s = 60;
   scenario.output_step_s = 0.3;
+  result.scene = resolve(std::move(scenario));
   for (std::size_t i = 0; i < rows; ++i) {
     const double t = 60.0 * static_cast<double>(i) / static_cast<double>(rows - 1);
     DriftRow row;
@@ -62,7 +64,7 @@ inline RunResult made_up_run(std::size_t rows = 201) {
 /// The same with a ledger whose numbers are 1 to 18 times the row's number, which counts from 1.
 inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
   RunResult result = made_up_run(rows);
-  result.scenario.ledger = LedgerObserver::platform;
+  result.scene = testing::changed(result.scene, [](Scenario& s) { s.ledger = LedgerObserver::platform; });
   LedgerReport& ledger = result.ledger.emplace();
   ledger.observer = LedgerObserver::platform;
   for (std::size_t i = 0; i < rows; ++i) {

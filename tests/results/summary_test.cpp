@@ -67,7 +67,7 @@ TEST(Summary, HoldsTheRestOfTheResult) {
 
 TEST(Summary, TimesOfEventsHaveTheirBounds) {
   RunResult result = made_up_run();
-  result.scenario.threshold_rad = 1e-3;
+  result.scene = testing::changed(result.scene, [&](Scenario& s) { s.threshold_rad = 1e-3; });
   result.drift.threshold_time_s = 12.5;
   result.drift.threshold_time_bound_s = 3e-9;
   result.drift.threshold_crossing = ThresholdCrossing::clear;
@@ -95,15 +95,15 @@ TEST(Summary, AbsentValuesAreNull) {
 
 TEST(Summary, MatchingRuleIsSaidInWords) {
   RunResult result = made_up_run();
-  EXPECT_NE(matching_rule(result.scenario).find("laboratory"), std::string::npos);
-  result.scenario.release.rates_relative_to = RatesRelativeTo::inertial;
-  EXPECT_NE(matching_rule(result.scenario).find("inertial"), std::string::npos);
+  EXPECT_NE(matching_rule(result.scene.scenario()).find("laboratory"), std::string::npos);
+  result.scene = testing::changed(result.scene, [&](Scenario& s) { s.release.rates_relative_to = RatesRelativeTo::inertial; });
+  EXPECT_NE(matching_rule(result.scene.scenario()).find("inertial"), std::string::npos);
   EXPECT_EQ(summary_of(result).at("/matching_rule/rates_relative_to"_json_pointer), "inertial");
 }
 
 TEST(Summary, EffectSwitchedOffIsLeftOut) {
   RunResult result = made_up_run();
-  result.modelled.effects.centrifugal = false;
+  result.modelled = testing::changed(result.modelled, [](Scenario& s) { s.effects.centrifugal = false; });
   const json effects = summary_of(result).at("effects");
   const auto has = [&](const char* list, const char* effect) {
     const json& names = effects.at(list);
@@ -135,8 +135,8 @@ TEST(Summary, LedgerOnlyWhereThereIsOne) {
 TEST(Summary, ScenarioIsTheCanonicalOneAndItsHash) {
   const RunResult result = made_up_run();
   const json summary = summary_of(result);
-  EXPECT_EQ(summary.at("scenario"), testing::parse_json(canonical_json(result.scenario)));
-  EXPECT_EQ(summary.at("/provenance/scenario_sha256"_json_pointer), sha256_hex(canonical_json(result.scenario)));
+  EXPECT_EQ(summary.at("scenario"), testing::parse_json(result.scene.canonical()));
+  EXPECT_EQ(summary.at("/provenance/scenario_sha256"_json_pointer), sha256_hex(result.scene.canonical()));
 }
 
 TEST(Summary, ProvenanceNamesBuildLibrariesAndConstants) {
@@ -150,7 +150,7 @@ TEST(Summary, ProvenanceNamesBuildLibrariesAndConstants) {
 }
 
 TEST(Summary, ConstantsNameTheEllipsoidOnlyWhereItWasUsed) {
-  Scenario scenario = made_up_run().scenario;
+  Scenario scenario = made_up_run().scene.scenario();
   EXPECT_EQ(constants_used(scenario).size(), 2U);
   scenario.site.gravity_m_s2 = normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
   EXPECT_EQ(constants_used(scenario).size(), 5U);

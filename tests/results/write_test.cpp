@@ -43,7 +43,7 @@ const std::set<std::string> kAllAndTorques = {"trajectory.csv", "torques.csv", "
 
 RunResult another_run() {
   RunResult result = made_up_run();
-  result.scenario.release.spin_rad_s = 201;
+  result.scene = testing::changed(result.scene, [&](Scenario& s) { s.release.spin_rad_s = 201; });
   return result;
 }
 
@@ -60,7 +60,7 @@ TEST_F(Write, SameScenarioIsOverwritten) {
   write_results(made_up_run(), dir_, false);
   RunResult again = made_up_run();
   again.notes = {"again"};
-  EXPECT_NO_THROW(check_output_directory(dir_, again.scenario, false));
+  EXPECT_NO_THROW(check_output_directory(dir_, again.scene, false));
   write_results(again, dir_, false);
   EXPECT_EQ(read(dir_ / "summary.json"), summary_json(again));
   EXPECT_EQ(names_in(dir_), kAll);
@@ -69,10 +69,10 @@ TEST_F(Write, SameScenarioIsOverwritten) {
 TEST_F(Write, AnotherScenarioIsRefusedUnlessForced) {
   const RunResult first = made_up_run();
   write_results(first, dir_, false);
-  EXPECT_THROW(check_output_directory(dir_, another_run().scenario, false), ScenarioError);
+  EXPECT_THROW(check_output_directory(dir_, another_run().scene, false), ScenarioError);
   EXPECT_THROW(write_results(another_run(), dir_, false), ScenarioError);
   EXPECT_EQ(read(dir_ / "summary.json"), summary_json(first));
-  EXPECT_NO_THROW(check_output_directory(dir_, another_run().scenario, true));
+  EXPECT_NO_THROW(check_output_directory(dir_, another_run().scene, true));
   write_results(another_run(), dir_, true);
   EXPECT_EQ(read(dir_ / "summary.json"), summary_json(another_run()));
 }
@@ -82,16 +82,16 @@ TEST_F(Write, WhatIsNotOursIsRefusedUnlessForced) {
   for (const char* text : {"", "{", "[]", "{\"provenance\":{}}", "{\"provenance\":{\"scenario_sha256\":1}}"}) {
     put(dir_ / "summary.json", text);
     try {
-      check_output_directory(dir_, made_up_run().scenario, false);
+      check_output_directory(dir_, made_up_run().scene, false);
       FAIL() << "accepted: " << text;
     } catch (const ScenarioError& error) {
       EXPECT_NE(std::string(error.what()).find("not a summary"), std::string::npos) << error.what();
     }
-    EXPECT_NO_THROW(check_output_directory(dir_, made_up_run().scenario, true)) << text;
+    EXPECT_NO_THROW(check_output_directory(dir_, made_up_run().scene, true)) << text;
   }
   fs::remove(dir_ / "summary.json");
   put(dir_ / "trajectory.csv", "mine\n");
-  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scene, false), ScenarioError);
 }
 
 TEST_F(Write, LedgerIsWrittenWhereThereIsOne) {
@@ -120,13 +120,13 @@ TEST_F(Write, LedgerThatIsNotOursIsRefusedUnlessForced) {
   fs::remove(dir_ / "torques.csv");
   write_results(made_up_run(), dir_, false);
   put(dir_ / "torques.csv", "mine\n");  // beside results that have none
-  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), ScenarioError);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scene, false), ScenarioError);
   EXPECT_THROW(write_results(made_up_run(), dir_, false), ScenarioError);
   EXPECT_EQ(read(dir_ / "torques.csv"), "mine\n");
   write_results(made_up_run(), dir_, true);
   EXPECT_EQ(names_in(dir_), kAll);
   fs::create_directories(dir_ / "torques.csv");
-  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, true), ScenarioError);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scene, true), ScenarioError);
 }
 
 TEST_F(Write, OtherFilesInTheDirectoryAreNoObstacle) {
@@ -139,16 +139,16 @@ TEST_F(Write, OtherFilesInTheDirectoryAreNoObstacle) {
 TEST_F(Write, WhatIsNoDirectoryIsRefusedEvenIfForced) {
   put(root_ / "file", "mine");
   for (const fs::path& path : {root_ / "file", root_ / "file" / "below", fs::path()}) {
-    EXPECT_THROW(check_output_directory(path, made_up_run().scenario, true), ScenarioError) << path;
+    EXPECT_THROW(check_output_directory(path, made_up_run().scene, true), ScenarioError) << path;
     EXPECT_THROW(write_results(made_up_run(), path, true), ScenarioError) << path;
   }
   EXPECT_EQ(read(root_ / "file"), "mine");
   fs::create_directories(dir_ / "drift.svg");
-  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, true), ScenarioError);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scene, true), ScenarioError);
 }
 
 TEST_F(Write, CheckMakesNothing) {
-  check_output_directory(dir_, made_up_run().scenario, false);
+  check_output_directory(dir_, made_up_run().scene, false);
   EXPECT_TRUE(fs::is_empty(root_));
 }
 
@@ -160,7 +160,7 @@ TEST_F(Write, UnwritablePlaceIsAWriteError) {
   }
   fs::create_directories(dir_);
   fs::permissions(dir_, fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_THROW(check_output_directory(dir_, made_up_run().scenario, false), WriteError);
+  EXPECT_THROW(check_output_directory(dir_, made_up_run().scene, false), WriteError);
   EXPECT_THROW(write_results(made_up_run(), dir_, false), WriteError);
   fs::permissions(dir_, fs::perms::owner_all);
   EXPECT_TRUE(fs::is_empty(dir_));

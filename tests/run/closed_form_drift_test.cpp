@@ -88,7 +88,7 @@ TEST(ClosedFormDrift, EveryShippedSceneThatHasOneAgreesWithTheIntegration) {
   for (const auto& entry : std::filesystem::directory_iterator(EARTHTOP_SCENARIOS)) {
     if (entry.path().extension() != ".json") continue;
     const Scenario s = testing::shipped(entry.path().stem().string());
-    if (method_refusal(Method::closed_form, s)) continue;
+    if (Scene(s).method_refusal(Method::closed_form)) continue;
     SCOPED_TRACE(s.name);
     found.insert(s.name);
     expect_agreement(run(by_closed_form(s)), run(s));
@@ -227,7 +227,7 @@ TEST(ClosedFormDrift, OneMotionByItselfIsThatOfTheRun) {
       SCOPED_TRACE(::testing::Message() << static_cast<int>(family) << " " << seed);
       Scenario s = random_of(family, seed, 30);
       s.output_step_s = s.duration_s / 5;
-      const MotionTrajectory<double> motion = integrate_motion<double>(make_problem<double>(s), s.numerics);
+      const MotionTrajectory<double> motion = integrate_motion<double>(Scene(s).problem<double>(), s.numerics);
       ASSERT_EQ(motion.status, RunStatus::completed);
       const auto rows = testing::reference_run(s, Observer::inertial).samples;
       for (std::size_t i = 0; i < rows.size(); ++i) {

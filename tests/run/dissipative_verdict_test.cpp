@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/run.hpp"
 #include "run/verdict.hpp"
-#include "scenario/problem.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {
@@ -59,7 +59,7 @@ TEST(DissipativeVerdict, SettledAndLibratingCompassesAreReliable) {
 // show in the growth. The finer integration has the same equations and a thousandth of the error.
 TEST(DissipativeVerdict, DisturbancesStayOnTheConstraint) {
   const Scenario s = compass(52, 20, 2513.27, 1e-5);
-  const auto problem = make_problem<double>(s);
+  const auto problem = Scene(s).problem<double>();
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     const GrowthReport coarse = disturbance_growth(problem, kind, 3, 1e-7), fine = disturbance_growth(problem, kind, 3, 1e-10);
     ASSERT_TRUE(coarse.completed && fine.completed);
@@ -186,7 +186,7 @@ TEST(DissipativeVerdict, TheEarthsOwnDisturbanceIsNoSignWhereItsEffectIsMeantToB
 // A run that fails at its release has only that row, whose zero drift means nothing.
 TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
   RunResult result;
-  result.scenario = testing::toy_top();
+  result.scene = result.modelled = testing::toy_top();
   result.status = RunStatus::step_underflow;
   for (const std::size_t rows : {0, 1}) {
     result.rows.resize(rows);

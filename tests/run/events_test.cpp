@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
-#include "scenario/problem.hpp"
 #include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
 
@@ -53,7 +53,7 @@ TEST(ThresholdTime, OfAFreeGyroscopeIsThatOfTheFormulaByEveryMethod) {
       SCOPED_TRACE(::testing::Message() << threshold << " rad by " << to_string(method));
       Scenario s = scene;
       s.numerics.method = method;
-      ASSERT_FALSE(method_refusal(method, s));
+      ASSERT_FALSE(Scene(s).method_refusal(method));
       const DriftSummary drift = run(s).drift;
       ASSERT_TRUE(drift.threshold_time_s && drift.threshold_time_bound_s);
       EXPECT_EQ(drift.threshold_crossing, ThresholdCrossing::clear);
@@ -136,7 +136,7 @@ struct Around {
   double before, after, largest_before;
 };
 Around drift_around(Scenario scene, double t_s, double bound_s) {
-  DriftProblem<long double> problem = make_problem<long double>(scene);
+  DriftProblem<long double> problem = Scene(scene).problem<long double>();
   problem.threshold_rad.reset();
   problem.times_s.clear();
   constexpr int kMoments = 400;
@@ -168,7 +168,7 @@ TEST(ThresholdTime, LiesWithinItsBoundOnRandomScenes) {
     for (const Method method : kMethods) {
       Scenario s = scene;
       s.numerics.method = method;
-      if (method_refusal(method, s) || method == (seed % 2 == 0 ? Method::dopri5 : Method::abm8)) continue;
+      if (Scene(s).method_refusal(method) || method == (seed % 2 == 0 ? Method::dopri5 : Method::abm8)) continue;
       SCOPED_TRACE(::testing::Message() << "seed " << seed << " by " << to_string(method));
       const RunResult result = run(s);
       ASSERT_EQ(result.status, RunStatus::completed);
@@ -204,7 +204,7 @@ TEST(ThresholdTime, OfANutatingDriftIsTheFirstByLongSteps) {
       s.numerics.method = Method::taylor;
       const DriftSummary expected = run(s).drift;
       s.numerics.method = Method::long_horizon;
-      ASSERT_FALSE(method_refusal(s.numerics.method, s));
+      ASSERT_FALSE(Scene(s).method_refusal(s.numerics.method));
       const DriftSummary drift = run(s).drift;
       ASSERT_TRUE(expected.threshold_time_s && drift.threshold_time_s);
       ASSERT_EQ(expected.threshold_crossing, ThresholdCrossing::clear);

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
 #include "frames/random_cases.hpp"
 #include "model/ledger_sizes.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -45,7 +45,7 @@ double expect_closed(Scenario scenario) {
     }
     EXPECT_EQ(result.ledger->observer, observer);
     EXPECT_EQ(result.ledger->entries.size(), result.rows.size());
-    const auto model = make_model<double>(scenario);
+    const auto model = Scene(scenario).model<double>();
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
       const DriftRow& row = result.rows[i];
       const Vec3<double> w_LB_B(row.w_LB_B[0], row.w_LB_B[1], row.w_LB_B[2]);
@@ -157,7 +157,7 @@ TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
       SCOPED_TRACE(std::string(to_string(observer)) + (effects.all_on()   ? ""
                                                        : effects.coriolis ? ", no centrifugal"
                                                                           : ", no Coriolis"));
-      auto problem = make_problem<Q>(scenario);
+      auto problem = Scene(scenario).problem<Q>();
       problem.times_s = {0, centre - h, centre - h / 2, centre - h / 4, centre, centre + h / 4, centre + h / 2, centre + h};
       IntegrationOptions options;
       options.method = Method::rkf78;
@@ -184,7 +184,7 @@ TEST(RunLedger, MomentumRateAgainstDifferencesOfTheIntegratedMotion) {
       const Vec3<Q> differenced_A = test::first_derivative(momentum_A, Q(centre), Q(h));
 
       const DriftState<Q>& s = state_at(Q(centre));
-      const auto entry = ledger_entry(observer, make_model<Q>(scenario), Q(centre), s.q_LB, s.w_LB_B);
+      const auto entry = ledger_entry(observer, Scene(scenario).model<Q>(), Q(centre), s.q_LB, s.w_LB_B);
       // Rates, and derivatives over rates, stay below 20 per second in this scene; a thousand steps err by 1e-17 at most.
       const Q W = 20, Wh = W * Q(h);
       const Q bound = norm(momentum_A(Q(centre))) * (W * Wh * Wh * Wh * Wh * Wh * Wh + Q(1e-17) / Q(h));

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
-#include "scenario/problem.hpp"
+#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
@@ -33,7 +33,7 @@ IntegrationOptions by(Method method, double tolerance) {
   return options;
 }
 DriftTrajectory<double> long_horizon(const Scenario& scene, double tolerance = 1e-10) {
-  return integrate_drift(make_problem<double>(scene), by(Method::long_horizon, tolerance));
+  return integrate_drift(Scene(scene).problem<double>(), by(Method::long_horizon, tolerance));
 }
 
 struct Case {
@@ -73,7 +73,7 @@ TEST(LongHorizon, AgreesWithIntegrationInEverySlowOrOddScene) {
   for (const auto& [name, scene, tolerance] : hard_cases()) {
     SCOPED_TRACE(name);
     const auto exact = long_horizon(scene, tolerance);
-    const auto integrated = integrate_drift(make_problem<double>(scene), by(Method::rkf78, 1e-14));
+    const auto integrated = integrate_drift(Scene(scene).problem<double>(), by(Method::rkf78, 1e-14));
     ASSERT_EQ(exact.status, RunStatus::completed);
     ASSERT_EQ(exact.samples.size(), integrated.samples.size());
     double largest = 0;
@@ -102,7 +102,7 @@ TEST(LongHorizon, AgreesWithIntegrationInEverySlowOrOddScene) {
 TEST(LongHorizon, MotionIsTheRotatingMotionOfTheDrift) {
   for (const auto& [name, scene, tolerance] : hard_cases()) {
     SCOPED_TRACE(name);
-    const auto problem = make_problem<double>(scene);
+    const auto problem = Scene(scene).problem<double>();
     const auto motion = integrate_motion(problem, by(Method::long_horizon, tolerance));
     const auto drift = long_horizon(scene, tolerance);
     ASSERT_EQ(motion.samples.size(), drift.samples.size());
@@ -138,7 +138,7 @@ TEST(LongHorizon, TheSpinCostsNothing) {
 TEST(LongHorizon, AFastSpinKeepsTheDigits) {
   const Scenario scene = fast_gyro(2, 4, 1e5);
   const auto exact = long_horizon(scene, 1e-12),
-             series = integrate_drift(make_problem<double>(scene), by(Method::taylor, 1e-13));
+             series = integrate_drift(Scene(scene).problem<double>(), by(Method::taylor, 1e-13));
   ASSERT_EQ(exact.samples.size(), series.samples.size());
   for (std::size_t i = 0; i < exact.samples.size(); ++i) {
     const auto &a = exact.samples[i].measures, &b = series.samples[i].measures;
@@ -152,7 +152,7 @@ TEST(LongHorizon, AFastSpinKeepsTheDigits) {
 /// The error must not accumulate when the step is near a multiple of the nutation period, over an octave of steps in
 /// hundredths.
 TEST(LongHorizon, NoStepIsInResonanceWithTheNutation) {
-  const auto problem = make_problem<double>(fast_gyro(600, 1));
+  const auto problem = Scene(fast_gyro(600, 1)).problem<double>();
   const auto axis = [&](double step_s) {
     IntegrationOptions options = by(Method::long_horizon, 1e-9);
     options.step_s = step_s;
@@ -233,7 +233,7 @@ TEST(LongHorizon, WhatHardlyDriftsIsNotSearchedFor) {
     scene.duration_s = 0.5;
     scene.output_step_s = 0.05;
     const auto drift = long_horizon(scene, 1e-12);
-    const auto integrated = integrate_drift(make_problem<double>(scene), by(Method::rkf78, 1e-14));
+    const auto integrated = integrate_drift(Scene(scene).problem<double>(), by(Method::rkf78, 1e-14));
     ASSERT_EQ(drift.status, RunStatus::completed);
     EXPECT_LT(drift.counters.evaluations, 1'000'000) << tilt;
     const double expected = integrated.samples.back().measures.axis;
@@ -278,7 +278,7 @@ TEST(LongHorizon, RandomFastGyroscopesKeepTheirBounds) {
     EXPECT_LT(result.solution.counters.evaluations, 20000);
     // The witness takes its steps from the solution, and integrates once.
     EXPECT_LT(result.certificate.counters.evaluations, result.solution.counters.evaluations);
-    const auto series = integrate_drift(make_problem<double>(scene), by(Method::taylor, 1e-14));
+    const auto series = integrate_drift(Scene(scene).problem<double>(), by(Method::taylor, 1e-14));
     const double error = std::abs(result.drift.axis_final_rad - series.samples.back().measures.axis);
     EXPECT_LT(error, 3e-11);
     EXPECT_LT(error, result.drift.axis_bound_rad + 2e-12);
@@ -288,8 +288,8 @@ TEST(LongHorizon, RandomFastGyroscopesKeepTheirBounds) {
 
 TEST(LongHorizon, ScenesThatItDoesNotFitAreRefused) {
   Scenario s = testing::toy_top();
-  EXPECT_FALSE(method_refusal(Method::long_horizon, s));
-  const auto refusal = [](const Scenario& scene) { return method_refusal(Method::long_horizon, scene).value_or("none"); };
+  EXPECT_FALSE(Scene(s).method_refusal(Method::long_horizon));
+  const auto refusal = [](const Scenario& scene) { return Scene(scene).method_refusal(Method::long_horizon).value_or("none"); };
   EXPECT_NE(refusal(testing::asymmetric_top()).find("symmetric"), std::string::npos);
   s.effects.coriolis = false;
   EXPECT_NE(refusal(s).find("torques"), std::string::npos);

@@ -45,7 +45,7 @@ TEST(Methods, AgreeWithinTheirBounds) {
         equations.take(s);
         if (method == Method::splitting) s.numerics.form = ModelForm::automatic;
         s.numerics.method = method;
-        if (method_refusal(method, s)) continue;
+        if (Scene(s).method_refusal(method)) continue;
         SCOPED_TRACE(to_string(method));
         SCOPED_TRACE(equations);
         s.numerics.relative_tolerance = 1e-13;
@@ -76,9 +76,9 @@ TEST(Methods, AgreeOnEveryShippedScenario) {
     for (std::size_t m = 0; m < kAll.size(); ++m) {
       Scenario s = scene;
       s.numerics.method = kAll[m];
-      if (method_refusal(kAll[m], s)) continue;
+      if (Scene(s).method_refusal(kAll[m])) continue;
       ++taken[m];
-      if (kAll[m] == Method::abm8) s.numerics.step_s = 0.01 / fastest_rate_rad_s(s);
+      if (kAll[m] == Method::abm8) s.numerics.step_s = 0.01 / Scene(s).fastest_rate_rad_s();
       SCOPED_TRACE(to_string(kAll[m]));
       const RunResult r = run(s);
       expect_within_bounds(r, expected);
@@ -113,19 +113,19 @@ TEST(Methods, TinyRatesKeepTheirDigits) {
 
 TEST(Methods, WhatDoesNotSplitIsRefusedWithTheReason) {
   Scenario s = testing::toy_top();
-  EXPECT_FALSE(method_refusal(Method::splitting, s));
+  EXPECT_FALSE(Scene(s).method_refusal(Method::splitting));
   s.numerics.observer = Observer::body;
-  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("no body axes"), std::string::npos);
+  EXPECT_NE(Scene(s).method_refusal(Method::splitting).value_or("").find("no body axes"), std::string::npos);
   s = testing::toy_top();
   s.numerics.form = ModelForm::general;
-  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("no general model"), std::string::npos);
+  EXPECT_NE(Scene(s).method_refusal(Method::splitting).value_or("").find("no general model"), std::string::npos);
   s = testing::toy_top();
   s.platform = PlatformSpec{};
-  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("platform"), std::string::npos);
+  EXPECT_NE(Scene(s).method_refusal(Method::splitting).value_or("").find("platform"), std::string::npos);
   s = testing::toy_top();
   s.effects.transverse = false;
-  EXPECT_NE(method_refusal(Method::splitting, s).value_or("").find("non-inertial torques"), std::string::npos);
-  EXPECT_NE(method_refusal(Method::splitting, testing::asymmetric_top()).value_or("").find("symmetric tops"),
+  EXPECT_NE(Scene(s).method_refusal(Method::splitting).value_or("").find("non-inertial torques"), std::string::npos);
+  EXPECT_NE(Scene(testing::asymmetric_top()).method_refusal(Method::splitting).value_or("").find("symmetric tops"),
             std::string::npos);
 }
 

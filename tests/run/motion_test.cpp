@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// One motion integrated by itself is the rotating motion of a run.
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 
@@ -17,7 +17,7 @@ TEST(Motion, IsTheRotatingMotionOfARun) {
       scene.rotation_rate_rad_s = 0.5;
       scene.release.rates_relative_to = rule;
       const RunResult result = run(scene);
-      const auto problem = make_problem<double>(scene);
+      const auto problem = Scene(scene).problem<double>();
       for (const testing::Equations& equations : testing::kEquations) {
         SCOPED_TRACE(equations);
         IntegrationOptions options;
@@ -47,7 +47,7 @@ TEST(Motion, IsTheRotatingMotionOfARun) {
 TEST(Motion, TheAxisAloneTakesFewerVariablesAndIsTheSame) {
   Scenario scene = testing::toy_top();
   scene.duration_s = 5;
-  const auto problem = make_problem<double>(scene);
+  const auto problem = Scene(scene).problem<double>();
   for (const Observer observer : {Observer::laboratory, Observer::inertial}) {
     IntegrationOptions options;
     options.observer = observer;

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/results/results.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 
@@ -17,7 +17,7 @@ using testing::shipped;
 /// The beginning of a shipped scene, over `radians` of its fastest motion, in ten rows.
 Scenario beginning(const char* name, double radians, Precision precision) {
   Scenario scenario = shipped(name);
-  scenario.duration_s = radians / fastest_rate_rad_s(scenario);
+  scenario.duration_s = radians / Scene(scenario).fastest_rate_rad_s();
   scenario.output_step_s = scenario.duration_s / 10;
   scenario.precision = precision;
   scenario.numerics.relative_tolerance = default_tolerance(precision);
@@ -107,7 +107,7 @@ TEST(Precision, ResidualsAreOfTheScalarsSize) {
     Scenario scenario = beginning("toy-top", 50, precision);
     scenario.ledger = LedgerObserver::laboratory;
     const RunResult result = run(scenario);
-    const double tolerance = method_choice(scenario).options.relative_tolerance;
+    const double tolerance = Scene(scenario).choice().options.relative_tolerance;
     ASSERT_EQ(result.invariants.size(), 3u);
     for (const InvariantReport& invariant : result.invariants)
       EXPECT_LT(invariant.largest_change, (100 * eps + 50 * tolerance) * invariant.scale) << invariant.name;

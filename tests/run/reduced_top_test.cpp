@@ -125,7 +125,7 @@ TEST(ReducedTop, AgreesWithTheGeneralModelTo113Bits) {
       s.rotation_rate_rad_s = 0.1;
       s.release.rates_relative_to = rule;
       s.duration_s = s.output_step_s = 0.02;
-      const auto problem = make_problem<Q>(s);
+      const auto problem = Scene(s).problem<Q>();
       std::vector<DriftSample<Q>> ends;
       for (const auto& [observer, form] :
            {std::pair(Observer::laboratory, ModelForm::reduced), std::pair(Observer::inertial, ModelForm::reduced),
@@ -170,10 +170,10 @@ TEST(ReducedTop, TheEstimateOfStepsDoesNotKnowTheSpinEither) {
   s.release.spin_rad_s = 200'000;
   s.duration_s = 5;
   const double taken = static_cast<double>(run(s).solution.counters.accepted);
-  EXPECT_LT(estimated_steps(s), 4 * taken);
-  EXPECT_GT(estimated_steps(s), taken / 4);
+  EXPECT_LT(Scene(s).estimate().solution.steps, 4 * taken);
+  EXPECT_GT(Scene(s).estimate().solution.steps, taken / 4);
   s.numerics.form = ModelForm::general;
-  EXPECT_GT(estimated_steps(s), 100 * taken);
+  EXPECT_GT(Scene(s).estimate().solution.steps, 100 * taken);
 }
 
 // The quaternion of the turn after up to 1e10 rad is as exact as rate and time.

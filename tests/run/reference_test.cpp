@@ -165,7 +165,7 @@ TEST(ZeroRate, H3DriftIsExactlyZero) {
             s.release.rates_relative_to = rule;
             if (platform) s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0.3, 1}, 0.2, 1.0, 0, 0, 0, {0.3, 0, 0}};
             if (method == Method::abm8) s.numerics.step_s = 5e-4;
-            if (method_refusal(method, s)) continue;
+            if (Scene(s).method_refusal(method)) continue;
             const RunResult r = run(s);
             ASSERT_EQ(r.status, RunStatus::completed);
             for (const DriftRow& row : r.rows) {

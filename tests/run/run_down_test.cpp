@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
-#include "scenario/problem.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {
@@ -44,7 +44,7 @@ TEST(Gyrocompass, SwingsAboutNorthAsKibbleAndBerkshireHaveIt) {
     s.duration_s = 0.3 * period_s;  // from rest, past North: a quarter
     s.output_step_s = period_s / 200;
     s.numerics.relative_tolerance = 1e-13;
-    const auto motion = integrate_motion<double>(make_problem<double>(s), method_choice(s).options);
+    const auto motion = integrate_motion<double>(Scene(s).problem<double>(), Scene(s).choice().options);
     ASSERT_EQ(motion.status, RunStatus::completed);
     std::vector<NorthAngle> angles;
     for (const auto& sample : motion.samples) {
@@ -185,7 +185,7 @@ TEST(DryFriction, BothPredictionsStopAndTheBoundHolds) {
     for (const StopEvent& stop : result.stops) EXPECT_NEAR(stop.t_s, 2, kI3OfTheToyTop / 2e-3 * std::abs(rate) + 4e-8);
     IntegrationOptions options;
     options.observer = Observer::body, options.method = Method::extrapolation, options.relative_tolerance = 1e-13;
-    const auto finer = integrate_drift(make_problem<double>(s), options);
+    const auto finer = integrate_drift(Scene(s).problem<double>(), options);
     ASSERT_EQ(finer.samples.size(), result.rows.size());
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
       const DriftRow& row = result.rows[i];

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <functional>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "run/sensitivities.hpp"
-#include "scenario/problem.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {
 namespace {
 
 DriftMeasures<float128> exact_drift(const Scenario& scenario) {
-  auto problem = make_problem<float128>(scenario);
+  auto problem = Scene(scenario).problem<float128>();
   problem.times_s = {0, scenario.duration_s};
   IntegrationOptions options;
   options.method = Method::extrapolation;

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/run.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -52,14 +52,14 @@ Scenario tumbling_body(double seed, double duration_s) {
 TEST(Growth, IsThatOfANearbyMotion) {
   // Two motions of a chaotic top, a millionth of a radian apart in the direction of the first disturbance.
   const Scenario scenario = unsymmetric_top(20, 6);
-  auto problem = make_problem<double>(scenario);
+  auto problem = Scene(scenario).problem<double>();
   IntegrationOptions options;
   options.method = Method::rkf78;
   options.observer = Observer::inertial;
   options.relative_tolerance = 1e-14;
   const auto motion = integrate_motion(problem, options);
   constexpr double kSmall = 1e-6;
-  const double w0 = fastest_rate_rad_s(scenario), share = kSmall / std::sqrt(6.0);
+  const double w0 = Scene(scenario).fastest_rate_rad_s(), share = kSmall / std::sqrt(6.0);
   const Vec3<double> ones(1, 1, 1);
   problem.release.q_LB = problem.release.q_LB * Quaternion<double>{1, Vec3<double>(share / 2 * ones)};
   problem.release.w_XB_B += share * w0 * ones;
@@ -73,7 +73,7 @@ TEST(Growth, IsThatOfANearbyMotion) {
   }
   ASSERT_GT(log_growth, 4);
   const GrowthReport growth =
-      disturbance_growth(make_problem<double>(scenario), MotionKind::rotating, scenario.duration_s, 1e-9);
+      disturbance_growth(Scene(scenario).problem<double>(), MotionKind::rotating, scenario.duration_s, 1e-9);
   ASSERT_TRUE(growth.completed);
   // The growth follows three disturbances, of which this is one.
   EXPECT_GT(growth.rises.back().log_growth, log_growth - 0.1);
@@ -83,7 +83,7 @@ TEST(Growth, IsThatOfANearbyMotion) {
 TEST(Growth, OfAFallingTopIsThatOfTheLinearTheory) {
   for (const double f : {0.5, 0.9, 0.99}) {
     const Scenario scenario = sleeping_top(f, 20);
-    const GrowthReport growth = disturbance_growth(make_problem<double>(scenario), MotionKind::reference, 20, 1e-12);
+    const GrowthReport growth = disturbance_growth(Scene(scenario).problem<double>(), MotionKind::reference, 20, 1e-12);
     const double expected = std::sqrt(kHeavyRotorMgl / 5e-4) * std::sqrt(1 - f * f);
     const auto from = growth.passes_s(10), to = growth.passes_s(40);
     ASSERT_TRUE(from && to) << f;

@@ -170,9 +170,9 @@ TEST_F(TableFile, ItsTurnCountsInTheWork) {
   write("swing.csv", rows);
   Scenario table = *examine("swing.csv", ", \"pivot_offset_m\": [3, 0, 0]").scenario, formula = table;
   formula.platform = PlatformSpec{PlatformMotion::harmonic, {0, 0, 1}, 0, 0, 0.5, 1, 0, {3, 0, 0}};
-  EXPECT_NEAR(fastest_rate_rad_s(table) / fastest_rate_rad_s(formula), 1, 0.01);
+  EXPECT_NEAR(Scene(table).fastest_rate_rad_s() / Scene(formula).fastest_rate_rad_s(), 1, 0.01);
   table.platform.reset();
-  EXPECT_GT(fastest_rate_rad_s(formula) / fastest_rate_rad_s(table), 1.02);
+  EXPECT_GT(Scene(formula).fastest_rate_rad_s() / Scene(table).fastest_rate_rad_s(), 1.02);
 }
 
 }  // namespace

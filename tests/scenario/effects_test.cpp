@@ -2,7 +2,7 @@
 // Effects that a scene cannot have, or not together, are refused at their place, with a remedy.
 #include <gtest/gtest.h>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 namespace {

@@ -311,7 +311,7 @@ TEST(ScenarioRules, AClosedFormIsForTheScenesThatHaveOne) {
   expect_set(integrated, "/motion/duration_s", "steps");
   Overrides exact = balanced;
   exact.push_back(method);
-  EXPECT_LT(estimated_steps(parse(kMinimal, exact)), 1000);
+  EXPECT_LT(Scene(parse(kMinimal, exact)).estimate().solution.steps, 1000);
   expect_set({method, {"/site/latitude_deg", "90"}, {"/motion", R"({"duration_s": 1e9, "output_step_s": 1e6})"}},
              "/motion/duration_s", "steps");
   expect_set({method}, "/numerics/method", "away from the poles");
@@ -351,7 +351,7 @@ TEST(ScenarioRules, PrecisionSetsMethodsAndTolerances) {
 TEST(ScenarioRules, WhatWouldTakeDaysIsRefusedInEveryPrecision) {
   // 200 rad/s: about 250 rad/s of fastest motion, 127 evaluations of 17 microseconds for each radian, twice.
   const Overrides quad = {{"/numerics/precision", "float128"}};
-  EXPECT_NEAR(estimated_seconds(parse(kMinimal, quad)) / parse(kMinimal).duration_s, 1.0, 0.8);
+  EXPECT_NEAR(Scene(parse(kMinimal, quad)).estimate().seconds.all() / parse(kMinimal).duration_s, 1.0, 0.8);
   Overrides too_long = quad;
   too_long.push_back({"/motion/duration_s", "1e6"});
   expect_set(too_long, "/motion/duration_s", "steps in float128, some");

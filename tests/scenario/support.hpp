@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::scenario_test {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 
@@ -35,7 +35,7 @@ struct Jacobi {
 // Expects round-off to stay within 3 eps sqrt(N) of the energies after N steps, at every N up to the last.
 inline void expect_random_walk(Scenario scene, double duration_s, double least_steps) {
   scene.duration_s = scene.output_step_s = duration_s;  // the rows are those below
-  auto problem = make_problem<double>(scene);
+  auto problem = Scene(scene).problem<double>();
   problem.times_s = {0};
   for (int k = 1; k <= 40; ++k) problem.times_s.push_back(duration_s * std::pow(10.0, (k - 40) / 20.0));
   IntegrationOptions options;
@@ -48,7 +48,7 @@ inline void expect_random_walk(Scenario scene, double duration_s, double least_s
   ASSERT_EQ(motion.status, RunStatus::completed);
   const auto steps = static_cast<double>(motion.counters.accepted);
   EXPECT_GT(steps, least_steps);
-  const Jacobi jacobi{make_model<long double>(scene)};
+  const Jacobi jacobi{Scene(scene).model<long double>()};
   const auto start = jacobi.of(motion.samples.front());
   double worst = 0;
   for (const auto& sample : motion.samples) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 
@@ -16,7 +16,7 @@ inline DriftTrajectory<float128> reference_run(const Scenario& scenario, Observe
   options.observer = observer;
   options.method = Method::extrapolation;
   options.relative_tolerance = tolerance;
-  return integrate_drift(make_problem<float128>(scenario), options);
+  return integrate_drift(Scene(scenario).problem<float128>(), options);
 }
 
 /// The distance of a run's rows from the reference, compared with the run's bounds, over all rows.

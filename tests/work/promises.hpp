@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "work/work_scenes.hpp"
 
 namespace earthtop::testing {
@@ -29,7 +29,7 @@ inline void expect_promises_kept(int scenes_a_kind) {
   for (const WorkKind& kind : work_kinds())
     for (int i = 0; i < scenes_a_kind; ++i) {
       const Scenario scenario = work_scene(kind, static_cast<std::uint64_t>(i));
-      if (method_refusal(scenario.numerics.method, scenario)) continue;
+      if (Scene(scenario).method_refusal(scenario.numerics.method)) continue;
       const WorkDone done = work_done(scenario);
       if (done.status[0] != RunStatus::completed && done.status[0] != RunStatus::step_limit) continue;  // failed before its end
       ratios.push_back(ratio(done));

@@ -4,9 +4,8 @@
 #include <ctime>
 
 #include "bounds/strata.hpp"
-#include "drift/stability.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "scenario/problem.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -83,7 +82,7 @@ void stiff_by(Scenario& s, Random& random) {
 void in_float128(Scenario& s, Random& random) {
   s.precision = Precision::bits113;
   s.numerics.relative_tolerance = 1e-24;
-  s.duration_s = random.log_uniform(3, 30) / fastest_rate_rad_s(s);
+  s.duration_s = random.log_uniform(3, 30) / Scene(s).fastest_rate_rad_s();
   s.output_step_s = s.duration_s / 12;
   if (random.coin()) viscous(s, random), s.effects.applied.viscous_N_m_s *= 1e-3;
 }
@@ -94,7 +93,7 @@ void in_long_double(Scenario& s, Random& random) {
 }
 void by_long_horizon(Scenario& s, Random& random) {
   s = random_scene_of(strata()[1], static_cast<std::uint64_t>(random.uniform(0, 1e6)), 1e3, 1e5);
-  if (!method_refusal(Method::long_horizon, s)) s.numerics.method = Method::long_horizon;
+  if (!Scene(s).method_refusal(Method::long_horizon)) s.numerics.method = Method::long_horizon;
 }
 
 constexpr WorkKind kKinds[] = {
@@ -145,9 +144,9 @@ Scenario work_scene(const WorkKind& kind, std::uint64_t index) {
 
 WorkDone work_done(const Scenario& scenario) {
   WorkDone done;
-  const RunEstimate estimate = estimated_run(scenario);
+  const RunEstimate estimate = Scene(scenario).estimate();
   done.promised[0] = estimate.solution, done.promised[1] = estimate.certificate, done.promised[2] = estimate.growth;
-  done.promised_s = estimate.seconds;
+  done.promised_s = estimate.seconds.all();
   const double start = processor_seconds();
   const RunResult result = run(scenario);
   done.used_s = processor_seconds() - start;
@@ -157,8 +156,8 @@ WorkDone work_done(const Scenario& scenario) {
   done.used[0] = used(result.solution.counters), done.used[1] = used(result.certificate.counters);
   done.status[0] = result.solution.status, done.status[1] = result.certificate.status;
   if (estimate.growth.steps == 0) return done;
-  const auto problem = make_problem<double>(scenario);
-  const double tolerance = is_integrable(problem) ? 1e-13 : 1e-7;
+  const auto problem = Scene(scenario).problem<double>();
+  const double tolerance = growth_tolerance(problem).value();
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && scenario.rotation_rate_rad_s == 0) break;

@@ -25,7 +25,7 @@ std::string cell(const Work& promised, const Work& used) {
 
 void print_line(const std::string& name, const Scenario& scenario, const WorkDone& done) {
   fmt::print("{:28.28} {:14.14}|{}|{}|{}| {:>8.2g}s {:>8.2g}s {:>6.2g} {} {}{}\n", name,
-             to_string(method_choice(scenario).options.method), cell(done.promised[0], done.used[0]),
+             to_string(Scene(scenario).choice().options.method), cell(done.promised[0], done.used[0]),
              cell(done.promised[1], done.used[1]), cell(done.promised[2], done.used[2]), done.promised_s, done.used_s,
              done.used_s / done.promised_s, to_string(done.status[0]), to_string(done.status[1]),
              done.growth_completed ? "" : " growth-not-completed");
@@ -46,10 +46,10 @@ int main(int argc, char** argv) {
   if (first == "promise") {
     for (const char* file : arguments.subspan(2)) try {
         const Scenario scenario = parse_scenario(read_scenario_source(file));
-        const RunEstimate e = estimated_run(scenario);
+        const RunEstimate e = Scene(scenario).estimate();
         fmt::print("{}: {:.2g} + {:.2g} steps, {:.2g} + {:.2g} + {:.2g} evaluations, {}\n", file, e.solution.steps,
                    e.certificate.steps, e.solution.evaluations, e.certificate.evaluations, e.growth.evaluations,
-                   about_seconds(e.seconds));
+                   about_seconds(e.seconds.all()));
       } catch (const ScenarioError& error) {
         fmt::print("{}: {}\n", file, error.what());
       }

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "run/assemble.hpp"
-#include "scenario/pace.hpp"
-#include "scenario/problem.hpp"
 #include "work/promises.hpp"
 
 namespace earthtop {
@@ -54,7 +53,7 @@ Scenario long_enough() {
 }
 DriftProblem<double> understated() {
   const Scenario s = long_enough();
-  DriftProblem<double> problem = make_problem<double>(s);
+  DriftProblem<double> problem = Scene(s).problem<double>();
   problem.pace.turning_rad = 1;
   problem.pace.looks_rad = 0;
   problem.pace.settled_rad = problem.pace.damping = 0;
@@ -95,9 +94,9 @@ TEST(WorkLimit, AnIntegrationStopsWithItsRowsAtTenTimesTheEstimate) {
 TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
   Scenario s = toy_top();
   s.duration_s = 6;
-  const Pace gentle = pace_of(s);
+  const Pace gentle = Scene(s).pace();
   s.effects.applied.viscous_N_m_s = 1e6;
-  DriftProblem<double> problem = make_problem<double>(s);
+  DriftProblem<double> problem = Scene(s).problem<double>();
   problem.pace = gentle;
   for (const Method method : {Method::dop853, Method::extrapolation, Method::bulirsch_stoer}) {
     const IntegrationOptions options = options_of(method);
@@ -117,7 +116,7 @@ TEST(WorkEstimate, KnowsTheStepsOfTheFinestTolerance) {
   Scenario s = toy_top();
   s.precision = Precision::bits113;
   s.duration_s = s.output_step_s = 0.1;
-  DriftProblem<float128> problem = make_problem<float128>(s);
+  DriftProblem<float128> problem = Scene(s).problem<float128>();
   for (const double tolerance : {1e-30, 1e-31, 1e-32}) {
     IntegrationOptions options = options_of(Method::extrapolation);
     options.relative_tolerance = tolerance;
@@ -134,7 +133,7 @@ TEST(WorkEstimate, KnowsTheStepsOfTheFinestTolerance) {
 TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   const Scenario s = long_enough();
   TwoIntegrations<double> made;
-  DriftProblem<double> problem = make_problem<double>(s);
+  DriftProblem<double> problem = Scene(s).problem<double>();
   made.options = options_of(Method::dop853);
   made.first = integrate_drift(problem, made.options);
   describe(problem, made.options, made.first, s.precision, made.solution);
@@ -155,7 +154,7 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
 
 std::string refusal(const Scenario& scenario) {
   try {
-    require_affordable(scenario);
+    Scene(scenario).require_affordable();
   } catch (const ScenarioError& error) {
     return error.diagnostics().front().pointer + ": " + error.diagnostics().front().message;
   }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "earthtop/bench/bench.hpp"
-#include "scenario/problem.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 
 namespace {
 
@@ -63,6 +63,6 @@ int main(int argc, char** argv) {
   for (const auto& file : files) {
     Scenario scenario = parse_scenario(read_scenario_source(file.string()));
     scenario.duration_s = std::min(scenario.duration_s, most_seconds);
-    if (is_reducible(make_model<double>(scenario))) print_row(scenario, options);
+    if (is_reducible(Scene(scenario).model<double>())) print_row(scenario, options);
   }
 }

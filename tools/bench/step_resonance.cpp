@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/plot/plot.hpp"
 #include "integrate/compositions.hpp"
-#include "scenario/problem.hpp"
 
 namespace {
 
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "fast-gyro";
   Scenario scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json"));
   scenario.duration_s = scenario.output_step_s = argc > 2 ? std::atof(argv[2]) : 10;
-  const auto problem = make_problem<double>(scenario);
+  const auto problem = Scene(scenario).problem<double>();
   const ReducedTop<double> top = reduced_top(problem.model);
   const double nutation_rad_s = std::abs(problem.release.w_XB_B[top.axis]) * top.I3 / top.I1;
 

@@ -60,43 +60,45 @@ void check_arguments(const BenchArguments& arguments) {
 }
 
 /// Reads all scenarios. @throws ScenarioError with the errors of the first one that has any
-std::vector<Scenario> read_scenarios(const BenchArguments& arguments) {
+std::vector<Scene> read_scenes(const BenchArguments& arguments) {
   const auto overrides = split_sets(arguments.sets);
-  std::vector<Scenario> scenarios;
+  std::vector<Scene> scenes;
   std::set<std::string> names;
   for (const std::string& file : arguments.files) {
     const ScenarioSource source = read_scenario_source(file);
     ScenarioReport report = examine_scenario(source, overrides);
-    if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+    if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
     if (!arguments.quiet) report_warnings(source.file, report.warnings);
     if (!names.insert(report.scenario->name).second)
       refuse(fmt::format("two scenarios are named \"{}\"; give them different names", report.scenario->name));
-    scenarios.push_back(*std::move(report.scenario));
+    scenes.push_back(*std::move(report.scene));
   }
-  return scenarios;
+  return scenes;
 }
 
 /// The scenario, shortened to the duration asked for; if none is, so far that a reference solution can be computed within the
 /// reference limit.
-Scenario to_be_benched(const Scenario& scenario, const BenchArguments& arguments) {
+Scene to_be_benched(const Scene& scene, const BenchArguments& arguments) {
+  const Scenario& scenario = scene.scenario();
   if (!arguments.duration_s) {
-    Scenario shortened = shortened_for_reference(scenario, arguments.reference_s);
-    if (shortened.duration_s < scenario.duration_s && !arguments.quiet)
+    Scene shortened = shortened_for_reference(scene, arguments.reference_s);
+    const double duration_s = shortened.scenario().duration_s;
+    if (duration_s < scenario.duration_s && !arguments.quiet)
       message(
           fmt::format("earthtop: {}: the first {:g} s of {:g} s: a reference of more would take longer than {:g} s; "
                       "--duration or --reference-limit change it",
-                      scenario.name, shortened.duration_s, scenario.duration_s, arguments.reference_s));
+                      scenario.name, duration_s, scenario.duration_s, arguments.reference_s));
     return shortened;
   }
   Scenario shortened = scenario;
   shortened.duration_s = std::min(scenario.duration_s, *arguments.duration_s);
   shortened.output_step_s = std::min(scenario.output_step_s, shortened.duration_s);
-  return shortened;
+  return resolve(std::move(shortened));
 }
 
 /// The standard contenders that were asked for. @throws ScenarioError if none of them fits
-std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArguments& arguments) {
-  std::vector<Contender> all = standard_contenders(scenario, workload_of(arguments));
+std::vector<Contender> contenders_of(const Scene& scene, const BenchArguments& arguments) {
+  std::vector<Contender> all = standard_contenders(scene, workload_of(arguments));
   if (arguments.methods.empty()) return all;
   const auto is_asked = [&](const Contender& contender) {
     const std::string name(contender.peer ? to_string(*contender.peer) : to_string(contender.options.method));
@@ -108,7 +110,7 @@ std::vector<Contender> contenders_of(const Scenario& scenario, const BenchArgume
   std::erase_if(all, [&](const Contender& contender) { return !is_asked(contender); });
   std::string asked;
   for (const std::string& method : arguments.methods) asked += (asked.empty() ? "" : ",") + method;
-  if (all.empty()) refuse(fmt::format("--methods {}: none of these fits \"{}\"", asked, scenario.name));
+  if (all.empty()) refuse(fmt::format("--methods {}: none of these fits \"{}\"", asked, scene.scenario().name));
   return all;
 }
 
@@ -118,33 +120,33 @@ std::function<void(const std::string&)> progress_of(const std::string& scenario,
   return [scenario](const std::string& what) { fmt::print(stderr, "\r\033[K{}: {}", printable(scenario), what); };
 }
 
-BenchReport bench_one(const Scenario& scenario, const BenchArguments& arguments) {
+BenchReport bench_one(const Scene& scene, const BenchArguments& arguments) {
   BenchOptions options;
   options.compared = error_kind(arguments);
   options.repetitions = arguments.repetitions;
   options.most_seconds = arguments.limit_s;
   options.reference_seconds = arguments.reference_s;
-  options.progress = progress_of(scenario.name, arguments);
-  BenchReport report = bench(scenario, contenders_of(scenario, arguments), options);
+  options.progress = progress_of(scene.scenario().name, arguments);
+  BenchReport report = bench(scene, contenders_of(scene, arguments), options);
   if (options.progress) fmt::print(stderr, "\r\033[K");
   return report;
 }
 
 int bench_verb(const BenchArguments& arguments) {
   check_arguments(arguments);
-  std::vector<Scenario> scenarios;
+  std::vector<Scene> scenes;
   std::vector<std::string> names;
-  for (const Scenario& scenario : read_scenarios(arguments)) {
-    scenarios.push_back(to_be_benched(scenario, arguments));
-    names.push_back(scenario.name);
-    require_affordable(scenarios.back());
-    contenders_of(scenarios.back(), arguments);
+  for (const Scene& scene : read_scenes(arguments)) {
+    scenes.push_back(to_be_benched(scene, arguments));
+    names.push_back(scene.scenario().name);
+    scenes.back().require_affordable();
+    contenders_of(scenes.back(), arguments);
   }
   if (arguments.out) check_bench_directory(*arguments.out, names, arguments.force);
 
   std::vector<BenchReport> reports;
-  for (const Scenario& scenario : scenarios) {
-    reports.push_back(bench_one(scenario, arguments));
+  for (const Scene& scene : scenes) {
+    reports.push_back(bench_one(scene, arguments));
     if (!arguments.json && !arguments.quiet)
       print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), arguments.brief));
   }

@@ -32,9 +32,9 @@ CheckedFile check_file(const std::string& path, const std::vector<std::pair<std:
     const ScenarioSource source = read_scenario_source(path);
     return {source.file, kDone, examine_scenario(source, overrides)};
   } catch (const ScenarioError& error) {
-    return {error.file(), kRefused, {std::nullopt, error.diagnostics().size(), error.diagnostics(), {}}};
+    return {error.file(), kRefused, {std::nullopt, error.diagnostics().size(), error.diagnostics()}};
   } catch (const ReadError& error) {
-    return {error.file(), kWriteFailed, {std::nullopt, 1, {{0, 0, "", error.reason()}}, {}}};
+    return {error.file(), kWriteFailed, {std::nullopt, 1, {{0, 0, "", error.reason()}}}};
   }
 }
 
@@ -49,9 +49,10 @@ std::string verdict(const CheckedFile& checked) {
     text += counted(report.error_count, "error");
   } else {
     const Scenario& scenario = *report.scenario;
-    text += fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
-                        output_times(scenario.duration_s, scenario.output_step_s).size(), estimated_steps(scenario));
-    text += ", " + about_seconds(estimated_run_seconds(scenario));
+    text +=
+        fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
+                    output_times(scenario.duration_s, scenario.output_step_s).size(), report.scene->estimate().solution.steps);
+    text += ", " + about_seconds(estimated_run_seconds(*report.scene));
   }
   if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
   return text + '\n';

@@ -69,8 +69,9 @@ std::string inputs_text(const Budget& budget) {
   return text;
 }
 
-std::string explained(const Budget& budget, const Scenario& scenario) {
-  const MethodChoice choice = method_choice(scenario);
+std::string explained(const Budget& budget, const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const MethodChoice& choice = scene.choice();
   const std::string drift =
       std::isfinite(budget.earth_drift_rad) ? fmt::format("about {:.3e} rad", budget.earth_drift_rad) : "not known";
   std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: {}; {}\n\n", scenario.name, scenario.duration_s,
@@ -80,22 +81,22 @@ std::string explained(const Budget& budget, const Scenario& scenario) {
     text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
   text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
-                      estimated_steps(scenario), about_seconds(estimated_run_seconds(scenario)));
+                      scene.estimate().solution.steps, about_seconds(estimated_run_seconds(scene)));
   for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
   return text;
 }
 
 /// The effect budget, computed with a progress display. Chooses the effects first if the scenario leaves that to the program.
 /// Returns nothing if interrupted.
-std::optional<Budget> watched_budget(Scenario& scenario, bool lively) {
+std::optional<Budget> watched_budget(Scene& scene, bool lively) {
   const OrderlyEnd orderly;
   Progress progress;
   const ProgressDisplay display(lively, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  const double choice = scenario.effects.automatic ? selection_work(scenario) : 0;
-  Parts parts(watch, choice + budget_work(scenario));
-  if (scenario.effects.automatic) select_effects(scenario, parts.next(choice, "choice of effects"));
-  std::optional<Budget> budget = effect_budget(scenario, parts.next(budget_work(scenario)));
+  const double choice = scene.scenario().effects.automatic ? selection_seconds(scene) : 0;
+  Parts parts(watch, choice + budget_seconds(scene));
+  if (scene.scenario().effects.automatic) select_effects(scene, parts.next(choice, "choice of effects"));
+  std::optional<Budget> budget = effect_budget(scene, parts.next(budget_seconds(scene)));
   if (watch.asks_to_stop()) return std::nullopt;
   progress.reach(1);
   return budget;
@@ -104,12 +105,12 @@ std::optional<Budget> watched_budget(Scenario& scenario, bool lively) {
 int explain_verb(const ExplainArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
-  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+  if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
-  Scenario scenario = *std::move(report.scenario);
-  const auto budget = watched_budget(scenario, !arguments.quiet && !arguments.json);
+  Scene scene = *std::move(report.scene);
+  const auto budget = watched_budget(scene, !arguments.quiet && !arguments.json);
   if (!budget) return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
-  print(arguments.json ? budget_json(*budget, scenario) : explained(*budget, scenario));
+  print(arguments.json ? budget_json(*budget, scene) : explained(*budget, scene));
   return kDone;
 }
 

@@ -40,36 +40,38 @@ int interrupted(const RunArguments& arguments, const std::string& where) {
 
 /// Whether --set changed the prediction, and not only how it is computed or reported.
 bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
-  const auto original = examine_scenario(source).scenario;
+  const auto original = examine_scenario(source).scene;
   if (!original) return true;
-  scenario.name = original->name;
-  scenario.numerics = original->numerics;
-  scenario.precision = original->precision;
-  scenario.ledger = original->ledger;
-  scenario.output_step_s = original->output_step_s;
-  scenario.threshold_rad = original->threshold_rad;
-  return canonical_json(scenario) != canonical_json(*original);
+  const Scenario& before = original->scenario();
+  scenario.name = before.name;
+  scenario.numerics = before.numerics;
+  scenario.precision = before.precision;
+  scenario.ledger = before.ledger;
+  scenario.output_step_s = before.output_step_s;
+  scenario.threshold_rad = before.threshold_rad;
+  return canonical_json(scenario) != original->canonical();
 }
 
 struct RequestedScene {
-  Scenario scenario;
-  bool is_changed;  ///< --set changed the prediction: see is_another_scene
+  Scene scene;
+  bool is_changed;  ///< the file says something else
 };
 
-RequestedScene read_scenario(const RunArguments& arguments) {
+RequestedScene read_scene(const RunArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
-  if (!report.scenario) throw ScenarioError(std::move(report.errors), source.file);
+  if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
-  report.scenario->numerics.stops_beyond_estimate = !arguments.no_step_limit;
   const bool is_changed = !arguments.sets.empty() && is_another_scene(*report.scenario, source);
-  return {*std::move(report.scenario), is_changed};
+  if (!arguments.no_step_limit) return {*std::move(report.scene), is_changed};
+  report.scenario->numerics.stops_beyond_estimate = false;
+  return {resolve(*std::move(report.scenario)), is_changed};
 }
 
 /// Reports a run that was interrupted and leaves nothing, and whether --partial would have kept its rows.
 int tell_of_nothing(const RunResult& result, const RunArguments& arguments) {
   if (!result.solution_is_whole)
-    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scenario.duration_s));
+    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scene.scenario().duration_s));
   const char* message =
       "interrupted when the motion was whole, but not the bounds on its error or its verdict; nothing was written, the same "
       "command starts it again; with --partial an interrupted run keeps the rows";
@@ -83,13 +85,13 @@ struct WrittenRun {
 };
 
 /// Runs and writes the results, with one progress display for both.
-WrittenRun run_and_write(const Scenario& scenario, const std::filesystem::path& dir, const RunArguments& arguments) {
+WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, const RunArguments& arguments) {
   const OrderlyEnd orderly(arguments.partial);
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  const double writing = writing_work(scenario), share = writing / (writing + estimated_run_seconds(scenario));
-  WrittenRun run{earthtop::run(scenario, {watch.part(0, 1 - share), arguments.partial})};
+  const double writing = writing_seconds(scene.scenario()), share = writing / (writing + estimated_run_seconds(scene));
+  WrittenRun run{earthtop::run(scene, {watch.part(0, 1 - share), arguments.partial})};
   run.was_interrupted = run.result.status == RunStatus::interrupted;
   run.is_written = !run.was_interrupted || is_partial(run.result);
   if (!run.is_written) return run;
@@ -123,11 +125,12 @@ std::string sparkline(const RunResult& result) {
 }
 
 int run_verb(const RunArguments& arguments) try {
-  const auto [scenario, is_changed] = read_scenario(arguments);
+  const auto [scene, is_changed] = read_scene(arguments);
+  const Scenario& scenario = scene.scenario();
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
-  check_output_directory(dir, scenario, arguments.force);
+  check_output_directory(dir, scene, arguments.force);
 
-  const auto [result, is_written, was_interrupted] = run_and_write(scenario, dir, arguments);
+  const auto [result, is_written, was_interrupted] = run_and_write(scene, dir, arguments);
   if (!is_written) return tell_of_nothing(result, arguments);
   if (was_interrupted)
     message(fmt::format(

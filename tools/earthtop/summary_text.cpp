@@ -82,15 +82,15 @@ class Page {
   std::string text_;
 };
 
-void write_scene(Page& page, const Scenario& scenario, double reached_s) {
-  const Site& site = scenario.site;
-  const double turn = std::abs(scenario.rotation_rate_rad_s) * reached_s;
+void write_scene(Page& page, const Scene& scene, double reached_s) {
+  const Site& site = scene.site();
+  const double turn = std::abs(scene.rotation_rate_rad_s()) * reached_s;
   page.entry("Place", fmt::format("latitude {}°, longitude {}°, height {} m; gravity {} m/s²", site.latitude_deg,
                                   site.longitude_deg, site.height_m, site.gravity_m_s2));
-  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by Ω t = {:.5g} rad = {}", scenario.rotation_rate_rad_s,
+  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by Ω t = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
                                   reached_s, turn, pictured(turn)));
   page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
-  page.entry("", matching_rule(scenario));
+  page.entry("", matching_rule(scene.scenario()));
 }
 
 /// The summary of the drift over the rows that can be trusted, which are mostly all of them.
@@ -98,7 +98,7 @@ DriftSummary reliable_drift(const RunResult& result) {
   if (!result.verdict.from_s && result.stops.empty()) return result.drift;
   std::vector<DriftRow> rows = result.rows;
   std::erase_if(rows, [](const DriftRow& row) { return !row.drift_reliable; });
-  return summarize_drift(rows, result.scenario.rotation_rate_rad_s);
+  return summarize_drift(rows, result.scene.rotation_rate_rad_s());
 }
 
 void write_verdict(Page& page, const RunResult& result) {
@@ -181,9 +181,9 @@ void write_choice(Page& page, const RunResult& result) {
 
 void write_threshold(Page& page, const RunResult& result) {
   const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
-  if (!crossing || !result.scenario.threshold_rad) return;
+  if (!crossing || !result.scene.scenario().threshold_rad) return;
   const std::optional<double>& time = result.drift.threshold_time_s;
-  const std::string threshold = fmt::format("{} rad ", *result.scenario.threshold_rad);
+  const std::string threshold = fmt::format("{} rad ", *result.scene.scenario().threshold_rad);
   const std::string computed = time ? fmt::format(", as computed at t = {:.9g} s", *time) : ", as computed not passed";
   switch (*crossing) {
     case ThresholdCrossing::not_reached: page.entry("Threshold", threshold + "not reached"); break;
@@ -241,7 +241,7 @@ void write_sensitivities(Page& page, const RunResult& result) {
     page.entry("",
                fmt::format("{:+.5e} rad  {:<20} (now {:.9g}){}", input.axis_rad, input.name, input.value,
                            input.axis_error_rad > 0 ? fmt::format(", its error makes {:.2e} rad", input.axis_error_rad) : ""));
-  if (!result.scenario.uncertainty) return;
+  if (!result.scene.scenario().uncertainty) return;
   const DriftRow* row = last_reliable_row(result);
   page.entry("Known to", fmt::format("{:.6e} rad ± {:.1e} from the inputs (standard error) ± {:.1e} from the numerics (bound)",
                                      row->drift_axis_rad, report.axis_error_rad, row->drift_axis_bound_rad));
@@ -277,10 +277,10 @@ std::string described(const IntegrationReport& report) {
 }  // namespace
 
 std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color) {
-  const Scenario& scenario = result.scenario;
+  const Scenario& scenario = result.scene.scenario();
   Page page(color);
   page.heading(printable(scenario.title.empty() ? scenario.name : scenario.title));
-  write_scene(page, scenario, result.reached_s);
+  write_scene(page, result.scene, result.reached_s);
   if (result.status != RunStatus::completed)
     page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
                                                    result.reached_s, scenario.duration_s)));

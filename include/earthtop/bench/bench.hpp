@@ -14,7 +14,7 @@
 
 #include "earthtop/bench/peers.hpp"
 #include "earthtop/drift/drift_integration.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -102,25 +102,25 @@ struct BenchReport {
 
 /// Every method at several tolerances and precisions, in every form that the scene has; also the peers if the scene is plain.
 /// The choice of `auto` is marked, and added if no other contender is the same.
-std::vector<Contender> standard_contenders(const Scenario& scenario, Workload workload);
+std::vector<Contender> standard_contenders(const Scene& scene, Workload workload);
 
 /// Integrates the scenario in 113 bits at a tolerance of 1e-20 by extrapolation of the general model, or in 64 bits at 1e-17 by
 /// the method that is cheapest there. The witness is the closed form if both motions have one; otherwise another method in
 /// another observer's variables, in the other form if the scene has two.
 /// @param times_s  checkpoints, beginning with 0 (s)   @param precision  bits113 or bits64
 /// @throws std::runtime_error if an integration is not completed
-CertifiedReference certified_reference(const Scenario& scenario, const std::vector<double>& times_s,
+CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s,
                                        Precision precision = Precision::bits113);
 
 /// The estimated time for the reference on one core (s), within a factor of a few.
-double estimated_reference_seconds(const Scenario& scenario, Precision precision);
+double estimated_reference_seconds(const Scene& scene, Precision precision);
 
 /// The scenario, shortened if necessary so that a reference of 64 bits takes no longer than the given time (s).
-Scenario shortened_for_reference(const Scenario& scenario, double reference_seconds);
+Scene shortened_for_reference(const Scene& scene, double reference_seconds);
 
 /// @throws ScenarioError for a scene that cannot be run; std::runtime_error if the reference cannot be computed;
 /// std::invalid_argument for a contender that does not fit the scene
-BenchReport bench(const Scenario& scenario, std::span<const Contender> contenders, const BenchOptions& options = {});
+BenchReport bench(const Scene& scene, std::span<const Contender> contenders, const BenchOptions& options = {});
 
 /// The cost at which these entries reach the given error: seconds and evaluations, interpolated linearly in the logarithms of
 /// error and cost. None if no two neighbouring entries (in the order of their cost) enclose the error.

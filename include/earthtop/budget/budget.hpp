@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -51,9 +51,9 @@ struct Budget {
 
 /// Follows both predictions with the first variations by every effect's strength (variational equations of the reference motion
 /// and of the deviation). @param watch  may end it early
-Budget effect_budget(const Scenario& scenario, const Watch& watch = {});
-/// What that costs, in the seconds of `estimated_seconds`.
-double budget_work(const Scenario& scenario);
+Budget effect_budget(const Scene& scene, const Watch& watch = {});
+/// The seconds that the budget takes on one core, roughly.
+double budget_seconds(const Scene& scene);
 
 /// What "auto" took, and what it left out.
 struct Selection {
@@ -62,11 +62,11 @@ struct Selection {
   double left_out_drift_rad = 0;  ///< estimate of what is left out, altogether
   double seconds = 0;             ///< what the choice cost
 };
-/// The scene with the effects that its accuracy needs switched on, of those that have no parameter of their own: gravity
-/// gradient, and where a date is given tide and polar motion. Sized by first variations of both motions.
-/// @param scenario  with effects.automatic and an accuracy
-/// What the choice costs, in the seconds of `estimated_seconds`.
-double selection_work(const Scenario& scenario);
-Selection select_effects(Scenario& scenario, const Watch& watch = {});
+/// Switches the effects on that a scene's accuracy needs, of those that have no parameter of their own: gravity gradient, and
+/// where a date is given tide and polar motion. They are sized by first variations of both motions.
+/// @param scene  with effects.automatic and an accuracy; becomes the scene with the effects chosen
+Selection select_effects(Scene& scene, const Watch& watch = {});
+/// The seconds that the choice takes on one core, roughly.
+double selection_seconds(const Scene& scene);
 
 }  // namespace earthtop

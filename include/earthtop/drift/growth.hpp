@@ -44,14 +44,25 @@ struct GrowthReport {
   std::optional<double> passes_s(double log_growth) const;
 };
 
+/// The tolerance at which growth is followed first, and the smaller one at which the growth found is confirmed.
+inline constexpr double kCoarseGrowthTolerance = 1e-7, kConfirmingGrowthTolerance = 1e-10;
+/// Growth is followed for at most so many steps.
+inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
+
+/// The tolerance at which the growth along a problem's motions is to be followed first; none where nothing has to be followed:
+/// where disturbances of the motion grow no faster than with the time, or where an upright top is at its critical spin, so that
+/// no growth says more. Motions with a closed form are followed closely, as they leave a separatrix by the integration's own
+/// error.
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem);
+
 /// Integrates the variational equations
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
 /// from the release to `duration_s`, for three disturbances in directions that belong to no symmetry of a body; the largest
 /// growth counts. Applied torques add their change. A body held by a gimbal is disturbed only as the gimbal lets it move.
 /// @param problem  its output times are not read
-/// @param relative_tolerance  of the integration. With 1e-7 the growth is right to some percent. The integration's error can
-/// look like growth, though, and a motion on a separatrix leaves it because of that error: growth that matters should be
-/// confirmed with a smaller tolerance.
+/// @param relative_tolerance  of the integration. With the coarse one the growth is right to some percent. The integration's
+/// error can look like growth, though, and a motion on a separatrix leaves it because of that error: growth that matters should
+/// be confirmed with a smaller tolerance.
 /// @param watch  may end the integration early; the report is then not `completed`
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s,
                                 double relative_tolerance, const Watch& watch = {});

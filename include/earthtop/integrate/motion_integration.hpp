@@ -37,9 +37,7 @@ WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, doub
 /// reducible model, if the observer is the laboratory, or inertial with the method `splitting`, which has no general form.
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
-  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
-  return (options.observer == Observer::laboratory || splits) && is_reducible(model);
+  return takes_reduced_form(is_reducible(model), options);
 }
 
 /// The part of a motion that is wanted. In the reduced form a symmetric top's axis takes six variables, its attitude nine.

@@ -2,6 +2,7 @@
 /// How to integrate: the observer, the method and its tolerances.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -34,6 +35,8 @@ enum class Method {
   long_horizon,
   closed_form
 };
+
+inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
 
 /// The variables that are integrated: `general` means attitude and rates, for any body; `reduced` means the axis and the
 /// transverse rate of a symmetric top, without its spin. `automatic` is decided by `takes_reduced_form`.
@@ -79,6 +82,15 @@ struct IntegrationOptions {
   bool stops_beyond_estimate = true;    ///< whether to stop at ten times the work estimated, where the pace is known
   std::optional<KickSteps> kick_steps;  ///< for long_horizon: the steps to take, instead of searching for them
 };
+
+/// Whether an integration with these options takes the reduced form of a model that has one. `splitting` knows no other, and
+/// splits in inertial axes too.
+inline bool takes_reduced_form(bool reducible, const IntegrationOptions& options) {
+  if (options.method == Method::closed_form) return false;
+  if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
+  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
+  return (options.observer == Observer::laboratory || splits) && reducible;
+}
 
 /// What an integration cost.
 struct StepCounters {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -21,9 +21,6 @@ struct BuildInfo {
 };
 const BuildInfo& build_info();
 
-/// SHA-256 of the canonical scenario: equal for two scenarios that compute the same thing.
-std::string scenario_sha256(const Scenario& scenario);
-
 /// A constant that the result depends on.
 struct Constant {
   std::string name;
@@ -33,6 +30,6 @@ struct Constant {
 };
 
 /// The Earth's rate and the apparent gravity, given or default; also the WGS 84 ellipsoid if gravity is its default.
-std::vector<Constant> constants_used(const Scenario& scenario);
+std::vector<Constant> constants_used(const Scene& scene);
 
 }  // namespace earthtop

@@ -34,7 +34,7 @@ std::optional<DriftDigits> drift_digits(const RunResult& result);
 std::string summary_json(const RunResult& result);
 
 /// The effect budget of a scenario, and the effects that `run` would choose from it, as JSON with a final newline.
-std::string budget_json(const Budget& budget, const Scenario& scenario);
+std::string budget_json(const Budget& budget, const Scene& scene);
 
 /// The matching rule in words: which quantities both predictions have in common at release.
 std::string matching_rule(const Scenario& scenario);
@@ -50,7 +50,7 @@ Figure drift_figure(const RunResult& result);
 /// @param force  overwrite also the results of another scenario
 /// @throws ScenarioError if `dir` cannot be a directory, or holds another scenario's results, or a file with the name of a
 /// result that is not known to be one; WriteError if `dir` cannot be written to
-void check_output_directory(const std::filesystem::path& dir, const Scenario& scenario, bool force);
+void check_output_directory(const std::filesystem::path& dir, const Scene& scene, bool force);
 
 /// Thrown if the watch asked to stop before the first file was in place: no file has been changed.
 class Interrupted : public std::runtime_error {
@@ -67,7 +67,7 @@ class Interrupted : public std::runtime_error {
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted
 void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
 /// The approximate cost of writing, in the seconds of `estimated_seconds`.
-double writing_work(const Scenario& scenario);
+double writing_seconds(const Scenario& scenario);
 
 /// Writes one file and creates its directory; an old file stays until the new one is complete.   @throws WriteError,
 /// Interrupted

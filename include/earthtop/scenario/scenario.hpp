@@ -13,7 +13,6 @@
 #include "earthtop/frames/site.hpp"
 #include "earthtop/frames/tide_spec.hpp"
 #include "earthtop/integrate/options.hpp"
-#include "earthtop/integrate/pace.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
 #include "earthtop/model/ledger_row.hpp"
@@ -84,10 +83,6 @@ struct Scenario {
   std::optional<std::array<double, kInputNames.size()>> uncertainty;
 };
 
-/// Whether a scene is a top under gravity on a pivot at rest in the laboratory, with all three of [F]'s torques: what closed
-/// forms, series, exact flows and the reduced form are made for.
-inline bool is_plain(const Scenario& scenario) { return !scenario.platform && scenario.effects.plain(); }
-
 /// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is
 /// that last row; a step longer than the duration gives the rows 0 and the end only.
 /// @param duration_s, output_step_s  (s)   @returns times (s), ascending
@@ -104,67 +99,6 @@ struct ScenarioSource {
 /// Reads a scenario file, "-" for standard input. @throws ScenarioError for a missing, unreadable, oversized (over 16 MiB)
 /// file, a directory or a FIFO; ReadError.
 ScenarioSource read_scenario_source(const std::string& path);
-
-/// What was found in a scenario's text, sorted by position; at most 20 errors, then one that says how many more. Those of
-/// an override stand first, at line 0.
-struct ScenarioReport {
-  std::optional<Scenario> scenario;  ///< nothing where there are errors
-  std::size_t error_count = 0;       ///< all of them, also those beyond the twentieth
-  std::vector<Diagnostic> errors;
-  std::vector<Diagnostic> warnings;  ///< allowed, but looks like a mistake: degrees for radians, grams for kilograms ...
-};
-
-/// Decodes and validates a scenario. @param overrides  `--set` pairs: JSON pointer and JSON value (a value that is not JSON
-/// is taken as a string).
-ScenarioReport examine_scenario(const ScenarioSource& source,
-                                const std::vector<std::pair<std::string, std::string>>& overrides = {});
-
-/// The same for those who want a scenario or nothing. @throws ScenarioError with all errors
-Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
-
-/// Why a method does not fit a scene, and what to do; nothing where it does. A method that is made for some scenes only (a
-/// closed form, an exact flow) says so here, and nowhere else.
-std::optional<std::string> method_refusal(Method method, const Scenario& scenario);
-
-/// The method a run takes, and why.
-struct MethodChoice {
-  IntegrationOptions options;  ///< with a method, and the observer whose axes it takes
-  std::string reason;
-};
-/// `auto` resolved by body, effects, observer and precision to the method of least work at the error asked for; any other
-/// method as it was asked for.
-MethodChoice method_choice(const Scenario& scenario);
-
-/// Angular frequencies of the motion (rad/s): a rough upper bound on free nutation, pendulum, spin, Earth and platform.
-double fastest_rate_rad_s(const Scenario& scenario);
-
-/// Work of one integration of a scenario, within a factor of a few. @param options  with a method, as `method_choice` gives
-Work estimated_work(const Scenario& scenario, const IntegrationOptions& options);
-
-/// What a run will take, within a factor of a few.
-struct RunEstimate {
-  Work solution;
-  Work certificate;    ///< the second integration, from which the bounds come
-  Work growth;         ///< of disturbances along both motions
-  double seconds = 0;  ///< on one core, of all of them, and of sensitivities and rows
-};
-RunEstimate estimated_run(const Scenario& scenario);
-
-/// Steps that the first integration will take.
-double estimated_steps(const Scenario& scenario);
-
-/// Time of the whole run on one core (s).
-double estimated_seconds(const Scenario& scenario);
-
-/// "about 20 s", "less than 0.1 s"
-std::string about_seconds(double seconds);
-
-/// Of one integration alone (s).
-double estimated_seconds(const Scenario& scenario, const IntegrationOptions& options);
-
-/// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`, or in
-/// extended precision more than a day.
-void require_affordable(const Scenario& scenario);
 
 /// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
 /// a run. Output location and comments are not part of it.

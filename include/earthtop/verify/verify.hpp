@@ -25,8 +25,8 @@ struct VerificationRow {
 };
 
 struct VerificationOptions {
-  bool slow = false;  ///< judge also criteria that take more than a minute
-  Watch watch;        ///< may stop the verification, and is told its progress
+  bool slow = false;  ///< judge criteria, too, that take over a minute
+  Watch watch = {};   ///< may stop it, and sees how far it is
 };
 
 /// A criterion in words: kind, quantity, times and changes.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rates of a scene and how long they last: what turns, what drives it, and what brings it to rest.
-#include "scenario/pace.hpp"
+#include "scene/pace.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,24 +7,24 @@
 #include <numbers>
 
 #include "earthtop/model/model.hpp"
-#include "scenario/platform_demand.hpp"
+#include "earthtop/model/release.hpp"
 
 namespace earthtop {
 namespace {
 
 /// The body as it is released, in the numbers that rates are made of.
 struct Released {
-  Body<double> body;
-  Release<double> release;
+  const Body<double>& body;
+  const Release<double>& release;
   Vec3<double> moments;  ///< principal, ascending
   int axis;              ///< of symmetry, or -1
   double momentum;
 
-  explicit Released(const Scenario& s)
-      : body(make_body<double>(s.body)),
-        release(make_release<double>(s.release, body, s.site.gravity_m_s2)),
+  explicit Released(const Scene& scene)
+      : body(scene.body<double>()),
+        release(scene.release<double>()),
         moments(Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.I_BP_B, Eigen::EigenvaluesOnly).eigenvalues()),
-        axis(symmetry_axis(body)),
+        axis(scene.symmetry_axis()),
         momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B))) {}
 
   double least() const { return moments[0]; }
@@ -45,11 +44,11 @@ struct Released {
 /// Of a pendulum that falls from upright, by this torque.
 double falling_rate(double torque, double moment) { return 2 * std::sqrt(torque / moment); }
 
-double gradient_torque(const Scenario& scenario, const Released& top) {
-  const auto& given = scenario.effects.applied.gravity_gradient;
+double gradient_torque(const Scene& scene, const Released& top) {
+  const auto& given = scene.scenario().effects.applied.gravity_gradient;
   if (!given) return 0;
   double strength = 0;
-  for (const GradientTerm<double>& term : gradient_terms(gradient_L(*given, scenario.site)))
+  for (const GradientTerm<double>& term : gradient_terms(gradient_L(*given, scene.site())))
     strength = std::max(strength, std::abs(term.strength));
   return strength * (top.largest() - top.least());
 }
@@ -76,9 +75,9 @@ struct Braking {
 /// Friction's part of the pace.
 class Friction {
  public:
-  Friction(const Scenario& scenario, const Released& top, double rate, double driven_rate, double torque)
-      : top_(top), time_(scenario.duration_s), rate_(rate), driven_(driven_rate), torque_(torque) {
-    const AppliedTorquesSpec& applied = scenario.effects.applied;
+  Friction(const Scene& scene, const Released& top, double rate, double driven_rate, double torque)
+      : top_(top), time_(scene.scenario().duration_s), rate_(rate), driven_(driven_rate), torque_(torque) {
+    const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
     turned_ = rate_ * time_;
     swung_s_ = time_;
     if (applied.viscous_N_m_s > 0) viscous(applied.viscous_N_m_s, top.least(), top.largest());
@@ -87,7 +86,7 @@ class Friction {
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
     }
     if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
-    if (applied.air_drag) disc(*applied.air_drag, scenario.site, std::abs(scenario.rotation_rate_rad_s));
+    if (applied.air_drag) disc(*applied.air_drag, scene.site(), std::abs(scene.rotation_rate_rad_s()));
     if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
   }
 
@@ -164,66 +163,94 @@ struct Driven {
   PlatformDemand platform;
   double gravity_torque, gradient;  ///< N m, at most
 
-  explicit Driven(const Scenario& scenario) : top(scenario) {
+  explicit Driven(const Scene& scene) : top(scene) {
     // A body that is neither carried off its centre nor rubbed feels nothing of a platform.
-    const AppliedTorquesSpec& applied = scenario.effects.applied;
-    const bool felt = scenario.platform &&
-                      (scenario.platform->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
-    if (felt) platform = demand_of(*scenario.platform, scenario.duration_s, scenario.rotation_rate_rad_s);
-    gravity_torque = top.body.mass * (scenario.site.gravity_m_s2 + platform.acceleration_m_s2) * norm(top.body.p_PBcm_B);
-    gradient = gradient_torque(scenario, top);
+    const auto& carrier = scene.scenario().platform;
+    const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+    const bool felt = carrier && (carrier->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
+    if (felt) platform = scene.platform_demand();
+    gravity_torque = scene.gravity_torque_N_m(platform.acceleration_m_s2);
+    gradient = gradient_torque(scene, top);
   }
   double swinging_rate() const { return falling_rate(gravity_torque, top.swinging()) + falling_rate(gradient, top.swinging()); }
-  Friction friction(const Scenario& scenario) const {
-    return {scenario, top, top.turning_rate(), platform.rate_rad_s, gravity_torque + gradient};
+  Friction friction(const Scene& scene) const {
+    return {scene, top, top.turning_rate(), platform.rate_rad_s, gravity_torque + gradient};
   }
 };
 
-/// Of a symmetric top without its spin; of one that spins about another axis than body axis 3, angles have to be seen going
-/// round.
-double reduced_rate(const Scenario& scenario, const Released& top) {
+/// How fast a symmetric top turns without its spin; where it spins about another axis than body axis 3, angles have to be seen
+/// going round.
+double reduced_rate(const Scene& scene, const Released& top) {
   const double I1 = top.body.I_BP_B(0, 0);
-  const double torque = top.body.mass * scenario.site.gravity_m_s2 * norm(top.body.p_PBcm_B);
-  return top.momentum / I1 + falling_rate(torque, I1) + std::abs(scenario.rotation_rate_rad_s);
+  return top.momentum / I1 + falling_rate(scene.gravity_torque_N_m(), I1) + std::abs(scene.rotation_rate_rad_s());
 }
 
 /// Where a wheel in a gimbal hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical
 /// leaves rounding alone, which a fine error control takes for errors: its steps are then as many as those of a watcher that
 /// looks at so many radians for each the motion turns through. As measured.
-double looks_at_rounding(const Scenario& scenario) {
-  if (!scenario.effects.applied.gimbal || scenario.rotation_rate_rad_s == 0) return 0;
+double looks_at_rounding(const Scene& scene) {
+  if (!scene.scenario().effects.applied.gimbal || scene.rotation_rate_rad_s() == 0) return 0;
   constexpr double kDegree = std::numbers::pi / 180, kFelt = 1e-4, kFew = 6, kMost = 1000;
-  const double latitude = scenario.site.latitude_deg * kDegree;
-  const double driving = std::abs(real::cos(latitude) * real::sin(scenario.release.azimuth_deg * kDegree));
+  const double latitude = scene.site().latitude_deg * kDegree;
+  const double driving = std::abs(real::cos(latitude) * real::sin(scene.scenario().release.azimuth_deg * kDegree));
   const double felt = kFelt * std::abs(real::sin(latitude));
   return felt > driving ? std::min(kMost, kFew * real::pow(felt / std::max(driving, 1e-30), 0.6)) : 0;
 }
 
 }  // namespace
 
-Pace pace_of(const Scenario& scenario) {
-  const Driven driven(scenario);
-  const Friction friction = driven.friction(scenario);
+PlatformDemand demand_of(const Scene& scene) {
+  const auto& given = scene.scenario().platform;
+  if (!given) return {};
+  const double amplitude = std::abs(given->amplitude_rad);
+  double omega = 2 * std::numbers::pi * std::abs(given->frequency_hz);
+  double rate =
+      std::abs(given->rate_rad_s) + std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s + amplitude * omega;
+  double alpha = std::abs(given->acceleration_rad_s2) + amplitude * omega * omega;
+  if (given->table) {
+    const AngleSpline<double> turn(*given->table);
+    rate = turn.largest_rate();
+    alpha = turn.largest_acceleration();
+    if (rate > 0) omega = alpha / rate;  // of a harmonic turn, its own
+  }
+  const auto& d = given->pivot_offset_m;
+  const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(scene.rotation_rate_rad_s());
+  return {std::max(rate, omega), (turning * turning + alpha) * offset};
+}
+
+double fastest_rate_of(const Scene& scene) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
+  const double least_moment = moments.eigenvalues()[0];
+  const PlatformDemand& platform = scene.platform_demand();
+  const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2);
+  const double rate = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B)) / least_moment +
+                      2 * std::sqrt(torque / least_moment) + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
+  return std::max(rate, 1 / scene.scenario().duration_s);
+}
+
+Paced paced(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const Driven driven(scene);
+  const Friction friction = driven.friction(scene);
   const double time = scenario.duration_s, swinging = driven.swinging_rate();
-  const double carried = std::abs(scenario.rotation_rate_rad_s) + driven.platform.rate_rad_s;
+  const double carried = std::abs(scene.rotation_rate_rad_s()) + driven.platform.rate_rad_s;
 
   Pace pace;
   pace.duration_s = time;
-  pace.rows = time / scenario.output_step_s;
+  pace.rows = scene.rows();
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.settled_rad = swinging * (time - friction.swung_s());
   // What is only rounding is no reason to refuse a scene.
   constexpr double kMostLooks = 1e9;
   pace.looks_rad =
-      std::max(fastest_rate_rad_s(scenario) * time, std::min(kMostLooks, looks_at_rounding(scenario) * pace.turning_rad));
+      std::max(scene.fastest_rate_rad_s() * time, std::min(kMostLooks, looks_at_rounding(scene) * pace.turning_rad));
   pace.damping = friction.damping();
   pace.halts = friction.halts();
-  const bool reducible = is_plain(scenario) && driven.top.axis == 2;
-  pace.reduced_turning_rad = reducible ? std::max(1.0, reduced_rate(scenario, driven.top) * time) : pace.turning_rad;
-  return pace;
+  const bool reducible = scene.is_plain() && driven.top.axis == 2;
+  pace.reduced_turning_rad = reducible ? std::max(1.0, reduced_rate(scene, driven.top) * time) : pace.turning_rad;
+  return {pace, friction.stiffest()};
 }
-
-StiffFriction stiffest_friction(const Scenario& scenario) { return Driven(scenario).friction(scenario).stiffest(); }
 
 }  // namespace earthtop

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which method fits which scene.
+#include "scene/method_fit.hpp"
+
+#include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
-#include "earthtop/scenario/scenario.hpp"
-#include "scenario/closed_form_fit.hpp"
 
 namespace earthtop {
 namespace {
 
 /// The methods that know the motion between the torques' kicks, or its series, know it for [F]'s three torques and a pivot at
 /// rest.
-std::optional<std::string> need_plain_scene(Method method, const Scenario& scenario) {
+std::optional<std::string> need_plain_scene(Method method, const Scene& scene) {
   std::string what = "\"";
   what += to_string(method);
   what += "\" ";
-  if (scenario.platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
-  if (!scenario.effects.all_on())
+  if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
+  if (!scene.scenario().effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
-  if (!is_plain(scenario))
+  if (!scene.is_plain())
     return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }
 
-std::optional<std::string> need_closed_form(const Scenario& scenario) {
-  if (auto reason = need_plain_scene(Method::closed_form, scenario)) return reason;
-  switch (closed_form_kind(scenario)) {
+std::optional<std::string> need_closed_form(const Scene& scene) {
+  if (auto reason = need_plain_scene(Method::closed_form, scene)) return reason;
+  switch (scene.closed_form_kind()) {
     case ExactKind::free_body:
     case ExactKind::symmetric_top:
     case ExactKind::not_plain: break;
@@ -39,36 +40,34 @@ std::optional<std::string> need_closed_form(const Scenario& scenario) {
 
 /// The free motion of a symmetric top is a turn about its angular momentum, that of any other body takes elliptic functions;
 /// and it is split in axes that do not turn with the body.
-std::optional<std::string> need_splittable_scene(const Scenario& scenario) {
-  if (auto reason = need_plain_scene(Method::splitting, scenario)) return reason;
-  if (symmetry_axis(make_body<double>(scenario.body)) < 0)
+std::optional<std::string> need_splittable_scene(const Scene& scene) {
+  if (auto reason = need_plain_scene(Method::splitting, scene)) return reason;
+  if (scene.symmetry_axis() < 0)
     return "\"splitting\" is made for symmetric tops, with their centre of mass on the axis; take \"auto\"";
-  if (scenario.numerics.form == ModelForm::general)
+  if (scene.scenario().numerics.form == ModelForm::general)
     return "\"splitting\" has no general model; leave /numerics/model at \"auto\"";
-  if (scenario.numerics.observer == Observer::body)
+  if (scene.scenario().numerics.observer == Observer::body)
     return "\"splitting\" has no body axes; take the observer \"laboratory\" or \"inertial\"";
   return std::nullopt;
 }
 
 /// Whether gravity's torque is small against the gyroscopic one: half of where a sleeping top falls.
-bool spins_fast(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
-  const double momentum = body.I_BP_B(2, 2) * release.w_XB_B[2];
-  const double torque = body.mass * scenario.site.gravity_m_s2 * norm(body.p_PBcm_B);
-  return 2 * torque * body.I_BP_B(0, 0) <= momentum * momentum;
+bool spins_fast(const Scene& scene) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double momentum = inertia(2, 2) * scene.release<double>().w_XB_B[2];
+  return 2 * scene.gravity_torque_N_m() * inertia(0, 0) <= momentum * momentum;
 }
 
-/// A symmetric top's closed form, in laboratory axes. Of a slow top the drift at amplified rates, from which a small one is
-/// found, is no cubic in the rate.
-std::optional<std::string> need_fast_symmetric_top(const Scenario& scenario) {
-  if (auto reason = need_plain_scene(Method::long_horizon, scenario)) return reason;
-  if (symmetry_axis(make_body<double>(scenario.body)) != 2)
+/// The method has the variables of a symmetric top's closed form, in laboratory axes. It finds a small drift from that at
+/// amplified rates of the Earth, as a cubic in the rate; for a slow top the drift is not cubic in the rate.
+std::optional<std::string> need_fast_symmetric_top(const Scene& scene) {
+  if (auto reason = need_plain_scene(Method::long_horizon, scene)) return reason;
+  if (scene.symmetry_axis() != 2)
     return "\"long_horizon\" is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
            "centre of mass on the axis); take \"auto\"";
-  if (scenario.numerics.observer != Observer::laboratory || scenario.numerics.form != ModelForm::automatic)
+  if (scene.scenario().numerics.observer != Observer::laboratory || scene.scenario().numerics.form != ModelForm::automatic)
     return "\"long_horizon\" has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
-  if (!spins_fast(scenario))
+  if (!spins_fast(scene))
     return "\"long_horizon\" is made for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
            "take "
            "\"auto\", or a faster spin";
@@ -77,8 +76,21 @@ std::optional<std::string> need_fast_symmetric_top(const Scenario& scenario) {
 
 }  // namespace
 
-std::optional<std::string> method_refusal(Method method, const Scenario& scenario) {
-  if (scenario.effects.applied.coulomb_N_m != 0 && method != Method::automatic && method != Method::rkf78 &&
+ExactKind closed_form_of(const Scene& scene) {
+  return scene.is_plain() ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
+}
+
+double closed_form_turn_rate_rad_s(const Scene& scene) {
+  const Model<double>& model = scene.model<double>();
+  const Release<double>& release = scene.release<double>();
+  const Vec3<double> W_B = transposed_times(rotation_matrix(release.q_LB), model.W_IL_L);
+  const ExactBody<double> body = exact_body(model);
+  const auto turn_rate = [&](const Vec3<double>& w_B) { return ExactMotion<double>(body, release.q_LB, w_B).turn_rate(); };
+  return turn_rate(release.w_XB_B) + turn_rate(Vec3<double>(release.w_XB_B + W_B)) + norm(model.W_IL_L);
+}
+
+std::optional<std::string> refuse_method(Method method, const Scene& scene) {
+  if (scene.scenario().effects.applied.coulomb_N_m != 0 && method != Method::automatic && method != Method::rkf78 &&
       method != Method::extrapolation)
     return "with dry friction a motion comes to rest within a step, which only \"rkf78\" and \"extrapolation\" find; take one "
            "of "
@@ -92,10 +104,10 @@ std::optional<std::string> method_refusal(Method method, const Scenario& scenari
     case Method::abm8:
     case Method::dop853:
     case Method::gauss: break;
-    case Method::splitting: return need_splittable_scene(scenario);
-    case Method::taylor: return need_plain_scene(method, scenario);
-    case Method::long_horizon: return need_fast_symmetric_top(scenario);
-    case Method::closed_form: return need_closed_form(scenario);
+    case Method::splitting: return need_splittable_scene(scene);
+    case Method::taylor: return need_plain_scene(method, scene);
+    case Method::long_horizon: return need_fast_symmetric_top(scene);
+    case Method::closed_form: return need_closed_form(scene);
   }
   return std::nullopt;
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/second_integration.hpp"
+#include "scene/second_integration.hpp"
 
 #include <algorithm>
 
 namespace earthtop {
 
-IntegrationOptions second_options(const Scenario& scenario, const IntegrationOptions& first, ModelForm form) {
+IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first) {
+  const Scenario& scenario = scene.scenario();
   const Precision precision = scenario.precision;
+  const ModelForm form = scene.form(first);
   IntegrationOptions second = first;
   second.form = form;
   second.step_s.reset();
@@ -24,7 +26,7 @@ IntegrationOptions second_options(const Scenario& scenario, const IntegrationOpt
   const bool dearer = precision == Precision::bits64 && second.method == Method::rkf78;
   if ((dearer || dry_friction) && second.relative_tolerance > asked / 30) second.relative_tolerance = std::min(10 * asked, 0.1);
   constexpr double kAffordable = 3e4;  // rad; a tenth of a second
-  const double phase = fastest_rate_rad_s(scenario) * scenario.duration_s;
+  const double phase = scene.fastest_rate_rad_s() * scenario.duration_s;
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;
     second.relative_tolerance = asked;

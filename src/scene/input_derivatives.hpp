@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the equations of a scene read of its inputs, differentiated.
+/// The numbers that the equations of a scene read, differentiated by the scene's inputs.
 #pragma once
 
 #include "earthtop/drift/sensitivity.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -14,6 +14,11 @@ struct InputDerivatives {
   std::array<double, kInputNames.size()> scales;  ///< the size of an input, or of what it is measured against
 };
 /// Differences in 113 bits, of the formulas that lead from the inputs to the numbers of the equations. Nothing is integrated.
-InputDerivatives input_derivatives(const Scenario& scenario, const NaturalUnits& units);
+InputDerivatives input_derivatives(const Scene& scene);
+
+/// The tolerance at which a run integrates the drift's derivatives.
+inline constexpr double kSensitivityTolerance = 1e-11;
+/// Why the drift's derivatives at a time (s) cannot be had; nothing where they can.
+std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s);
 
 }  // namespace earthtop

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/input_derivatives.hpp"
+#include "scene/input_derivatives.hpp"
+
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "scenario/problem.hpp"
+#include "scene/problem.hpp"
 
 namespace earthtop {
 namespace {
@@ -15,40 +17,49 @@ enum Input : std::size_t { latitude, gravity, spin, tilt, rotation_rate, inertia
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr double kStep = 0x1p-20;  // of an input's scale: differences to both sides are good to 1e-12
 
-/// What the equations read, in full precision.
+/// The numbers that the equations read, in full precision.
 struct Numbers {
   Model<float128> model;
   Release<float128> release;
 };
 
-double spin_of(const ReleaseSpec& release) {
-  return release.angular_velocity_body_rad_s ? (*release.angular_velocity_body_rad_s)[2] : release.spin_rad_s;
-}
+/// The inputs that are numbers of the scene itself, and not of its body.
+struct Given {
+  Site site;
+  double rotation_rate_rad_s;
+  ReleaseSpec release;
 
-std::array<double, kNamed> values_of(const Scenario& scenario) {
-  const auto body = make_body<double>(scenario.body);
-  const auto release = make_release<double>(scenario.release, body, scenario.site.gravity_m_s2);
-  const Vec3<double> n_L = rotation_matrix(release.q_LB).col(2);
+  explicit Given(const Scene& scene)
+      : site(scene.site()), rotation_rate_rad_s(scene.rotation_rate_rad_s()), release(scene.scenario().release) {}
+  double& spin_rad_s() {
+    return release.angular_velocity_body_rad_s ? (*release.angular_velocity_body_rad_s)[2] : release.spin_rad_s;
+  }
+};
+
+std::array<double, kNamed> values_of(const Scene& scene) {
+  const Body<double>& body = scene.body<double>();
+  const Vec3<double> n_L = rotation_matrix(scene.release<double>().q_LB).col(2);
+  Given given(scene);
   std::array<double, kNamed> values;
-  values[latitude] = scenario.site.latitude_deg;
-  values[gravity] = scenario.site.gravity_m_s2;
-  values[spin] = spin_of(scenario.release);
-  values[tilt] = scenario.release.quaternion_LB ? kDegreesPerRadian * real::atan2(real::hypot(n_L[0], n_L[1]), n_L[2])
-                                                : scenario.release.tilt_deg;
-  values[rotation_rate] = scenario.rotation_rate_rad_s;
+  values[latitude] = given.site.latitude_deg;
+  values[gravity] = given.site.gravity_m_s2;
+  values[spin] = given.spin_rad_s();
+  values[tilt] = given.release.quaternion_LB ? kDegreesPerRadian * real::atan2(real::hypot(n_L[0], n_L[1]), n_L[2])
+                                             : given.release.tilt_deg;
+  values[rotation_rate] = given.rotation_rate_rad_s;
   values[inertia_ratio] = body.I_BP_B(2, 2) / body.I_BP_B(0, 0);
   values[center_of_mass] = norm(body.p_PBcm_B);
   return values;
 }
 
-std::array<double, kNamed> scales_of(const Scenario& scenario, const std::array<double, kNamed>& values) {
+std::array<double, kNamed> scales_of(const Scene& scene, const std::array<double, kNamed>& values) {
   std::array<double, kNamed> scales;
   for (std::size_t i = 0; i < kNamed; ++i) scales[i] = std::abs(values[i]);
   scales[latitude] = scales[tilt] = kDegreesPerRadian;
   if (scales[gravity] == 0) scales[gravity] = 1;
-  if (scales[spin] == 0) scales[spin] = fastest_rate_rad_s(scenario);
+  if (scales[spin] == 0) scales[spin] = scene.fastest_rate_rad_s();
   if (scales[center_of_mass] == 0)
-    scales[center_of_mass] = std::sqrt(make_body<double>(scenario.body).I_BP_B(2, 2) / scenario.body.mass_kg);
+    scales[center_of_mass] = std::sqrt(scene.body<double>().I_BP_B(2, 2) / scene.scenario().body.mass_kg);
   return scales;
 }
 
@@ -62,17 +73,14 @@ std::array<double, 4> leant(const std::array<double, 4>& q_LB, double angle) {
   return {turned.w, turned.v[0], turned.v[1], turned.v[2]};
 }
 
-/// The scene with one of its own numbers moved by `step`, in that number's unit. @returns by how much it was moved, rounded
-double move(Scenario& scenario, std::size_t input, double step) {
-  if (input == tilt && scenario.release.quaternion_LB) {
-    scenario.release.quaternion_LB = leant(*scenario.release.quaternion_LB, step / kDegreesPerRadian);
+/// Moves one input by `step`, in its unit. @returns by how much it was moved, rounded
+double move(Given& given, std::size_t input, double step) {
+  if (input == tilt && given.release.quaternion_LB) {
+    given.release.quaternion_LB = leant(*given.release.quaternion_LB, step / kDegreesPerRadian);
     return step;
   }
-  ReleaseSpec& release = scenario.release;
-  double* const numbers[] = {
-      &scenario.site.latitude_deg, &scenario.site.gravity_m_s2,
-      release.angular_velocity_body_rad_s ? &(*release.angular_velocity_body_rad_s)[2] : &release.spin_rad_s, &release.tilt_deg,
-      &scenario.rotation_rate_rad_s};
+  double* const numbers[] = {&given.site.latitude_deg, &given.site.gravity_m_s2, &given.spin_rad_s(), &given.release.tilt_deg,
+                             &given.rotation_rate_rad_s};
   const double before = *numbers[input];
   *numbers[input] += step;
   return *numbers[input] - before;
@@ -93,15 +101,16 @@ void move(Body<float128>& body, std::size_t input, float128 step) {
   body.S_BP_B = body.I_BP_B.trace() / float128(2) * Mat3<float128>::Identity() - body.I_BP_B;
 }
 
-Numbers numbers_at(Scenario scenario, const NaturalUnits& units, std::size_t input, double step, float128& moved) {
-  auto body = make_body<float128>(scenario.body);
+Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128& moved) {
+  Body<float128> body = scene.body<float128>();
+  Given given(scene);
   moved = float128(step);
   if (input < inertia_ratio)
-    moved = float128(move(scenario, input, step));
+    moved = float128(move(given, input, step));
   else
     move(body, input, moved);
-  return {make_model<float128>(body, scenario.site, scenario.rotation_rate_rad_s, {}, nullptr, units),
-          make_release<float128>(scenario.release, body, float128(scenario.site.gravity_m_s2))};
+  return {make_model<float128>(body, given.site, given.rotation_rate_rad_s, {}, nullptr, scene.units()),
+          make_release<float128>(given.release, body, float128(given.site.gravity_m_s2))};
 }
 
 template <int rows, int columns>
@@ -131,18 +140,31 @@ ProblemDerivative difference(const Numbers& high, const Numbers& low, float128 s
 
 }  // namespace
 
-InputDerivatives input_derivatives(const Scenario& scenario, const NaturalUnits& units) {
+InputDerivatives input_derivatives(const Scene& scene) {
   InputDerivatives derivatives;
-  derivatives.values = values_of(scenario);
-  derivatives.scales = scales_of(scenario, derivatives.values);
-  const float128 epsilon = make_model<float128>(scenario, units).epsilon;
+  derivatives.values = values_of(scene);
+  derivatives.scales = scales_of(scene, derivatives.values);
+  const NaturalUnits& units = scene.units();
+  const float128 epsilon = model_of<float128>(scene, units).epsilon;
   for (std::size_t i = 0; i < kNamed; ++i) {
     const double step = kStep * derivatives.scales[i];
     float128 up = 0, down = 0;
-    const Numbers high = numbers_at(scenario, units, i, step, up), low = numbers_at(scenario, units, i, -step, down);
+    const Numbers high = numbers_at(scene, i, step, up), low = numbers_at(scene, i, -step, down);
     derivatives.by_scaled_input.push_back(difference(high, low, (up - down) / float128(derivatives.scales[i]), epsilon, units));
   }
   return derivatives;
+}
+
+std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s) {
+  constexpr double kAffordablePhase = 2e6;  // rad; minutes: a toy top's minute, 1.5e4 rad, takes two seconds
+  if (scene.scenario().effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
+  if (scene.rotation_rate_rad_s() == 0) return "the Earth does not turn: there is no drift";
+  if (time_s == 0) return "no row of the drift is reliable";
+  const double damping_rate = scene.pace().damping / scene.scenario().duration_s;
+  const double phase = std::max(scene.fastest_rate_rad_s(), damping_rate) * time_s;
+  if (phase > kAffordablePhase)
+    return fmt::format("{:.1e} rad of the fastest rate would take minutes; at most {:.0e} are done", phase, kAffordablePhase);
+  return std::nullopt;
 }
 
 }  // namespace earthtop

@@ -2,7 +2,7 @@
 /// The integration that a run's bounds come from.
 #pragma once
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 
@@ -28,7 +28,7 @@ namespace earthtop {
 /// Against long_horizon no method that follows the nutation is affordable where that method is worth taking: there it stands
 /// against itself in steps that are shorter and have no common measure with the first ones (the observer names them), which
 /// excite other nutation; a trial would but find the first steps again. Where a run has few nutations, extrapolation.
-/// @param first  of the run's first integration   @param form  that it takes
-IntegrationOptions second_options(const Scenario& scenario, const IntegrationOptions& first, ModelForm form);
+/// @param first  the options of the run's first integration
+IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first);
 
 }  // namespace earthtop

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene has to say of a scenario's text: whether there is a start, whether effects and method fit, what the run costs.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "earthtop/model/release.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "scenario/reading.hpp"
+
+namespace earthtop {
+namespace {
+
+using input::Section;
+
+/// A steady precession may not exist; whether it does needs the body and gravity.
+/// @returns whether there is a start
+bool check_start(const Section& release, const Scene& scene) {
+  try {
+    if (scene.release<double>().w_XB_B.allFinite()) return true;
+    release.refuse("precession", "no steady precession: its rate is too large for a double");
+  } catch (const ScenarioError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics()) release.refuse("precession", diagnostic.message);
+  }
+  return false;
+}
+
+/// A gimbal that holds the axis level cannot take one that is not, nor a rate at which it would leave the level.
+void check_gimbal(const Section& effects, const Scene& scene) {
+  constexpr double kLevel = 1e-12;
+  const Scenario& scenario = scene.scenario();
+  const Release<double>& release = scene.release<double>();
+  const Mat3<double> R_LB = rotation_matrix(release.q_LB);
+  const Vec3<double> up_B = R_LB.row(2).transpose();
+  if (scenario.platform) return effects.refuse_key("gimbal", "is not available on a platform; leave one of the two out");
+  if (scenario.effects.applied.coulomb_N_m != 0)
+    return effects.refuse_key("coulomb_torque_N_m", "is not available with a gimbal; give the gimbal a damping instead");
+  if (std::abs(up_B[2]) > kLevel)
+    return effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release tilts it by {:.6g} deg; give "
+                                                "/release/tilt_deg 90, or leave the gimbal out",
+                                                real::atan2(real::hypot(up_B[0], up_B[1]), up_B[2]) * 180 / std::numbers::pi));
+  if (scenario.release.rates_relative_to == RatesRelativeTo::inertial)
+    return effects.refuse(
+        "gimbal",
+        "holds body axis 3 level in the laboratory, and rates that are the same in inertial space would let it "
+        "leave the level; give /release/rates_relative_to \"laboratory\"");
+  const double leaving = release.w_XB_B.dot(up_B.cross(Vec3<double>::UnitZ()));
+  if (std::abs(leaving) > kLevel * norm(release.w_XB_B))
+    effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release turns it out of the level at {:.6g} rad/s; "
+                                         "give rates about axis 3 and Up only",
+                                         std::abs(leaving)));
+}
+
+/// What the effects need of the release, of the platform and of one another.
+void check_effects(const Section& effects, const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const AppliedTorquesSpec& applied = scenario.effects.applied;
+  if (applied.gimbal) check_gimbal(effects, scene);
+  constexpr double kLongestTide_s = 3.2e7;  // a second or two for its series
+  if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
+    effects.refuse("tide",
+                   "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");
+  if (applied.coulomb_N_m != 0 && scenario.platform)
+    effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
+}
+
+void check_method(const Section& numerics, const Scene& scene) {
+  if (const auto& reason = scene.method_refusal()) numerics.refuse("method", *reason);
+}
+
+void check_cost(const Section& root, const Scene& scene) {
+  try {
+    scene.require_affordable();
+  } catch (const ScenarioError& error) {
+    constexpr std::string_view kEffects = "/effects/";
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      if (diagnostic.pointer.starts_with(kEffects))
+        root.section("effects").refuse_key(diagnostic.pointer.substr(kEffects.size()), diagnostic.message);
+      else
+        root.section("motion").refuse("duration_s", diagnostic.message);
+  }
+}
+
+void check_scene(const Section& root, const Scene& scene) {
+  if (!check_start(root.section("release"), scene)) return;
+  check_effects(root.section("effects"), scene);
+  check_method(root.section("numerics"), scene);
+  if (scene.scenario().duration_s > 0 && !scene.scenario().numerics.step_s) check_cost(root, scene);
+}
+
+}  // namespace
+
+ScenarioReport examine_scenario(const ScenarioSource& source, const Overrides& overrides) {
+  scenario::Reading reading = scenario::read_scenario(source, overrides);
+  if (!reading.is_whole) return {std::nullopt, reading.findings.count(), reading.errors()};
+  const Scene scene(std::move(reading.scenario));
+  if (reading.has_start) check_scene(reading.section(), scene);
+  const input::Findings& findings = reading.findings;
+  ScenarioReport report{std::nullopt, findings.count(), reading.errors(), findings.warnings(reading.text)};
+  if (!findings.empty()) return report;
+  report.scenario = scene.scenario();
+  report.scene = scene;
+  return report;
+}
+
+Scene parse_scene(const ScenarioSource& source, const Overrides& overrides) {
+  ScenarioReport report = examine_scenario(source, overrides);
+  if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
+  return *std::move(report.scene);
+}
+
+Scenario parse_scenario(const ScenarioSource& source, const Overrides& overrides) {
+  return parse_scene(source, overrides).scenario();
+}
+
+}  // namespace earthtop

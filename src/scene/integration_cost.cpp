@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/integration_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/release.hpp"
+#include "scene/method_fit.hpp"
+
+namespace earthtop {
+namespace {
+
+/// A closed form is looked at once a row, with two or three evaluations in 113 bits, and in double as often as it takes to see
+/// angles go round in between.
+Work work_of_closed_form(const Scene& scene) {
+  const double looks =
+      has_closed_form(scene.closed_form_kind()) ? scene.scenario().duration_s * closed_form_turn_rate_rad_s(scene) : 0;
+  return {scene.rows() + looks, scene.rows() + looks};
+}
+
+/// How often the watcher of a long-horizon run looks between the rows: at 1.5 rad of both axes, whose rates are what falling
+/// gives them, or a fast spin leaves them (tilted_top.cpp).
+double long_horizon_looks(const Scene& scene) {
+  const Vec3<double>& w = scene.release<double>().w_XB_B;
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double I1 = inertia(0, 0), beta = std::abs(inertia(2, 2) * w[2]) / I1;
+  const double mu = scene.gravity_torque_N_m() / I1;
+  const double start = real::hypot(w[0], w[1]);
+  const double rate = std::min(real::hypot(start, 2 * std::sqrt(mu)), start + 4 * mu / beta);
+  return scene.scenario().duration_s * (2 * rate + std::abs(scene.rotation_rate_rad_s())) / 1.5;
+}
+
+/// The long-horizon method takes steps of some 3 rad of the precession, or of 4 rad of the nutation where that is not far
+/// faster; with 12 kicks or 6 in each, and 19 at each row. The trial of steps takes about as much again.
+Work long_horizon_work(const Scene& scene) {
+  const Vec3<double>& w = scene.release<double>().w_XB_B;
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double momentum = std::abs(inertia(2, 2) * w[2]);
+  const double torque = scene.gravity_torque_N_m() + momentum * std::abs(scene.rotation_rate_rad_s());
+  const double nutation = momentum / inertia(0, 0);
+  // A large nutation, such as a fast precession, is followed.
+  const double across = real::hypot(w[0], w[1]);
+  const bool averages = torque < 0.02 * nutation * momentum && across < 0.1 * nutation;
+  const double steps = averages ? scene.scenario().duration_s * torque / momentum / 3 : scene.pace().reduced_turning_rad / 4;
+  const double rows = scene.rows();
+  constexpr double kWalks = 6;  // at amplified rates, from which a small drift is found
+  return {kWalks * (steps + rows) + long_horizon_looks(scene), 2 * steps * (averages ? 12 : 6) + rows * 19};
+}
+
+/// By what factor a right-hand side is slower in extended precision.
+double slowness(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return 4;
+    case Precision::bits113: return 75;
+  }
+  return 1;
+}
+
+/// Seconds for one evaluation, as `integration_work` counts them.
+double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
+  if (options.method == Method::closed_form) return 5e-7;
+  if (options.method == Method::long_horizon) return 2.5e-6;
+  constexpr double kReduced = 1.2e-7;
+  const bool reduced = scene.form(options) == ModelForm::reduced && !scene.scenario().effects.applied.any();
+  return slowness(scene.scenario().precision) * (reduced ? kReduced : general_evaluation_seconds(scene));
+}
+
+bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
+  return options.method == Method::long_horizon && !scene.method_refusal(options.method);
+}
+
+}  // namespace
+
+double general_evaluation_seconds(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  if (applied.gimbal) return 1.3e-6;
+  if (applied.any()) return 5e-7;
+  return scene.is_plain() ? 1.8e-7 : 2.8e-7;
+}
+
+Work integration_work(const Scene& scene, const IntegrationOptions& options) {
+  if (options.method == Method::closed_form) return work_of_closed_form(scene);
+  if (is_long_horizon(scene, options)) return long_horizon_work(scene);
+  return estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
+}
+
+double integration_seconds(const Scene& scene, const IntegrationOptions& options) {
+  constexpr double kSecondsALook = 1e-6;
+  // Where the two motions are not one and a turn of the laboratory, a closed form's drift needs digits that only 113 bits have.
+  const double seconds_a_row = scene.is_one_motion() ? 1e-6 : 1e-4;
+  double seconds = seconds_an_evaluation(scene, options) * integration_work(scene, options).evaluations;
+  if (options.method == Method::closed_form) seconds += seconds_a_row * scene.rows();
+  if (is_long_horizon(scene, options)) seconds += kSecondsALook * long_horizon_looks(scene);
+  return seconds;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/problem.hpp"
+
+namespace earthtop {
+
+namespace {
+
+template <class T>
+TideSeries<T> tide_series(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const TideSpec& tide = *scenario.effects.tide;
+  if (!tide.given)
+    return TideSeries<T>::of_bodies(scene.site(), *parse_utc(*scenario.start_utc), scenario.duration_s, tide.options);
+  const auto& a = tide.amplitude_m_s2;
+  return TideSeries<T>::harmonic(Vec3<T>(T(a[0]), T(a[1]), T(a[2])), T(tide.frequency_hz),
+                                 T(tide.phase_deg) * real::pi<T>() / T(180));
+}
+
+}  // namespace
+
+NaturalUnits units_of(const Scene& scene) {
+  const auto& platform = scene.scenario().platform;
+  const Platform<double> made = platform ? make_platform<double>(*platform) : Platform<double>();
+  return natural_units(scene.body<double>(), scene.release<double>(), scene.site().gravity_m_s2, scene.rotation_rate_rad_s(),
+                       platform ? &made : nullptr);
+}
+
+template <class T>
+Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
+  const Scenario& scenario = scene.scenario();
+  const EffectsSpec& effects = scenario.effects;
+  const TorqueWeights<T> weights{T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
+  const bool on_platform = scenario.platform.has_value();
+  const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
+  auto model = make_model<T>(scene.body<T>(), scene.site(), scene.rotation_rate_rad_s(), weights,
+                             on_platform ? &platform : nullptr, units);
+  if (effects.applied.any()) {
+    model.applied = make_applied_torques<T>(effects.applied, scene.site(), scene.release<double>().w_XB_B[2],
+                                            units.mass_exponent, units.time_exponent);
+    model.kind = SceneKind::full;
+  }
+  if (effects.tide) {
+    model.tide = tide_series<T>(scene).scaled(units.time_exponent);
+    model.kind = SceneKind::full;
+  }
+  return model;
+}
+template Model<double> model_of(const Scene&, const NaturalUnits&);
+template Model<long double> model_of(const Scene&, const NaturalUnits&);
+template Model<float128> model_of(const Scene&, const NaturalUnits&);
+
+template <class T>
+DriftProblem<T> problem_of(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  DriftProblem<T> problem;
+  problem.release = scene.release<T>();
+  problem.units = scene.units();
+  problem.model = model_of<T>(scene, problem.units);
+  problem.fastest_rate = problem.units.rate_from_rad_s(T(scene.fastest_rate_rad_s()));
+  if (scenario.numerics.stops_beyond_estimate) problem.pace = scene.pace();
+  problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
+  problem.threshold_rad = scenario.threshold_rad;
+  return problem;
+}
+template DriftProblem<double> problem_of(const Scene&);
+template DriftProblem<long double> problem_of(const Scene&);
+template DriftProblem<float128> problem_of(const Scene&);
+
+}  // namespace earthtop

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/run_estimate.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/drift/growth.hpp"
+#include "earthtop/drift/sensitivity.hpp"
+#include "scene/input_derivatives.hpp"
+#include "scene/integration_cost.hpp"
+#include "scene/second_integration.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The growth of disturbances, as a run's verdict asks for it: along both motions.
+Work growth_work(const Scene& scene) {
+  const auto tolerance = scene.is_plain() ? growth_tolerance(scene.problem<double>()) : kCoarseGrowthTolerance;
+  if (!tolerance) return {};
+  const Work work = variational_work(scene.pace(), scene.scenario().duration_s, *tolerance);
+  const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
+  const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
+  return {motions * share * work.steps, motions * share * work.evaluations};
+}
+
+/// Seconds for one evaluation of a motion and three disturbances.
+double seconds_a_variation(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  if (applied.gimbal) return 1.2e-6;
+  return applied.any() ? 6e-7 : 2.5e-7;
+}
+
+/// Seconds for a row, as measured: its place in an integration with its measures and its angles followed, and its invariants
+/// or its ledger entry.
+struct RowSeconds {
+  double integrated, assessed;
+};
+RowSeconds seconds_a_row(Precision precision) {
+  return precision == Precision::bits53 ? RowSeconds{7e-7, 1e-6} : RowSeconds{3e-5, 1e-4};
+}
+
+}  // namespace
+
+RunEstimate estimate_run(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const IntegrationOptions& first = scene.choice().options;
+  const IntegrationOptions second = second_options(scene, first);
+  RunEstimate estimate{scene.work(first), scene.work(second), growth_work(scene), {}};
+  const RowSeconds row = seconds_a_row(scenario.precision);
+  RunSeconds& seconds = estimate.seconds;
+  seconds.solution = scene.seconds(first) + row.integrated * scene.rows();
+  seconds.bound = scene.seconds(second) + row.integrated * scene.rows();
+  seconds.rows = row.assessed * scene.rows();
+  seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
+  if (scenario.ledger) seconds.ledger = seconds.rows;
+  if (scenario.sensitivities && !sensitivity_refusal(scene, scenario.duration_s))
+    seconds.sensitivities = sensitivity_seconds(scene, scenario.duration_s, kSensitivityTolerance, kInputNames.size());
+  return estimate;
+}
+
+double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
+  // A right-hand side with four inputs' variations against one of both motions and their deviation, as measured on a toy top, a
+  // body of three moments and a gyrocompass.
+  constexpr double kAgainstOne = 4;
+  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
+  return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *
+         variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
+}
+
+std::string about_seconds(double seconds) {
+  if (seconds < 0.1) return "less than 0.1 s";
+  if (seconds < 100) return fmt::format("about {:.2g} s", seconds);
+  if (seconds < 7200) return fmt::format("about {:.2g} minutes", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("about {:.2g} hours", seconds / 3600);
+  return fmt::format("about {:.2g} days", seconds / 86400);
+}
+
+void refuse_unaffordable(const Scene& scene) {
+  // A motion that turns has to be followed; one that friction only holds still is not worth hours.
+  constexpr double kStiffDays = 1.0 / 24, kNearlyAll = 0.9;
+  const Scenario& scenario = scene.scenario();
+  const IntegrationOptions& options = scene.choice().options;
+  const double first = scene.work(options).steps;
+  const double second = scene.work(second_options(scene, options)).steps;
+  const auto limit = static_cast<double>(scenario.numerics.step_limit);
+  const bool within = first <= limit && second <= std::max(limit, static_cast<double>(IntegrationOptions{}.step_limit));
+  const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal;
+  const bool stiff = friction && !options.step_s && damping_steps(scene.pace(), options) > kNearlyAll * first;
+  if (within && !stiff && scenario.precision == Precision::bits53) return;
+
+  const double steps = std::min(std::max(first, second), 1e300);
+  const double days = std::min(scene.estimate().seconds.all(), 1e300) / 86400;
+  if (stiff && !(within && days <= kStiffDays)) {
+    const StiffFriction stiffest = scene.stiffest_friction();
+    throw ScenarioError(
+        std::string(stiffest.pointer),
+        fmt::format(
+            "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
+            "constants within the duration, of which a step of an explicit method covers a few: about {:.1e} steps, "
+            "some {:.1g} days of computing, at most an hour is allowed; take a smaller coefficient or a shorter "
+            "duration; a motion so strongly damped stands still, or creeps at the rate torque / coefficient",
+            stiffest.damping / scenario.duration_s, stiffest.damping, steps, days));
+  }
+  if (!within)
+    throw ScenarioError("/motion/duration_s",
+                        fmt::format("this scene needs about {:.1e} steps, some {:.1g} days of computing; at most {:.1e} are "
+                                    "allowed; take a shorter duration, a slower spin or a longer step",
+                                    steps, days, limit));
+  if (scenario.precision != Precision::bits53 && !(days <= 1))
+    throw ScenarioError("/motion/duration_s",
+                        fmt::format("this scene needs about {:.1e} steps in {}, some {:.1g} days of computing; at most one day "
+                                    "is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
+                                    steps, to_string(scenario.precision), days));
+}
+
+}  // namespace earthtop

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/scene/scene.hpp"
+
+#include <array>
+#include <tuple>
+
+#include "scene/integration_cost.hpp"
+#include "scene/method_choice.hpp"
+#include "scene/method_fit.hpp"
+#include "scene/once.hpp"
+#include "scene/pace.hpp"
+#include "scene/problem.hpp"
+#include "scene/run_estimate.hpp"
+#include "text/sha256.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The parts of a scene that every precision has its own of.
+template <class T>
+struct InPrecision {
+  Once<Body<T>> body;
+  Once<Release<T>> release;
+  Once<Model<T>> model;
+  Once<DriftProblem<T>> problem;
+};
+
+}  // namespace
+
+struct Scene::Parts {
+  explicit Parts(Scenario given) : scenario(std::move(given)) {}
+  template <class T>
+  const InPrecision<T>& in() const {
+    return std::get<InPrecision<T>>(precisions);
+  }
+
+  const Scenario scenario;
+  std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
+  Once<std::string> canonical, sha256;
+  Once<int> symmetry_axis;
+  Once<NaturalUnits> units;
+  Once<PlatformDemand> platform_demand;
+  Once<double> fastest_rate;
+  Once<Paced> paced;
+  Once<ExactKind> closed_form_kind;
+  std::array<Once<std::optional<std::string>>, kMethodCount> refusals;
+  Once<MethodChoice> choice;
+  Once<RunEstimate> estimate;
+};
+
+Scene::Scene() : Scene(Scenario()) {}
+Scene::Scene(Scenario scenario) : parts_(std::make_shared<const Parts>(std::move(scenario))) {}
+
+const Scenario& Scene::scenario() const { return parts_->scenario; }
+const Site& Scene::site() const { return parts_->scenario.site; }
+double Scene::rotation_rate_rad_s() const { return parts_->scenario.rotation_rate_rad_s; }
+const std::string& Scene::canonical() const {
+  return parts_->canonical.get([this] { return canonical_json(scenario()); });
+}
+const std::string& Scene::sha256() const {
+  return parts_->sha256.get([this] { return sha256_hex(canonical()); });
+}
+
+bool Scene::is_plain() const { return !scenario().platform && scenario().effects.plain(); }
+int Scene::symmetry_axis() const {
+  return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
+}
+bool Scene::is_one_motion() const {
+  return rotation_rate_rad_s() == 0 || scenario().release.rates_relative_to == RatesRelativeTo::inertial;
+}
+
+Scene Scene::without_rotation() const {
+  Scenario still = scenario();
+  still.rotation_rate_rad_s = 0;
+  return resolve(std::move(still));
+}
+
+template <class T>
+const Body<T>& Scene::body() const {
+  return parts_->in<T>().body.get([this] { return make_body<T>(scenario().body); });
+}
+template <class T>
+const Release<T>& Scene::release() const {
+  return parts_->in<T>().release.get([this] { return make_release<T>(scenario().release, body<T>(), T(site().gravity_m_s2)); });
+}
+template <class T>
+const Model<T>& Scene::model() const {
+  return parts_->in<T>().model.get([this] { return model_of<T>(*this); });
+}
+template <class T>
+const DriftProblem<T>& Scene::problem() const {
+  return parts_->in<T>().problem.get([this] { return problem_of<T>(*this); });
+}
+#define EARTHTOP_SCENE(T)                            \
+  template const Body<T>& Scene::body() const;       \
+  template const Release<T>& Scene::release() const; \
+  template const Model<T>& Scene::model() const;     \
+  template const DriftProblem<T>& Scene::problem() const;
+EARTHTOP_SCENE(double)
+EARTHTOP_SCENE(long double)
+EARTHTOP_SCENE(float128)
+
+const NaturalUnits& Scene::units() const {
+  return parts_->units.get([this] { return units_of(*this); });
+}
+
+double Scene::gravity_torque_N_m(double pivot_acceleration_m_s2) const {
+  const Body<double>& top = body<double>();
+  return top.mass * (site().gravity_m_s2 + pivot_acceleration_m_s2) * norm(top.p_PBcm_B);
+}
+double Scene::axial_gravity_torque_N_m() const {
+  const Body<double>& top = body<double>();
+  return top.mass * site().gravity_m_s2 * top.p_PBcm_B[2];
+}
+const PlatformDemand& Scene::platform_demand() const {
+  return parts_->platform_demand.get([this] { return demand_of(*this); });
+}
+double Scene::fastest_rate_rad_s() const {
+  return parts_->fastest_rate.get([this] { return fastest_rate_of(*this); });
+}
+const Pace& Scene::pace() const {
+  return parts_->paced.get([this] { return paced(*this); }).pace;
+}
+const StiffFriction& Scene::stiffest_friction() const {
+  return parts_->paced.get([this] { return paced(*this); }).stiffest;
+}
+ExactKind Scene::closed_form_kind() const {
+  return parts_->closed_form_kind.get([this] { return closed_form_of(*this); });
+}
+
+const std::optional<std::string>& Scene::method_refusal(Method method) const {
+  return parts_->refusals[static_cast<std::size_t>(method)].get([&] { return refuse_method(method, *this); });
+}
+const MethodChoice& Scene::choice() const {
+  return parts_->choice.get([this] { return choose_method(*this); });
+}
+ModelForm Scene::form(const IntegrationOptions& options) const {
+  return takes_reduced_form(is_reducible(), options) ? ModelForm::reduced : ModelForm::general;
+}
+
+Work Scene::work(const IntegrationOptions& options) const { return integration_work(*this, options); }
+double Scene::seconds(const IntegrationOptions& options) const { return integration_seconds(*this, options); }
+const RunEstimate& Scene::estimate() const {
+  return parts_->estimate.get([this] { return estimate_run(*this); });
+}
+void Scene::require_affordable() const { refuse_unaffordable(*this); }
+
+}  // namespace earthtop
