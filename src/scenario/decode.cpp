@@ -104,6 +104,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
 }  // namespace
 
 Reading read_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
+  using namespace input;
   Reading reading;
   reading.text = source.text;
   if (reading.text.starts_with("\xEF\xBB\xBF")) reading.text.remove_prefix(3);  // columns are counted behind it
