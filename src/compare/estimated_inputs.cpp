@@ -11,6 +11,7 @@
 
 #include "earthtop/frames/earth.hpp"
 #include "input/overrides.hpp"
+#include "input/pointers.hpp"
 #include "input/reader.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
@@ -39,41 +40,16 @@ constexpr std::string_view kAllowedNames =
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
 }
 
-/// The table's row of a pointer, indices of lists, vectors and matrices taken for what they are.
+/// The table's row of a pointer that leads to a number, null for any other.
 const input::Field* field_of(std::string_view pointer) {
-  std::string pattern;
-  for (std::size_t at = 1; at <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
-    const std::string_view token = pointer.substr(at, end - at);
-    const bool index = !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
-    const input::Field* field = scenario::fields().find(pattern);
-    using enum input::FieldKind;
-    if (index && field && (field->kind == vector3 || field->kind == matrix3 || field->kind == numbers)) return field;
-    pattern += index ? "/*" : fmt::format("/{}", token);
-    at = end + 1;
-  }
-  const input::Field* field = scenario::fields().find(pattern);
-  return field && field->kind == input::FieldKind::number ? field : nullptr;
+  const input::PointerTarget target = input::pointer_target(scenario::fields(), pointer);
+  return target.is_number ? target.field : nullptr;
 }
 
 /// The number at a pointer of a tree; nothing where there is none.
 std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
-  const input::Node* node = &root;
-  for (std::size_t at = 1; at <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
-    const std::string_view token = pointer.substr(at, end - at);
-    if (node->kind == input::JsonKind::array) {
-      std::size_t index = 0;
-      const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-      if (error != std::errc() || stop != token.data() + token.size() || index >= node->children.size()) return std::nullopt;
-      node = &node->children[index];
-    } else if (node = node->find(token); !node) {
-      return std::nullopt;
-    }
-    at = end + 1;
-  }
-  if (node->kind != input::JsonKind::number) return std::nullopt;
-  return node->number;
+  const input::Node* node = input::node_at(root, pointer);
+  return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
 }
 
 /// A tree of a text that was read without complaint before.

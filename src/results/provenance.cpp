@@ -35,7 +35,7 @@ const BuildInfo& build_info() {
   return info;
 }
 
-std::string scenario_sha256(const Scenario& scenario) { return sha256_hex(canonical_json(scenario)); }
+std::string scenario_sha256(const Scenario& scenario) { return sha256_hex(identity_json(scenario)); }
 
 std::vector<Constant> constants_used(const Scenario& scenario) {
   const std::string wgs84 = "WGS 84 [NIMA TR8350.2]";

@@ -48,7 +48,7 @@ bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
   scenario.ledger = original->ledger;
   scenario.output_step_s = original->output_step_s;
   scenario.threshold_rad = original->threshold_rad;
-  return canonical_json(scenario) != canonical_json(*original);
+  return identity_json(scenario) != identity_json(*original);
 }
 
 struct RequestedScene {

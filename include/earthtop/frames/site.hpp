@@ -15,6 +15,7 @@ inline constexpr double kGravitationalConstantWgs84 = 3.986004418e14;
 struct PolarMotion {
   double x_arcsec = 0;
   double y_arcsec = 0;
+  bool operator==(const PolarMotion&) const = default;
 };
 
 /// The plumb line's zenith less the ellipsoid's normal: xi towards North, eta towards East (arcsec), each the angle between the
@@ -23,6 +24,7 @@ struct PolarMotion {
 struct VerticalDeflection {
   double north_arcsec = 0;
   double east_arcsec = 0;
+  bool operator==(const VerticalDeflection&) const = default;
 };
 
 /// Where the laboratory stands. Geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity
@@ -34,6 +36,7 @@ struct Site {
   double gravity_m_s2 = 0;
   PolarMotion pole = {};
   VerticalDeflection deflection = {};
+  bool operator==(const Site&) const = default;
   /// Whether the pole is the ellipsoid's and Up its normal.
   bool follows_ellipsoid() const {
     return pole.x_arcsec == 0 && pole.y_arcsec == 0 && deflection.north_arcsec == 0 && deflection.east_arcsec == 0;

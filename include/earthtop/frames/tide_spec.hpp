@@ -14,6 +14,7 @@ struct TideOptions {
   bool sun = true;
   double gravimetric_factor = 1;
   double tilt_factor = 1;
+  bool operator==(const TideOptions&) const = default;
 };
 
 /// A tide: of Moon and Sun from the scene's start on, or harmonic, of a given amplitude.
@@ -23,6 +24,7 @@ struct TideSpec {
   std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< of a given one: East, North, Up
   double frequency_hz = 0;
   double phase_deg = 0;
+  bool operator==(const TideSpec&) const = default;
 };
 
 }  // namespace earthtop

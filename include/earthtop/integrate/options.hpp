@@ -63,6 +63,7 @@ struct KickSteps {
   double step_s = 0;      ///< the longest
   int kicks = 0;          ///< in a step, at Gauss's nodes; 0: those of ABA(8, 6, 4)
   bool averages = false;  ///< over the nutation
+  bool operator==(const KickSteps&) const = default;
 };
 
 struct IntegrationOptions {
@@ -75,6 +76,7 @@ struct IntegrationOptions {
   std::int64_t step_limit = 2'000'000'000;
   bool stops_beyond_estimate = true;    ///< at ten times the work estimated, where the problem's pace is known
   std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
+  bool operator==(const IntegrationOptions&) const = default;
 };
 
 /// What an integration cost.
