@@ -10,9 +10,7 @@
 #include <numbers>
 
 #include "earthtop/frames/earth.hpp"
-#include "input/overrides.hpp"
 #include "input/pointers.hpp"
-#include "input/reader.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
 
@@ -52,15 +50,6 @@ std::optional<double> number_in(const input::Node& root, std::string_view pointe
   return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
 }
 
-/// A tree of a text that was read without complaint before.
-input::Node tree_of(std::string_view text, const std::vector<std::pair<std::string, std::string>>& overrides) {
-  input::Node root;
-  input::Findings none;
-  input::read_json(text, "", false, root, none);
-  input::apply_overrides(root, overrides, none);
-  return root;
-}
-
 double scale_of(double start, std::string_view unit, std::string_view pointer) {
   if (unit == "deg") return kDegreesPerRad;
   if (unit == "arcsec") return 3600 * kDegreesPerRad;
@@ -72,7 +61,7 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 
 EstimatedInputs::EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides,
                                  const Scenario& base, const std::vector<std::string>& names)
-    : source_(std::move(source)), overrides_(std::move(overrides)), base_(base) {
+    : document_(std::move(source), overrides), base_(base) {
   if (names.size() > kMostEstimates)
     refuse_estimate(names[kMostEstimates], fmt::format("at most {} numbers are estimated at once", kMostEstimates));
   for (const std::string& name : names) add(name);
@@ -101,9 +90,8 @@ void EstimatedInputs::add(const std::string& name) {
   if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
-  auto with_start = overrides_;
-  with_start.emplace_back(pointer, fmt::format("{}", start));
-  parse_scenario(source_, with_start);
+  ScenarioReport report = document_.examine({{pointer, start}});
+  if (!report.scenario) throw ScenarioError(std::move(report.errors), document_.file());
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
 }
 
@@ -120,30 +108,30 @@ void EstimatedInputs::add_vertical_rate() {
 
 /// As the scenario's text has it; else the table's default; else the one that was computed.
 double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
-  if (const auto number = number_in(tree_of(source_.text, overrides_), pointer)) return *number;
+  if (const auto number = number_in(document_.root(), pointer)) return *number;
   const input::Field* field = field_of(pointer);
   if (field->kind == input::FieldKind::number) {
     double fallback = 0;
     const std::string_view text = field->fallback;
     if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;
-    if (const auto number = number_in(tree_of(canonical_json(base_), {}), pointer)) return *number;
+    if (const auto number = number_in(scenario::Document({"", canonical_json(base_)}).root(), pointer)) return *number;
   }
   refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
 }
 
 std::optional<Scenario> EstimatedInputs::scenario(const std::vector<double>& values) const {
-  auto overrides = overrides_;
+  std::vector<input::Change> changes;
   std::optional<double> vertical_rate_rad_s;
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!std::isfinite(values[i])) return std::nullopt;
     if (list_[i].pointer.empty())
       vertical_rate_rad_s = values[i];
     else
-      overrides.emplace_back(list_[i].pointer, fmt::format("{}", values[i]));
+      changes.push_back({list_[i].pointer, values[i]});
   }
-  std::optional<Scenario> varied = examine_scenario(source_, overrides).scenario;
+  std::optional<Scenario> varied = document_.examine(changes).scenario;
   if (varied && vertical_rate_rad_s) {
-    varied->rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
+    varied->rotation_rate_rad_s = varied->nominal_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
     varied->site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
   }
   return varied;

@@ -9,6 +9,7 @@
 #include "input/check.hpp"
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
+#include "scenario/document.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/plausibility.hpp"
@@ -132,27 +133,39 @@ void decode(const Section& root, const ScenarioSource& source, Scenario& scenari
 }
 
 }  // namespace
+
+Document::Document(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides)
+    : source_(std::move(source)) {
+  const input::ReadOutcome outcome = input::read_json(text(), "", false, root_, findings_);
+  // After a syntax error the rest would be guesswork.
+  is_whole_ = outcome != input::ReadOutcome::not_json && outcome != input::ReadOutcome::refused;
+  if (is_whole_ && root_.kind == input::JsonKind::object) apply_overrides(root_, overrides, findings_);
+}
+
+std::string_view Document::text() const {
+  std::string_view text = source_.text;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+ScenarioReport Document::examine(const std::vector<input::Change>& changes) const {
+  if (!is_whole_) return {std::nullopt, findings_.count(), findings_.errors(text()), {}};
+  input::Findings findings = findings_;
+  Node root = root_;
+  if (root.kind == input::JsonKind::object) input::apply_changes(root, changes, findings);
+  check_structure(root, findings, fields());
+  Scenario scenario;
+  decode(Section(root, findings, fields()), source_, scenario);
+  ScenarioReport report{std::nullopt, findings.count(), findings.errors(text()), findings.warnings(text())};
+  if (findings.empty()) report.scenario = std::move(scenario);
+  return report;
+}
+
 }  // namespace scenario
 
 ScenarioReport examine_scenario(const ScenarioSource& source,
                                 const std::vector<std::pair<std::string, std::string>>& overrides) {
-  using namespace scenario;
-  using namespace input;
-  std::string_view text = source.text;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark: columns are counted behind it
-  Findings findings;
-  Node root;
-  const ReadOutcome outcome = read_json(text, "", false, root, findings);
-  // After a syntax error the rest would be guesswork.
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused)
-    return {std::nullopt, findings.count(), findings.errors(text), {}};
-  Scenario scenario;
-  if (root.kind == JsonKind::object) apply_overrides(root, overrides, findings);
-  check_structure(root, findings, fields());
-  decode(Section(root, findings, fields()), source, scenario);
-  ScenarioReport report{std::nullopt, findings.count(), findings.errors(text), findings.warnings(text)};
-  if (findings.empty()) report.scenario = std::move(scenario);
-  return report;
+  return scenario::Document(source, overrides).examine();
 }
 
 Scenario parse_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {

@@ -13,10 +13,6 @@ constexpr double kMostRows = 200'000;
 
 double rows_of(const Scenario& scenario) { return 2 + scenario.duration_s / scenario.output_step_s; }
 
-Value axis_cell(const StudyAxis& axis, const Setting& setting) {
-  return setting.at_base ? Value() : read_value(axis_value(axis, setting));
-}
-
 std::vector<BatchOutcome> run_guarded(std::span<const Scenario> scenarios, const Watch& watch) {
   try {
     return run_batch(scenarios, watch);
@@ -48,10 +44,10 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
     result.number = point.number;
     result.values.resize(study.quantities.size());
     for (std::size_t a = 0; a < study.axes.size(); ++a)
-      result.axis_values.push_back(axis_cell(study.axes[a], point.settings[a]));
+      result.axis_values.push_back(axis_value(study.axes[a], point.settings[a]));
     if (watch.asks_to_stop()) {
       result.status = to_string(RunStatus::interrupted);
-    } else if (auto scenario = collector.scenario(overrides(study, point), result.reason)) {
+    } else if (auto scenario = collector.scenario(changes(study, point), result.reason)) {
       of_scenario.push_back(results.size() - 1);
       scenarios.push_back(*std::move(scenario));
     } else {

@@ -70,7 +70,7 @@ bool is_known_at_the_end(std::string_view path) {
   return false;
 }
 
-Collector::Collector(const Study& study) : study_(study) {
+Collector::Collector(const Study& study) : study_(study), base_(study.base, study.set) {
   paths_.reserve(study.quantities.size());
   for (const StudyQuantity& quantity : study.quantities) {
     std::vector<std::string> steps(1);
@@ -91,8 +91,8 @@ Collector::Collector(const Study& study) : study_(study) {
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
 
-ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::string>>& overrides) const {
-  ScenarioReport report = examine_scenario(study_.base, overrides);
+ScenarioReport Collector::examine(const std::vector<input::Change>& changes) const {
+  ScenarioReport report = base_.examine(changes);
   if (!report.scenario) return report;
   report.scenario->numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
   if (ends_only_) report.scenario->output_step_s = report.scenario->duration_s;
@@ -103,9 +103,8 @@ ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::
   return report;
 }
 
-std::optional<Scenario> Collector::scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                            std::string& refusal) const {
-  ScenarioReport report = examine(overrides);
+std::optional<Scenario> Collector::scenario(const std::vector<input::Change>& changes, std::string& refusal) const {
+  ScenarioReport report = examine(changes);
   if (!report.scenario) refusal = first_message(report);
   return std::move(report.scenario);
 }

@@ -9,6 +9,7 @@
 
 #include "earthtop/run_batch.hpp"
 #include "earthtop/study/study.hpp"
+#include "scenario/document.hpp"
 #include "study/value.hpp"
 
 namespace earthtop::study {
@@ -30,23 +31,23 @@ std::string first_message(const ScenarioReport& report);
 /// Whether a path of summary.json needs no rows between release and end.
 bool is_known_at_the_end(std::string_view path);
 
-/// The scenarios of points, each with the overrides that make it.
+/// The scenarios of points, each with what it changes of the study's base, which is read once.
 class Collector {
  public:
   explicit Collector(const Study& study);
 
   /// What a point's scenario is, or all that is wrong with it.
-  ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
+  ScenarioReport examine(const std::vector<input::Change>& changes) const;
 
   /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
-  std::optional<Scenario> scenario(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                   std::string& refusal) const;
+  std::optional<Scenario> scenario(const std::vector<input::Change>& changes, std::string& refusal) const;
 
   /// Fills in status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;
 
  private:
   const Study& study_;
+  scenario::Document base_;
   bool ends_only_;      ///< no rows between release and end are needed
   bool sensitivities_;  ///< the drift's derivatives are, where the base asks for them
   struct Path {

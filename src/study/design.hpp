@@ -6,11 +6,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "earthtop/study/study.hpp"
+#include "input/overrides.hpp"
+#include "study/value.hpp"
 
 namespace earthtop::study {
 
@@ -51,13 +51,10 @@ class Design {
   std::vector<double> sobol_vector_;  ///< the last one
 };
 
-/// What a setting makes of the scenario: values for the axis's pointers, as JSON texts.
-std::vector<std::pair<std::string, std::string>> changes(const StudyAxis& axis, const Setting& setting);
+/// The first pointer's value: what the results list for the axis; nothing at the base.
+Value axis_value(const StudyAxis& axis, const Setting& setting);
 
-/// The first pointer's value (JSON): what the results list for the axis; empty at the base.
-std::string axis_value(const StudyAxis& axis, const Setting& setting);
-
-/// What a point changes of the base: the study's own changes, then each axis's.
-std::vector<std::pair<std::string, std::string>> overrides(const Study& study, const PlannedPoint& point);
+/// What a point's axes change of the study's base; the study's own changes come before.
+std::vector<input::Change> changes(const Study& study, const PlannedPoint& point);
 
 }  // namespace earthtop::study
