@@ -96,7 +96,7 @@ Candidate polar_motion(const Scene& scene) {
 }
 
 Candidate length_of_day(const Scene& scene) {
-  const double given_s = scene.scenario().excess_length_of_day_s;
+  const double given_s = scene.scenario().excess_length_of_day_ms * 1e-3;
   const double excess_s = given_s != 0 ? given_s : kUsualExcess_s;
   Candidate c =
       earth_rate_change("length_of_day", Vec3<double>(excess_s / 86400 * celestial_axis_L<double>(scene.site())), scene);

@@ -58,7 +58,7 @@ Json kept_of(const Json& summary) {
        {"$schema", "name", "outcome", "drift", "motion", "growth_of_disturbances", "stops", "attitude_bound_rad", "invariants",
         "theory", "ledger", "effects", "solution", "certificate", "scenario", "provenance"})
     if (summary.contains(key)) kept[key] = summary.at(key);
-  for (const char* key : {"title", "purpose", "headline", "criteria"}) kept["scenario"].erase(key);
+  for (const std::string_view key : describing_keys()) kept["scenario"].erase(std::string(key));
   for (const char* key : {"constants", "libraries", "flags"}) kept["provenance"].erase(key);
   return kept;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "earthtop/scenario/scenario.hpp"
 #include "input/node.hpp"
 #include "text/json.hpp"
 
@@ -36,8 +37,10 @@ std::vector<ScenarioChange> scenario_changes(const Json& reference, const Json& 
   std::vector<ScenarioChange> changes;
   Json a = reference, b = candidate;
   for (Json* json : {&a, &b})
-    if (json->is_object())
-      for (const char* key : {"name", "title", "purpose", "headline", "criteria"}) json->erase(key);
+    if (json->is_object()) {
+      json->erase("name");
+      for (const std::string_view key : describing_keys()) json->erase(std::string(key));
+    }
   collect(&a, &b, "", changes);
   return changes;
 }

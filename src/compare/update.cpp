@@ -35,9 +35,9 @@ std::string notes(Json history, const std::string& reason) {
 
 /// The file's bytes, a block at a time.
 void copy(const fs::path& file, const FileSet::Sink& sink) {
-  const scenario::Descriptor from = scenario::open_regular_file(file.string(), file.string(), {"result file", false});
+  const input::Descriptor from = input::open_regular_file(file.string(), file.string(), {"result file", false});
   std::string block(std::size_t{1} << 20, '\0');
-  while (const std::size_t got = scenario::read_some(from, file.string(), block.data(), block.size()))
+  while (const std::size_t got = input::read_some(from, file.string(), block.data(), block.size()))
     sink(std::string_view(block).substr(0, got));
 }
 

@@ -5,13 +5,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <unordered_set>
 
 #include "earthtop/error.hpp"
+#include "input/csv_text.hpp"
 #include "input/node.hpp"
 
 namespace earthtop::input {
@@ -34,10 +34,9 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
   kind = CellKind::empty;
   if (cell.empty()) return true;
   if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
-  double parsed = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), parsed);
-  if (end != cell.data() + cell.size()) return false;
-  if (error == std::errc::result_out_of_range) parsed = std::strtod(std::string(cell).c_str(), nullptr);  // 1e-400, 1e999
+  const CellNumber given = cell_number(cell);
+  if (!given.is_number) return false;
+  const double parsed = given.fits_a_double ? given.value : std::strtod(std::string(cell).c_str(), nullptr);  // 0 or infinity
   kind = std::isfinite(parsed) ? CellKind::number : CellKind::not_finite;
   if (kind == CellKind::number) number = parsed;
   return true;
@@ -115,13 +114,8 @@ bool CsvReader::read_line(std::string_view& line) {
 
 void CsvReader::split(std::string_view line) {
   whole_ = line;
-  cells_.clear();
-  for (std::size_t at = 0; at <= line.size();) {
-    const auto* end = static_cast<const char*>(std::memchr(line.data() + at, format_.delimiter, line.size() - at));
-    const std::size_t stop = end ? static_cast<std::size_t>(end - line.data()) : line.size();
-    cells_.push_back(trimmed(line.substr(at, stop - at)));
-    at = stop + 1;
-  }
+  split_cells(line, format_.delimiter, cells_);
+  for (std::string_view& cell : cells_) cell = trimmed(cell);
 }
 
 void CsvReader::refuse(std::string message, std::size_t column) const {

@@ -47,6 +47,7 @@ struct Field {
   std::string_view reason = "";  ///< why the range ends where it ends, for those who passed it
   /// What an object says first of a key that it does not have.
   std::string_view unknown = "unknown key";
+  bool describes_only = false;  ///< whether nothing that is computed depends on it, nor on what lies below it
 
   std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }

@@ -33,8 +33,8 @@ std::string reference_markdown(const FieldTable& table) {
   std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
   for (const Field& field : table.fields) {
     if (field.key() == "*" || field.key() == "$schema") continue;
-    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(1), value_text(field),
-                        default_text(field), cell(field.doc));
+    text += fmt::format("| `{}` | {} | {} | {} |\n", field.pointer.substr(1), value_text(field), default_text(field),
+                        cell(field.doc));
   }
   return text;
 }

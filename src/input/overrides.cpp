@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "input/pointers.hpp"
 #include "input/reader.hpp"
 #include "text/utf8.hpp"
@@ -34,7 +36,31 @@ Node* step_into(Node& parent, const std::string& token, const std::string& point
   return &child;
 }
 
-void apply(Node& root, const std::string& pointer, const std::string& value, Findings& findings) {
+/// A number as reading its shortest digits would give it: of no sign where it is 0, and null where JSON has none.
+Node node_of(double number) {
+  Node node;
+  node.kind = std::isfinite(number) ? JsonKind::number : JsonKind::null;
+  node.number = number == 0 ? 0 : number;
+  return node;
+}
+
+/// JSON, or a string where the text is none.
+Node node_of(const std::string& value, const std::string& shown, Findings& findings) {
+  Node node;
+  Findings ignored;
+  const ReadOutcome outcome = read_json(value, shown, true, node, ignored);
+  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::not_finite) {
+    node = Node{};
+    node.kind = JsonKind::string;
+    node.text = value;
+  } else if (!ignored.empty()) {
+    node = Node{};  // once more, now for the findings
+    if (read_json(value, shown, true, node, findings) == ReadOutcome::refused) node.kind = JsonKind::refused;
+  }
+  return node;
+}
+
+void apply(Node& root, const std::string& pointer, const std::variant<double, std::string>& value, Findings& findings) {
   const std::string shown = excerpt(pointer, 200);
   const auto tokens = tokens_of(pointer);
   if (!tokens || tokens->size() > kGreatestDepth || first_invalid_utf8(pointer) != std::string_view::npos) {
@@ -45,17 +71,8 @@ void apply(Node& root, const std::string& pointer, const std::string& value, Fin
   for (const std::string& token : *tokens)
     if (node = step_into(*node, token, shown, findings); !node) return;
 
-  Node replacement;
-  Findings ignored;
-  const ReadOutcome outcome = read_json(value, shown, true, replacement, ignored);
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::not_finite) {
-    replacement = Node{};
-    replacement.kind = JsonKind::string;
-    replacement.text = value;
-  } else {
-    replacement = Node{};  // once more, now for the findings
-    if (read_json(value, shown, true, replacement, findings) == ReadOutcome::refused) replacement.kind = JsonKind::refused;
-  }
+  const auto* number = std::get_if<double>(&value);
+  Node replacement = number ? node_of(*number) : node_of(std::get<std::string>(value), shown, findings);
   replacement.place = kFromSet;
   replacement.key = node->key;
   replacement.key_place = node->key_place;
@@ -66,6 +83,10 @@ void apply(Node& root, const std::string& pointer, const std::string& value, Fin
 
 void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings) {
   for (const auto& [pointer, value] : overrides) apply(root, pointer, value, findings);
+}
+
+void apply_changes(Node& root, const std::vector<Change>& changes, Findings& findings) {
+  for (const Change& change : changes) apply(root, change.pointer, change.value, findings);
 }
 
 }  // namespace earthtop::input

@@ -81,36 +81,60 @@ UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::strin
   return unknown;
 }
 
-std::optional<std::string> pointer_fault(const FieldTable& table, std::string_view pointer) {
+PointerTarget pointer_target(const FieldTable& table, std::string_view pointer) {
+  PointerTarget target;
+  const auto fault = [&](std::string message) {
+    target.fault = std::move(message);
+    target.is_number = false;
+    return target;
+  };
   const auto tokens = tokens_of(pointer);
-  if (!tokens) return "is no JSON pointer; e.g. /site/latitude_deg";
+  if (!tokens) return fault("is no JSON pointer; e.g. /site/latitude_deg");
   std::string pattern;  // of what the tokens so far lead to
   FieldKind kind = FieldKind::object;
   std::vector<std::size_t> lengths;  // of the arrays of plain values that the next tokens are indices of
   for (const std::string& token : *tokens) {
     if (!lengths.empty()) {
-      if (!array_index(token, lengths.front())) return no_index(token, lengths.front());
+      if (!array_index(token, lengths.front())) return fault(no_index(token, lengths.front()));
       lengths.erase(lengths.begin());
+      target.is_number = lengths.empty() && target.field->kind != FieldKind::changes;
       kind = FieldKind::number;
       continue;
     }
     if (kind == FieldKind::list) {
-      if (!array_index(token, kAnyLength)) return no_index(token, kAnyLength);
+      if (!array_index(token, kAnyLength)) return fault(no_index(token, kAnyLength));
       pattern += "/*";
     } else if (may_be_object(kind)) {
-      if (is_comment(token)) return fmt::format("\"{}\" is a comment: it changes nothing", excerpt(token));
+      if (is_comment(token)) return fault(fmt::format("\"{}\" is a comment: it changes nothing", excerpt(token)));
       const bool plain = token.find('/') == std::string::npos && token != "*";
       if (!plain || table.find(fmt::format("{}/{}", pattern, token)) == nullptr)
-        return fmt::format("\"{}\": {}", excerpt(token), unknown_key(table, token, pattern).message);
+        return fault(fmt::format("\"{}\": {}", excerpt(token), unknown_key(table, token, pattern).message));
       pattern += "/" + token;
     } else {
-      return fmt::format("nothing lies below {}, so there is no \"{}\"", pattern, excerpt(token));
+      return fault(fmt::format("nothing lies below {}, so there is no \"{}\"", pattern, excerpt(token)));
     }
-    const Field& field = *table.find(pattern);
-    kind = field.kind;
+    target.field = table.find(pattern);
+    kind = target.field->kind;
     lengths = lengths_of(kind);
+    target.is_number = kind == FieldKind::number;
   }
-  return std::nullopt;
+  return target;
+}
+
+const Node* node_at(const Node& root, std::string_view pointer) {
+  const auto tokens = tokens_of(pointer);
+  if (!tokens) return nullptr;
+  const Node* node = &root;
+  for (const std::string& token : *tokens) {
+    if (node->kind == JsonKind::array) {
+      const auto index = array_index(token, node->children.size());
+      node = index ? &node->children[*index] : nullptr;
+    } else {
+      node = node->find(token);
+    }
+    if (!node) return nullptr;
+  }
+  return node;
 }
 
 }  // namespace earthtop::input

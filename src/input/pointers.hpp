@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/fields.hpp"
+#include "input/node.hpp"
 
 namespace earthtop::input {
 
@@ -26,7 +27,15 @@ struct UnknownKey {
 /// @param pattern  of the object
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern);
 
-/// Why no file of the table's kind, whatever its other keys are, has a value at this pointer; nothing where one may.
-std::optional<std::string> pointer_fault(const FieldTable& table, std::string_view pointer);
+/// What a pointer leads to in a file of the table's kind, whatever its other keys are.
+struct PointerTarget {
+  const Field* field = nullptr;      ///< the last one on the way; elements of a vector, a matrix or a list of numbers have its
+  bool is_number = false;            ///< a field that is a number, or one number of a field that has several
+  std::optional<std::string> fault;  ///< why there cannot be a value; nothing where there may be one
+};
+PointerTarget pointer_target(const FieldTable& table, std::string_view pointer);
+
+/// The node that a pointer leads to, null where the tree has none.
+const Node* node_at(const Node& root, std::string_view pointer);
 
 }  // namespace earthtop::input

@@ -58,7 +58,8 @@ class SchemaWriter {
         if (!field.words.empty()) choices.push_back(words);
         return {{"oneOf", choices}};
       }
-      case FieldKind::list: return {{"type", "array"}, {"minItems", 1}, {"items", of_object(std::string(field.pointer) + "/*")}};
+      case FieldKind::list:
+        return {{"type", "array"}, {"minItems", 1}, {"items", of_object(std::string(field.pointer) + "/*")}};
       case FieldKind::text: return {{"type", "string"}};
       case FieldKind::name: return {{"type", "string"}, {"pattern", "^[a-z0-9][a-z0-9-]{0,63}$"}};
       case FieldKind::word: return words;

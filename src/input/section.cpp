@@ -123,6 +123,11 @@ void Section::missing(std::string_view key, std::string message) const {
     findings_->add(place_, std::move(pointer), std::move(message));
 }
 
+bool Section::is_required(std::string_view key) const {
+  const Field* field = table_->find(fmt::format("{}/{}", pattern_, key));
+  return field && field->required;
+}
+
 bool Section::require(std::string_view key) const {
   if (has(key)) return true;
   const Field* field = table_->find(fmt::format("{}/{}", pattern_, key));

@@ -27,6 +27,8 @@ class Section {
   bool has(std::string_view key) const { return node_ && node_->find(key); }
   bool is_object(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::object; }
   bool is_word(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::string; }
+  /// Whether the key must stand wherever this object does.
+  bool is_required(std::string_view key) const;
   std::size_t size(std::string_view key) const;  ///< elements of a list; 0 where it has been refused
 
   std::optional<double> number(std::string_view key) const;

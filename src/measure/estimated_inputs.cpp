@@ -10,10 +10,10 @@
 #include <numbers>
 
 #include "earthtop/frames/earth.hpp"
-#include "input/overrides.hpp"
-#include "input/reader.hpp"
+#include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
+#include "scene/examine.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -39,50 +39,16 @@ constexpr std::string_view kAllowedNames =
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
 }
 
-/// The table's row of a pointer, indices of lists, vectors and matrices taken for what they are.
+/// The table's row of a pointer that leads to a number, null for any other.
 const input::Field* field_of(std::string_view pointer) {
-  std::string pattern;
-  for (std::size_t at = 1; at <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
-    const std::string_view token = pointer.substr(at, end - at);
-    const bool index = !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
-    const input::Field* field = scenario::fields().find(pattern);
-    using enum input::FieldKind;
-    if (index && field && (field->kind == vector3 || field->kind == matrix3 || field->kind == numbers)) return field;
-    pattern += index ? "/*" : fmt::format("/{}", token);
-    at = end + 1;
-  }
-  const input::Field* field = scenario::fields().find(pattern);
-  return field && field->kind == input::FieldKind::number ? field : nullptr;
+  const input::PointerTarget target = input::pointer_target(scenario::fields(), pointer);
+  return target.is_number ? target.field : nullptr;
 }
 
 /// The number at a pointer of a tree; nothing where there is none.
 std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
-  const input::Node* node = &root;
-  for (std::size_t at = 1; at <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', at), pointer.size());
-    const std::string_view token = pointer.substr(at, end - at);
-    if (node->kind == input::JsonKind::array) {
-      std::size_t index = 0;
-      const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-      if (error != std::errc() || stop != token.data() + token.size() || index >= node->children.size()) return std::nullopt;
-      node = &node->children[index];
-    } else if (node = node->find(token); !node) {
-      return std::nullopt;
-    }
-    at = end + 1;
-  }
-  if (node->kind != input::JsonKind::number) return std::nullopt;
-  return node->number;
-}
-
-/// A tree of a text that was read without complaint before.
-input::Node tree_of(std::string_view text, const std::vector<std::pair<std::string, std::string>>& overrides) {
-  input::Node root;
-  input::Findings none;
-  input::read_json(text, "", false, root, none);
-  input::apply_overrides(root, overrides, none);
-  return root;
+  const input::Node* node = input::node_at(root, pointer);
+  return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
 }
 
 double scale_of(double start, std::string_view unit, std::string_view pointer) {
@@ -96,7 +62,7 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 
 EstimatedInputs::EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides,
                                  const Scene& base, const std::vector<std::string>& names)
-    : source_(std::move(source)), overrides_(std::move(overrides)), base_(base) {
+    : document_(std::move(source), overrides), base_(base) {
   if (names.size() > kMostEstimates)
     refuse_estimate(names[kMostEstimates], fmt::format("at most {} numbers are estimated at once", kMostEstimates));
   for (const std::string& name : names) add(name);
@@ -125,9 +91,8 @@ void EstimatedInputs::add(const std::string& name) {
   if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
-  auto with_start = overrides_;
-  with_start.emplace_back(pointer, fmt::format("{}", start));
-  parse_scene(source_, with_start);
+  ScenarioReport report = examine(document_, {{pointer, start}});
+  if (!report.scene) throw ScenarioError(std::move(report.errors), document_.file());
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
 }
 
@@ -144,31 +109,33 @@ void EstimatedInputs::add_vertical_rate() {
 
 /// As the scenario's text has it; else the table's default; else the one that was computed.
 double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
-  if (const auto number = number_in(tree_of(source_.text, overrides_), pointer)) return *number;
+  if (const auto number = number_in(document_.root(), pointer)) return *number;
   const input::Field* field = field_of(pointer);
   if (field->kind == input::FieldKind::number) {
     double fallback = 0;
     const std::string_view text = field->fallback;
     if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;
-    if (const auto number = number_in(tree_of(base_.canonical(), {}), pointer)) return *number;
+    if (const auto number = number_in(scenario::Document({"", canonical_json(base_.scenario())}).root(), pointer))
+      return *number;
   }
   refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
 }
 
 std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) const {
-  auto overrides = overrides_;
+  std::vector<input::Change> changes;
   std::optional<double> vertical_rate_rad_s;
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!std::isfinite(values[i])) return std::nullopt;
     if (list_[i].pointer.empty())
       vertical_rate_rad_s = values[i];
     else
-      overrides.emplace_back(list_[i].pointer, fmt::format("{}", values[i]));
+      changes.push_back({list_[i].pointer, values[i]});
   }
-  const ScenarioReport varied = examine_scenario(source_, overrides);
-  if (!varied.scenario || !vertical_rate_rad_s) return varied.scene;
-  Scenario turned = *varied.scenario;
+  const ScenarioReport varied = examine(document_, changes);
+  if (!varied.scene || !vertical_rate_rad_s) return varied.scene;
+  Scenario turned = varied.scene->scenario();
   turned.rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
+  turned.excess_length_of_day_ms = 0;
   turned.site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
   return resolve(std::move(turned));
 }

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "scenario/document.hpp"
 
 namespace earthtop::measure {
 
@@ -37,8 +38,7 @@ class EstimatedInputs {
   void add_vertical_rate();
   double number_at(const std::string& pointer, const std::string& name) const;
 
-  ScenarioSource source_;
-  std::vector<std::pair<std::string, std::string>> overrides_;
+  scenario::Document document_;
   Scene base_;
   double northward_rate_rad_s_ = 0;
   std::vector<EstimatedInput> list_;

@@ -235,7 +235,7 @@ Json effects_json(const Scene& scene) {
   list("gravity_gradient", applied.gravity_gradient.has_value());
   list("tide", effects.tide.has_value());
   list("polar_motion", site.pole.x_arcsec != 0 || site.pole.y_arcsec != 0);
-  list("length_of_day", scenario.excess_length_of_day_s != 0);
+  list("length_of_day", scenario.excess_length_of_day_ms != 0);
   list("deflection_of_vertical", site.deflection.north_arcsec != 0 || site.deflection.east_arcsec != 0);
   list("viscous_torque", applied.viscous_N_m_s != 0);
   list("quadratic_torque", applied.quadratic_N_m_s2 != 0);
@@ -357,7 +357,7 @@ constexpr Section kSections[] = {
     {"selection", true, [](const RunResult& r) { return r.selection ? selection_json(*r.selection) : Json(); }},
     {"accuracy", true, [](const RunResult& r) { return r.accuracy ? accuracy_json(*r.accuracy) : Json(); }},
     {"notes", false, [](const RunResult& r) -> Json { return r.notes; }},
-    {"scenario", false, [](const RunResult& r) { return json_of(r.scene.canonical()); }},
+    {"scenario", false, [](const RunResult& r) { return json_of(canonical_json(r.scene.scenario())); }},
     {"provenance", false, [](const RunResult& r) { return provenance_json(r.scene); }},
 };
 

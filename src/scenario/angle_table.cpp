@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "earthtop/error.hpp"
 #include "earthtop/frames/angle_spline.hpp"
+#include "input/csv_text.hpp"
 #include "input/node.hpp"
 
 namespace earthtop::scenario {
@@ -19,20 +19,10 @@ constexpr std::size_t kFewestRows = 4;  // of a not-a-knot spline
 /// As for the rates of the other motions.
 constexpr double kFastestTurn = 1e9;
 
-/// Takes the first line off the front of a text, without its end.
-std::string_view take_line(std::string_view& text) {
-  std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(line.size() + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-/// The whole of a field as a finite number.
-std::optional<double> finite_number(std::string_view field) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+/// The whole of a cell as a finite number that a double can hold.
+std::optional<double> finite_number(std::string_view cell) {
+  const input::CellNumber number = input::cell_number(cell);
+  return number.fits_a_double && std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
 /// The beginning of what stands there; a table may hold any bytes.
@@ -45,13 +35,12 @@ std::string no_number(std::string_view key, std::string_view field) {
 /// Appends a row. @returns what is wrong with it, nothing if it is right
 std::optional<std::string> read_row(std::string_view line, AngleTable& table) {
   if (line.empty()) return "is empty; must be a row \"t_s,angle_rad\", or leave it out";
-  const auto comma = line.find(',');
-  if (comma == std::string_view::npos || line.find(',', comma + 1) != std::string_view::npos)
-    return fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line));
-  const std::string_view time_field = line.substr(0, comma), angle_field = line.substr(comma + 1);
-  const auto time = finite_number(time_field), angle = finite_number(angle_field);
-  if (!time) return no_number("t_s", time_field);
-  if (!angle) return no_number("angle_rad", angle_field);
+  std::vector<std::string_view> cells;
+  input::split_cells(line, ',', cells);
+  if (cells.size() != 2) return fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line));
+  const auto time = finite_number(cells[0]), angle = finite_number(cells[1]);
+  if (!time) return no_number("t_s", cells[0]);
+  if (!angle) return no_number("angle_rad", cells[1]);
   if (!table.t_s.empty() && !(*time > table.t_s.back()))
     return fmt::format("t_s is {} after {}; times must ascend, each above the one before", *time, table.t_s.back());
   table.t_s.push_back(*time);
@@ -62,7 +51,7 @@ std::optional<std::string> read_row(std::string_view line, AngleTable& table) {
 }  // namespace
 
 std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s) {
-  const std::string_view header = take_line(text);
+  const std::string_view header = input::take_line(text);
   if (header != kTableHeader)
     return TableFault{1,
                       fmt::format("is \"{}\"; must be the header \"{}\", and nothing else", shown_text(header), kTableHeader)};
@@ -70,7 +59,7 @@ std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, do
   std::size_t line = 1;
   while (!text.empty()) {
     ++line;
-    if (auto wrong = read_row(take_line(text), table)) return TableFault{line, *std::move(wrong)};
+    if (auto wrong = read_row(input::take_line(text), table)) return TableFault{line, *std::move(wrong)};
   }
   if (table.t_s.size() < kFewestRows)
     return TableFault{line,

@@ -8,7 +8,9 @@
 #include "input/check.hpp"
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
+#include "scenario/document.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/keys.hpp"
 #include "scenario/plausibility.hpp"
 #include "scenario/reading.hpp"
 
@@ -16,11 +18,9 @@ namespace earthtop::scenario {
 namespace {
 
 void decode_name(const Section& root, const std::string& file, Scenario& scenario) {
-  scenario.title = root.word("title").value_or("");
-  if (root.has("name")) {
-    scenario.name = root.word("name").value_or(scenario.name);
-    return;
-  }
+  Reading codec(root);
+  description_keys(codec, scenario);
+  if (root.has("name")) return;
   if (file.empty() || file == "<stdin>") return;
   const std::string stem = std::filesystem::path(file).stem().string();
   if (input::is_name(stem))
@@ -33,50 +33,41 @@ void decode_name(const Section& root, const std::string& file, Scenario& scenari
 }
 
 void decode_headline(const Section& root, Scenario& scenario) {
-  scenario.purpose = root.word("purpose").value_or("");
   if (!root.has("headline")) return;
   const Section given = root.section("headline");
-  for (const std::string_view key : {"quantity", "value", "tolerance", "origin"}) given.require(key);
-  const auto quantity = given.word("quantity"), origin = given.word("origin");
-  const auto value = given.number("value"), tolerance = given.number("tolerance"), at = given.number("at_s");
-  if (!quantity || !origin || !value || !tolerance) return;
-  scenario.headline = HeadlineSpec{*quantity, at, *value, *tolerance, *origin};
-  if (*quantity == "drift.threshold_time_s" && !root.section("report").has("threshold_rad"))
+  Reading codec(given);
+  HeadlineSpec headline;
+  headline_keys(codec, headline);
+  if (!codec.complete()) return;
+  scenario.headline = headline;
+  if (headline.quantity == "drift.threshold_time_s" && !root.section("report").has("threshold_rad"))
     given.refuse("quantity", "there is no threshold to pass; give /report/threshold_rad");
-  if (!at || !(scenario.duration_s > 0)) return;
-  if (quantity->find('.') != std::string::npos)
+  if (!headline.at_s || !(scenario.duration_s > 0)) return;
+  if (headline.quantity.find('.') != std::string::npos)
     given.refuse_key("at_s", "belongs to a column of trajectory.csv; a figure of summary.json has no time");
-  else if (!is_output_time(*at, scenario.duration_s, scenario.output_step_s))
+  else if (!is_output_time(*headline.at_s, scenario.duration_s, scenario.output_step_s))
     given.warn("at_s", "is not the time of a row, a multiple of output_step_s within the duration: nothing is held against it");
 }
 
 /// @returns whether gravity is known
 bool decode_site(const Section& root, Scenario& scenario) {
-  const Section site = root.section("site");
-  const auto rate = root.section("earth").number("rotation_rate_rad_s");
-  const auto latitude = site.number("latitude_deg"), longitude = site.number("longitude_deg"), height = site.number("height_m");
-  const auto gravity = site.number("gravity_m_s2");
+  const Section site = root.section("site"), earth = root.section("earth");
   const bool gravity_given = site.has("gravity_m_s2");
-  if (!site.has("latitude_deg") && !(gravity_given && rate == 0.0))
+  if (!site.has("latitude_deg") && !(gravity_given && earth.number("rotation_rate_rad_s") == 0.0))
     site.missing("latitude_deg",
                  "is missing; must be a number from -90 to 90 (deg), unless the rotation rate is 0 and gravity_m_s2 "
                  "is given");
-  scenario.rotation_rate_rad_s = rate.value_or(0);
-  scenario.site = {latitude.value_or(0), longitude.value_or(0), height.value_or(0), gravity.value_or(0)};
+  Reading earth_codec(earth), codec(site);
+  scenario.rotation_rate_rad_s = 0;  // where it has been refused
+  earth_keys(earth_codec, scenario);
+  site_keys(codec, scenario);
   if (gravity_given && site.has("gravity_anomaly_m_s2"))
     site.refuse_key("gravity_anomaly_m_s2",
                     "is counted from normal gravity, and gravity_m_s2 is given; leave one of the two out");
-  if (gravity_given) return gravity.has_value();
-  if (!latitude || !height) return false;
-  scenario.gravity_anomaly_m_s2 = site.number("gravity_anomaly_m_s2").value_or(0);
-  scenario.site.gravity_m_s2 = normal_gravity(*latitude, *height) + scenario.gravity_anomaly_m_s2;
+  if (gravity_given) return site.number("gravity_m_s2").has_value();
+  if (!site.number("latitude_deg") || !site.number("height_m")) return false;
+  scenario.site.gravity_m_s2 = normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
   return true;
-}
-
-std::array<double, kInputNames.size()> decode_uncertainty(const Section& uncertainty) {
-  std::array<double, kInputNames.size()> standard_errors = {};
-  for (std::size_t i = 0; i < kInputNames.size(); ++i) standard_errors[i] = uncertainty.number(kInputNames[i]).value_or(0);
-  return standard_errors;
 }
 
 /// @returns whether body, release and gravity are known
@@ -89,32 +80,45 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   if (release) scenario.release = *release;
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
-  scenario.accuracy_rad = root.section("accuracy").number("drift_rad");
+  Reading accuracy(root.section("accuracy")), report(root.section("report"));
+  accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, scenario);
   decode_numerics(root.section("numerics"), scenario);
   decode_headline(root, scenario);
   scenario.criteria = decode_criteria(root);
-  scenario.threshold_rad = root.section("report").number("threshold_rad");
-  scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
-  if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));
+  report_keys(report, scenario);
+  if (root.has("uncertainty")) {
+    Reading uncertainty(root.section("uncertainty"));
+    uncertainty_keys(uncertainty, scenario.uncertainty.emplace());
+    scenario.sensitivities = true;
+  }
   warn_of_implausible(root, scenario);
   return body && release && gravity;
 }
 
 }  // namespace
 
-Reading read_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides) {
-  using namespace input;
-  Reading reading;
-  reading.text = source.text;
-  if (reading.text.starts_with("\xEF\xBB\xBF")) reading.text.remove_prefix(3);  // columns are counted behind it
-  const ReadOutcome outcome = read_json(reading.text, "", false, reading.root, reading.findings);
-  if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) return reading;
-  reading.is_whole = true;
-  if (reading.root.kind == JsonKind::object) apply_overrides(reading.root, overrides, reading.findings);
-  check_structure(reading.root, reading.findings, fields());
-  reading.has_start = decode(reading.section(), source, reading.scenario);
-  return reading;
+Document::Document(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides)
+    : source_(std::move(source)) {
+  const input::ReadOutcome outcome = input::read_json(text(), "", false, root_, findings_);
+  // After a syntax error the rest would be guesswork.
+  is_whole_ = outcome != input::ReadOutcome::not_json && outcome != input::ReadOutcome::refused;
+  if (is_whole_ && root_.kind == input::JsonKind::object) apply_overrides(root_, overrides, findings_);
+}
+
+std::string_view Document::text() const {
+  std::string_view text = source_.text;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+Decoded Document::decode(const std::vector<input::Change>& changes) const {
+  Decoded decoded{text(), root_, findings_, {}, is_whole_, false};
+  if (!is_whole_) return decoded;
+  if (root_.kind == input::JsonKind::object) input::apply_changes(decoded.root, changes, decoded.findings);
+  check_structure(decoded.root, decoded.findings, fields());
+  decoded.has_start = scenario::decode(decoded.section(), source_, decoded.scenario);
+  return decoded;
 }
 
 }  // namespace earthtop::scenario

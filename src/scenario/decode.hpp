@@ -19,13 +19,13 @@ std::optional<BodySpec> decode_body(const Section& body);
 /// The release, nothing where it is not complete.
 std::optional<ReleaseSpec> decode_release(const Section& release);
 
-/// Duration and output step, with the limit on rows.
+/// Duration, output step and start, with the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
 
 /// @param source  says where a table is looked for, and whether   @param duration_s  what it must cover
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
-/// Which torques act, where the Earth's pole and the plumb line are, and when the top is released.
+/// Which torques act, and where the Earth's pole and the plumb line are.
 /// @param scenario  its site and rate must be known; effects, site and rate are written
 void decode_effects(const Section& root, Scenario& scenario);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "earthtop/model/body.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
@@ -36,41 +37,26 @@ bool is_thin(const Solid& solid) {
 
 std::optional<Solid> decode_solid(const Section& section) {
   if (!section.present()) return std::nullopt;
-  Solid solid;
-  const auto shape = section.word("shape");
   const bool has_mass = section.has("mass_kg"), has_density = section.has("density_kg_m3");
-  bool complete = true;
-  if (has_mass && has_density) {
+  if (has_mass && has_density)
     section.refuse_key("density_kg_m3", "mass_kg and density_kg_m3 are both given; give exactly one");
-    complete = false;
-  } else if (!has_mass && !has_density) {
+  else if (!has_mass && !has_density)
     section.missing("mass_kg", "neither mass_kg nor density_kg_m3 is given; give exactly one");
-    complete = false;
-  }
-  if (!shape) {
-    section.require("shape");
-    return std::nullopt;
-  }
-  const ShapeRule& rule =
-      *std::find_if(kShapeRules.begin(), kShapeRules.end(), [&](const auto& r) { return r.word == *shape; });
-  solid.shape = rule.shape;
+  Solid solid;
+  Reading codec(section);
+  solid_keys(codec, solid);
+  const auto shape = section.word("shape");
+  if (!shape) return std::nullopt;
+  const ShapeRule& rule = row_of(kShapeRules, solid.shape);
   check_member(section, "radius_m", rule.radius, *shape);
   check_member(section, "inner_radius_m", rule.inner_radius, *shape);
   check_member(section, "length_m", rule.length, *shape);
-
-  const auto radius = section.number("radius_m"), inner = section.number("inner_radius_m"), length = section.number("length_m"),
-             at = section.number("at_m");
-  if (!inner || !length || !at || (!radius && section.has("radius_m"))) return std::nullopt;
-  solid.radius_m = radius.value_or(0);
-  solid.inner_radius_m = *inner;
-  solid.length_m = *length;
-  solid.at_m = *at;
-  solid.mass_kg = section.number("mass_kg");
-  solid.density_kg_m3 = section.number("density_kg_m3");
-  if (radius && solid.inner_radius_m >= *radius && rule.inner_radius != Need::none) {
+  if (!codec.complete()) return std::nullopt;
+  bool complete = has_mass != has_density;
+  if (section.has("radius_m") && solid.inner_radius_m >= solid.radius_m && rule.inner_radius != Need::none) {
     section.refuse("inner_radius_m",
                    fmt::format("{} is not smaller than radius_m, {}; the inner radius must be below the outer one",
-                               solid.inner_radius_m, *radius));
+                               solid.inner_radius_m, solid.radius_m));
     complete = false;
   }
   if (rule.length == Need::required && section.has("length_m") && solid.length_m == 0) {
@@ -82,8 +68,8 @@ std::optional<Solid> decode_solid(const Section& section) {
                                                     solid.shape == SolidShape::rod ? "without radius_m" : "without length_m"));
     complete = false;
   }
-  if (rule.radius == Need::required && !radius) complete = false;
-  if (!complete || (!solid.mass_kg && !solid.density_kg_m3)) return std::nullopt;
+  if (rule.radius == Need::required && !section.has("radius_m")) complete = false;
+  if (!complete) return std::nullopt;
   return solid;
 }
 
@@ -121,26 +107,14 @@ bool make_symmetric(const Section& inertia, Matrix& matrix) {
   return symmetric;
 }
 
-std::optional<Matrix> decode_inertia(const Section& inertia) {
+/// @returns whether exactly one of the two ways to give a tensor is taken
+bool check_inertia(const Section& inertia) {
   const bool principal = inertia.has("principal_kg_m2"), full = inertia.has("matrix_kg_m2");
-  if (principal && full) {
+  if (principal && full)
     inertia.refuse_key("matrix_kg_m2", "principal_kg_m2 and matrix_kg_m2 are both given; give exactly one");
-    return std::nullopt;
-  }
-  if (!principal && !full) {
+  else if (!principal && !full)
     inertia.missing("principal_kg_m2", "neither principal_kg_m2 nor matrix_kg_m2 is given; give exactly one");
-    return std::nullopt;
-  }
-  if (principal) {
-    const auto moments = inertia.vector("principal_kg_m2");
-    if (!moments) return std::nullopt;
-    Matrix diagonal = {};
-    for (std::size_t i = 0; i < 3; ++i) diagonal[i][i] = (*moments)[i];
-    return diagonal;
-  }
-  auto matrix = inertia.matrix("matrix_kg_m2");
-  if (!matrix || !make_symmetric(inertia, *matrix)) return std::nullopt;
-  return matrix;
+  return principal != full;
 }
 
 bool decode_given(const Section& body, BodySpec& spec) {
@@ -148,20 +122,14 @@ bool decode_given(const Section& body, BodySpec& spec) {
     body.missing("mass_kg", "mass_kg, center_of_mass_m and inertia are missing; give them, or solids");
     return false;
   }
-  body.require("mass_kg");
-  body.require("center_of_mass_m");
-  const auto mass = body.number("mass_kg");
-  const auto center = body.vector("center_of_mass_m");
-  if (!body.require("inertia")) return false;
+  bool given = true;
+  for (const std::string_view key : {"mass_kg", "center_of_mass_m", "inertia"}) given = body.require(key) && given;
+  Reading codec(body);
+  body_keys(codec, spec);
+  if (!body.has("inertia")) return false;
   const Section inertia = body.section("inertia");
-  const auto about = inertia.word("about");
-  const auto matrix = decode_inertia(inertia);
-  if (!mass || !center || !about || !matrix) return false;
-  spec.mass_kg = *mass;
-  spec.center_of_mass_m = *center;
-  spec.inertia_about = *about == "pivot" ? InertiaAbout::pivot : InertiaAbout::center_of_mass;
-  spec.inertia_kg_m2 = *matrix;
-  return true;
+  if (!check_inertia(inertia) || !codec.complete() || !given) return false;
+  return inertia.has("principal_kg_m2") || make_symmetric(inertia, spec.inertia_kg_m2);
 }
 
 }  // namespace

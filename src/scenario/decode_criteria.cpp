@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "scenario/decode.hpp"
-#include "scenario/fields.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
@@ -29,28 +28,17 @@ void check_keys(const Section& given, const CriterionRule& rule) {
 
 CriterionSpec decode_criterion(const Section& given) {
   CriterionSpec criterion;
-  given.require("kind");
-  given.require("why");
-  const auto kind = given.word("kind");
+  Reading codec(given);
+  criterion_keys(codec, criterion);
   const auto quantity = given.word("quantity");
-  criterion.quantity = quantity.value_or("");
-  criterion.set = given.changes("set").value_or(criterion.set);
-  criterion.values = given.numbers("values").value_or(criterion.values);
-  criterion.at_s = given.number("at_s");
-  criterion.until_s = given.number("until_s");
-  criterion.tolerance = given.number("tolerance");
-  criterion.why = given.word("why").value_or("");
-  criterion.slow = given.flag("slow").value_or(false);
-  if (!kind) return criterion;
-  const CriterionRule& rule =
-      *std::find_if(kCriterionRules.begin(), kCriterionRules.end(), [&](const auto& r) { return r.word == *kind; });
-  criterion.kind = rule.kind;
+  if (!given.word("kind")) return criterion;
+  const CriterionRule& rule = row_of(kCriterionRules, criterion.kind);
   check_keys(given, rule);
   if (!quantity || !lists(rule.allowed, "quantity")) return criterion;
   if (!lists(rule.quantities, *quantity))
     given.refuse("quantity", fmt::format("is \"{}\"; of the kind \"{}\" it must be {}", *quantity, rule.word,
                                          fmt::join(split_words(rule.quantities), ", ")));
-  else if (rule.kind == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != numbers_in(*quantity))
+  else if (rule.value == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != numbers_in(*quantity))
     given.refuse("values",
                  fmt::format("has {} numbers; \"{}\" has {}", criterion.values.size(), *quantity, numbers_in(*quantity)));
   return criterion;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -13,7 +12,8 @@
 #include "input/file.hpp"
 #include "scenario/angle_table.hpp"
 #include "scenario/decode.hpp"
-#include "scenario/fields.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
 #include "text/sha256.hpp"
 
@@ -44,7 +44,6 @@ void decode_table(const Section& platform, const ScenarioSource& source, double 
   if (!file) return;
   const auto text = read_table(platform, source, *file);
   if (!text) return;
-  spec.file = *file;
   spec.file_sha256 = sha256_hex(*text);
   const auto sha256 = platform.word("file_sha256");
   if (sha256 && *sha256 != spec.file_sha256)
@@ -60,12 +59,11 @@ void decode_table(const Section& platform, const ScenarioSource& source, double 
 
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s) {
   PlatformSpec spec;
-  platform.require("motion");
+  Reading codec(platform);
+  platform_keys(codec, spec);
   const auto word = platform.word("motion");
   if (word) {
-    const MotionRule& rule =
-        *std::find_if(kMotionRules.begin(), kMotionRules.end(), [&](const auto& m) { return m.word == *word; });
-    spec.motion = rule.motion;
+    const MotionRule& rule = row_of(kMotionRules, spec.motion);
     for (const std::string_view key : split_words(kMotionKeys)) {
       if (lists(rule.required, key)) platform.require(key);
       if (!lists(rule.allowed, key) && platform.has(key))
@@ -77,14 +75,7 @@ std::optional<PlatformSpec> decode_platform(const Section& platform, const Scena
   // The square of a shorter one is no normal double, and its direction would be lost.
   if (axis && real::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
     platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
-  spec.axis = axis.value_or(spec.axis);
-  spec.rate_rad_s = platform.number("rate_rad_s").value_or(0);
-  spec.acceleration_rad_s2 = platform.number("acceleration_rad_s2").value_or(0);
-  spec.amplitude_rad = platform.number("amplitude_rad").value_or(0);
-  spec.frequency_hz = platform.number("frequency_hz").value_or(0);
-  spec.phase_deg = platform.number("phase_deg").value_or(0);
   if (word == "table") decode_table(platform, source, duration_s, spec);
-  spec.pivot_offset_m = platform.vector("pivot_offset_m").value_or(spec.pivot_offset_m);
   return spec;
 }
 

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "earthtop/frames/earth_orientation.hpp"
 #include "scenario/decode.hpp"
-#include "scenario/fields.hpp"
+#include "scenario/keys.hpp"
+#include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
@@ -24,20 +27,25 @@ bool is_output_time(double t_s, double duration_s, double output_step_s) {
 }
 
 void decode_motion(const Section& motion, Scenario& scenario) {
-  motion.require("duration_s");
-  const auto duration = motion.number("duration_s");
-  auto step = motion.number("output_step_s");
-  if (!duration) return;
-  if (!step && motion.has("output_step_s")) return;  // refused already
-  if (!step) step = *duration / 1000;
-  const double rows = output_row_count(*duration, *step);
+  Reading codec(motion);
+  motion_keys(codec, scenario);
+  if (scenario.start_utc && !parse_utc(*scenario.start_utc)) {
+    motion.refuse("start_utc",
+                  fmt::format("is \"{}\"; must be an instant of UTC, YYYY-MM-DDThh:mm:ssZ", excerpt(*scenario.start_utc)));
+    scenario.start_utc.reset();
+  }
+  const double duration = std::exchange(scenario.duration_s, 0), given_step = std::exchange(scenario.output_step_s, 0);
+  if (!motion.number("duration_s")) return;
+  if (!motion.number("output_step_s") && motion.has("output_step_s")) return;  // refused already
+  const double step = motion.has("output_step_s") ? given_step : duration / 1000;
+  const double rows = output_row_count(duration, step);
   if (rows > kMostRows)
     return motion.refuse("output_step_s",
                          fmt::format("about {:.3g} output rows; at most {:.0f} are allowed: output_step_s must be "
                                      "at least {:.6g} s for this duration",
-                                     rows, kMostRows, *duration / (kMostRows - 1)));
-  scenario.duration_s = *duration;
-  scenario.output_step_s = *step;
+                                     rows, kMostRows, duration / (kMostRows - 1)));
+  scenario.duration_s = duration;
+  scenario.output_step_s = step;
 }
 
 namespace {
@@ -51,16 +59,12 @@ std::string methods_that(Property property) {
   return words;
 }
 
-constexpr ModelForm kForms[] = {ModelForm::automatic, ModelForm::general};
-constexpr Observer kObservers[] = {Observer::laboratory, Observer::body, Observer::inertial};
-constexpr LedgerObserver kLedgers[] = {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform,
-                                       LedgerObserver::body};
-
 /// A fixed step that is given, where the method takes one.
 void decode_step(const Section& numerics, Scenario& scenario) {
   const Method method = scenario.numerics.method;
   const StepRule rule = step_rule(method);
   if (rule.step_s == Need::none) {
+    scenario.numerics.step_s.reset();
     if (!numerics.has("step_s")) return;
     return numerics.refuse_key(
         "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to {}", to_string(method),
@@ -77,7 +81,6 @@ void decode_step(const Section& numerics, Scenario& scenario) {
         "relative_tolerance",
         fmt::format("\"{}\" finds its step from it where no step_s is given; give one of the two", to_string(method)));
   }
-  scenario.numerics.step_s = numerics.number("step_s");
   if (!scenario.numerics.step_s || !(scenario.duration_s > 0)) return;
   const double interval = std::min(scenario.output_step_s, scenario.duration_s), step = *scenario.numerics.step_s;
   const double steps = std::ceil(interval / step) * (output_row_count(scenario.duration_s, scenario.output_step_s) - 1);
@@ -113,30 +116,15 @@ void check_precision(const Section& numerics, Scenario& scenario) {
 
 void decode_numerics(const Section& numerics, Scenario& scenario) {
   IntegrationOptions& options = scenario.numerics;
-  const auto method = numerics.word("method"), observer = numerics.word("observer"), precision = numerics.word("precision");
-  if (const auto tolerance = numerics.number("relative_tolerance")) options.relative_tolerance = *tolerance;
-  if (const auto ledger = numerics.word("ledger"))
-    scenario.ledger =
-        *std::find_if(std::begin(kLedgers), std::end(kLedgers), [&](LedgerObserver o) { return to_string(o) == *ledger; });
-  if (observer)
-    options.observer =
-        *std::find_if(std::begin(kObservers), std::end(kObservers), [&](Observer o) { return to_string(o) == *observer; });
-  if (const auto form = numerics.word("model"))
-    options.form = *std::find_if(std::begin(kForms), std::end(kForms), [&](ModelForm f) { return to_string(f) == *form; });
-  if (precision)
-    scenario.precision =
-        *std::find_if(kPrecisions.begin(), kPrecisions.end(), [&](Precision p) { return to_string(p) == *precision; });
-  if (method)
-    options.method = *std::find_if(kMethods.begin(), kMethods.end(), [&](Method m) { return to_string(m) == *method; });
-  const auto composition = numerics.word("composition");
-  if (composition)
-    options.composition =
-        *std::find_if(kCompositions.begin(), kCompositions.end(), [&](Composition c) { return to_string(c) == *composition; });
+  Reading codec(numerics);
+  numerics_keys(codec, scenario);
+  const auto method = numerics.word("method");
   check_precision(numerics, scenario);
-  if (!method || to_string(options.method) != *method) return;
+  if (!method || to_string(options.method) != *method) return options.step_s.reset();
   if (options.composition != Composition::automatic && options.method != Method::splitting)
     numerics.refuse_key("composition", fmt::format("\"{}\" composes nothing; it belongs to \"splitting\"", *method));
   if (options.method == Method::closed_form) {
+    options.step_s.reset();
     for (const std::string_view key : {"relative_tolerance", "step_s"})
       if (numerics.has(key))
         numerics.refuse_key(key, "\"closed_form\" takes no steps and has no tolerance; leave it out, or take another method");

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scenario/quantities.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -23,13 +24,20 @@ constexpr Range kLengths = from(-1e6, 1e6), kRates = from(-1e9, 1e9), kAngles = 
 
 constexpr bool kRequired = true;
 
+/// A field that only describes the scenario: no result depends on it.
+constexpr Field describing(Field field) {
+  field.describes_only = true;
+  return field;
+}
+
 constexpr Field kFields[] = {
     // pointer, kind, unit, range, words, default, doc
     {"/$schema", word, "", any(), "earthtop-scenario-1.json", "\"earthtop-scenario-1.json\"", "version of this format"},
     {"/name", name, "", any(), "", "", "names the results; default: the file's stem, \"unnamed\" from standard input"},
-    {"/title", text, "", any(), "", "\"\"", "any text"},
-    {"/purpose", text, "", any(), "", "\"\"", "what the scene is for, and what it shows"},
-    {"/headline", object, "", any(), "", "", "one figure known from elsewhere, which the computed one is held against"},
+    describing({"/title", text, "", any(), "", "\"\"", "any text"}),
+    describing({"/purpose", text, "", any(), "", "\"\"", "what the scene is for, and what it shows"}),
+    describing(
+        {"/headline", object, "", any(), "", "", "one figure known from elsewhere, which the computed one is held against"}),
     {"/headline/quantity", word, "", any(), kFigures, "", "a column of trajectory.csv, or a figure of summary.json", kRequired},
     {"/headline/at_s", number, "s", from(0, 1e9), "", "", "of a column: the time of its row; default: the duration"},
     {"/headline/value", number, "", any(), "", "", "the figure, in the unit that the quantity's name says", kRequired},
@@ -37,10 +45,10 @@ constexpr Field kFields[] = {
     {"/headline/origin", text, "", any(), "", "", "where the figure comes from: closed form, theory, a publication ...",
      kRequired},
 
-    {"/criteria", list, "", any(), "", "", "what the results must satisfy, known independently of any run: earthtop verify"},
+    describing({"/criteria", list, "", any(), "", "",
+                "what the results must satisfy, known independently of any run: earthtop verify"}),
     {"/criteria/*", object, "", any(), "", "", "one criterion"},
-    {"/criteria/*/kind", word, "", any(), "value|invariant|closed_form|equivalence|exactly_zero|order|verdict|refused", "",
-     "what kind of knowledge it is", kRequired},
+    {"/criteria/*/kind", word, "", any(), WordsOf<kCriterionRules>::text, "", "what kind of knowledge it is", kRequired},
     {"/criteria/*/quantity", word, "", any(), kAllQuantities, "",
      "what is judged; of an equivalence, how the runs are related; each kind has its own"},
     {"/criteria/*/set", changes, "", any(), "", "",
@@ -72,13 +80,12 @@ constexpr Field kFields[] = {
     {"/body/mass_kg", number, "kg", above(0, 1e6), "", "", "mass"},
     {"/body/center_of_mass_m", vector3, "m", kLengths, "", "", "pivot to centre of mass, body axes"},
     {"/body/inertia", object, "", any(), "", "", "inertia tensor, body axes"},
-    {"/body/inertia/about", word, "", any(), "pivot|center_of_mass", "\"pivot\"", "reference point of the tensor"},
+    {"/body/inertia/about", word, "", any(), WordsOf<kInertiaPoints>::text, "\"pivot\"", "reference point of the tensor"},
     {"/body/inertia/principal_kg_m2", vector3, "kg m^2", from(0, 1e18), "", "", "moments about the body axes"},
     {"/body/inertia/matrix_kg_m2", matrix3, "kg m^2", from(-1e18, 1e18), "", "", "symmetric 3x3 tensor"},
     {"/body/solids", list, "", any(), "", "", "uniform solids of revolution about body axis 3"},
     {"/body/solids/*", object, "", any(), "", "", "one solid"},
-    {"/body/solids/*/shape", word, "", any(), "disc|cylinder|ring|cone|sphere|rod", "", "shape; a cone's tip points to -z",
-     kRequired},
+    {"/body/solids/*/shape", word, "", any(), WordsOf<kShapeRules>::text, "", "shape; a cone's tip points to -z", kRequired},
     {"/body/solids/*/radius_m", number, "m", above(0, 1e6), "", "", "outer radius; a rod without radius is thin"},
     {"/body/solids/*/inner_radius_m", number, "m", from(0, 1e6), "", "0", "of a ring, or of a spherical shell"},
     {"/body/solids/*/length_m", number, "m", from(0, 1e6), "", "0", "along axis 3; disc and ring may have none"},
@@ -95,11 +102,11 @@ constexpr Field kFields[] = {
     {"/release/quaternion_LB/x", number, "", from(-2, 2), "", "", "vector part", kRequired},
     {"/release/quaternion_LB/y", number, "", from(-2, 2), "", "", "vector part", kRequired},
     {"/release/quaternion_LB/z", number, "", from(-2, 2), "", "", "vector part", kRequired},
-    {"/release/rates_relative_to", word, "", any(), "laboratory|inertial", "\"laboratory\"",
+    {"/release/rates_relative_to", word, "", any(), WordsOf<kRateFrames>::text, "\"laboratory\"",
      "frame of the rates, and what both predictions have in common at the start"},
     {"/release/angular_velocity_body_rad_s", vector3, "rad/s", kRates, "", "", "rates in body axes"},
     {"/release/spin_rad_s", number, "rad/s", kRates, "", "", "whole rate about body axis 3, precession's share included"},
-    {"/release/precession", object_or_word, "", any(), "none|steady_slow|steady_fast", "\"none\"",
+    {"/release/precession", object_or_word, "", any(), WordsOf<kPrecessions>::text, "\"none\"",
      "precession at the start, or {\"rate_rad_s\": ...}"},
     {"/release/precession/rate_rad_s", number, "rad/s", kRates, "", "", "counterclockwise about Up", kRequired},
 
@@ -112,7 +119,7 @@ constexpr Field kFields[] = {
      "the instant of release, YYYY-MM-DDThh:mm:ssZ: what Moon, Sun and pole are looked up by"},
 
     {"/platform", object, "", any(), "", "", "a platform that carries the pivot; none if left out"},
-    {"/platform/motion", word, "", any(), "constant|ramp|harmonic|table", "", "kind of motion", kRequired},
+    {"/platform/motion", word, "", any(), WordsOf<kMotionRules>::text, "", "kind of motion", kRequired},
     {"/platform/axis", vector3, "", kLengths, "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
     {"/platform/rate_rad_s", number, "rad/s", kRates, "", "0", "constant, ramp: rate at t = 0"},
     {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "0", "ramp: angular acceleration"},
@@ -166,7 +173,7 @@ constexpr Field kFields[] = {
     {"/effects/air_drag/disc_radius_m", number, "m", above(0, 1e3), "", "", "its radius", kRequired},
     {"/effects/air_drag/density_kg_m3", number, "kg/m^3", above(0, 1e5), "", "1.204", "of the air; 20 deg C"},
     {"/effects/air_drag/kinematic_viscosity_m2_s", number, "m^2/s", above(0, 1e3), "", "1.516e-5", "of the air; 20 deg C"},
-    {"/effects/air_drag/flow", word, "", any(), "auto|laminar|turbulent", "\"auto\"",
+    {"/effects/air_drag/flow", word, "", any(), WordsOf<kDiscFlows>::text, "\"auto\"",
      "boundary layer; auto: turbulent where the Reynolds number of the spin at release is above 3e5"},
     {"/effects/gimbal", flag_or_object, "", any(), "", "false",
      "holds body axis 3 level: it turns about Up only, as in a gyrocompass"},

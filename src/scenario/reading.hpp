@@ -1,34 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A scenario's text, read and decoded: what it gives, and what is wrong with it so far. The scene has more to say of it
-/// (scene/examine.cpp), and says it at places in the same text.
+/// The codec that reads: the keys of keys.hpp taken from a checked section.
 #pragma once
 
-#include <string>
-#include <utility>
+#include <optional>
+#include <string_view>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
-#include "input/findings.hpp"
-#include "input/node.hpp"
 #include "input/section.hpp"
-#include "scenario/fields.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
 
-struct Reading {
-  std::string_view text;  ///< of the source, without a byte order mark
-  input::Node root;
-  input::Findings findings;
-  Scenario scenario;
-  bool is_whole = false;   ///< whether the text is JSON; after a syntax error the rest would be guesswork
-  bool has_start = false;  ///< whether body, release and gravity are known
+/// Members keep their values where a key is missing without a default, or has been refused.
+class Reading {
+ public:
+  static constexpr bool kWrites = false;
+  explicit Reading(const input::Section& section) : section_(section) {}
 
-  /// To complain about a key.
-  input::Section section() { return {root, findings, fields()}; }
-  std::vector<Diagnostic> errors() const { return findings.errors(text); }
+  /// Whether nothing that was asked for is missing or has been refused.
+  bool complete() const { return complete_ && section_.present(); }
+
+  /// Whether the variant with this key is the one at hand. @param held  what the members say, for those who write
+  bool takes(std::string_view key, bool /*held*/) const { return section_.has(key); }
+  bool is_object(std::string_view key) const { return section_.is_object(key); }
+  bool is_word(std::string_view key) const { return section_.is_word(key); }
+
+  template <class T>
+  void key(std::string_view key, T& member) {
+    if (section_.is_required(key)) section_.require(key);
+    if (auto value = value_of(key, member))
+      member = *std::move(value);
+    else if (section_.has(key) || section_.is_required(key) || !section_.present())
+      complete_ = false;
+  }
+  /// A key that is left out where its member is 0, empty or none.
+  template <class T>
+  void sparse(std::string_view key, T& member) {
+    this->key(key, member);
+  }
+
+  /// A word for a value: one of the rows', or the one that `to_string` gives.
+  template <class E, class Rows>
+  void word(std::string_view key, E& member, const Rows& rows) {
+    std::string word;
+    this->key(key, word);
+    if (!word.empty()) member = row_of_word(rows, word).value;
+  }
+  template <class E>
+  void named(std::string_view key, E& member) {
+    std::string word;
+    this->key(key, word);
+    if (word.empty()) return;
+    int i = 0;
+    while (to_string(static_cast<E>(i)) != word) ++i;
+    member = static_cast<E>(i);
+  }
+  template <class E>
+  void named(std::string_view key, std::optional<E>& member) {
+    if (section_.word(key)) named(key, member.emplace());
+  }
+  /// What stands for a whole object: true, or one of its words.
+  void yes(std::string_view) {}
+  void literal(std::string_view, std::string_view) {}
+
+  /// The keys below a key, where an object stands there. @param held  as for `takes`
+  template <class Keys>
+  void object(std::string_view key, bool /*held*/, Keys keys) {
+    if (!section_.is_object(key)) return;
+    Reading below(section_.section(key));
+    keys(below);
+    complete_ = complete_ && below.complete();
+  }
+  /// An object, true or a word that switch something on. @returns whether it is on
+  template <class T>
+  bool switched(std::string_view key, std::optional<T>& member) {
+    const bool on = section_.is_object(key) || section_.is_word(key) || section_.flag(key).value_or(false);
+    if (on && !member) member.emplace();
+    return on;
+  }
+
+ private:
+  std::optional<double> value_of(std::string_view key, double) { return section_.number(key); }
+  std::optional<bool> value_of(std::string_view key, bool) { return section_.flag(key); }
+  std::optional<std::string> value_of(std::string_view key, const std::string&) { return section_.word(key); }
+  std::optional<std::array<double, 3>> value_of(std::string_view key, const std::array<double, 3>&) {
+    return section_.vector(key);
+  }
+  std::optional<std::array<std::array<double, 3>, 3>> value_of(std::string_view key,
+                                                               const std::array<std::array<double, 3>, 3>&) {
+    return section_.matrix(key);
+  }
+  std::optional<std::vector<double>> value_of(std::string_view key, const std::vector<double>&) {
+    return section_.numbers(key);
+  }
+  std::optional<std::vector<std::string>> value_of(std::string_view key, const std::vector<std::string>&) {
+    return section_.changes(key);
+  }
+  template <class T>
+  std::optional<T> value_of(std::string_view key, const std::optional<T>&) {
+    return value_of(key, T{});
+  }
+
+  input::Section section_;
+  bool complete_ = true;
 };
-
-/// @param source  must outlive the reading   @param overrides  `--set` pairs
-Reading read_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
 }  // namespace earthtop::scenario

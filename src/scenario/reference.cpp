@@ -8,7 +8,7 @@
 
 #include "input/schema.hpp"
 #include "scenario/fields.hpp"
-#include "scenario/reading.hpp"
+#include "scenario/document.hpp"
 #include "scenario/rules.hpp"
 #include "text/json.hpp"
 
@@ -94,8 +94,9 @@ bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != 
 std::string scenario_reference_markdown() { return input::reference_markdown(scenario::fields()); }
 
 std::string annotated_scenario(const ScenarioSource& source) {
-  if (const scenario::Reading reading = scenario::read_scenario(source); !reading.findings.empty())
-    throw ScenarioError(reading.errors(), source.file);
+  const scenario::Document document(source);
+  if (const scenario::Decoded decoded = document.decode(); !decoded.findings.empty())
+    throw ScenarioError(decoded.errors(), source.file);
   std::string text;
   scenario::lay_out(text, scenario::annotated(json_of(source.text), ""), 0);
   return text + '\n';

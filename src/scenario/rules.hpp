@@ -1,25 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which keys go with a word: with a solid's shape, a platform's motion, a criterion's kind; and the methods and precisions
-/// there are. Decoder and schema read the same rows.
+/// The words of a scenario and what they stand for, and which keys go with a word: with a solid's shape, a platform's motion,
+/// a criterion's kind; and the methods and precisions there are. Table of fields, codec and schema read the same rows.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
 
 #include "earthtop/integrate/options.hpp"
+#include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
 #include "earthtop/model/platform_spec.hpp"
+#include "earthtop/model/release_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
 #include "scenario/quantities.hpp"
 
 namespace earthtop::scenario {
 
+/// A word and what it stands for.
+template <class Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+
+inline constexpr std::array kInertiaPoints = {Word<InertiaAbout>{"pivot", InertiaAbout::pivot},
+                                              Word<InertiaAbout>{"center_of_mass", InertiaAbout::center_of_mass}};
+inline constexpr std::array kRateFrames = {Word<RatesRelativeTo>{"laboratory", RatesRelativeTo::laboratory},
+                                           Word<RatesRelativeTo>{"inertial", RatesRelativeTo::inertial}};
+inline constexpr std::array kPrecessions = {Word<Precession>{"none", Precession::none},
+                                            Word<Precession>{"steady_slow", Precession::steady_slow},
+                                            Word<Precession>{"steady_fast", Precession::steady_fast}};
+inline constexpr std::array kDiscFlows = {Word<DiscFlow>{"auto", DiscFlow::automatic},
+                                          Word<DiscFlow>{"laminar", DiscFlow::laminar},
+                                          Word<DiscFlow>{"turbulent", DiscFlow::turbulent}};
+
+/// The row with this word, or with this value; a scenario's words have been held against the table before.
+template <class Rows>
+constexpr const auto& row_of_word(const Rows& rows, std::string_view word) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.word == word; });
+}
+template <class Rows, class Value>
+constexpr const auto& row_of(const Rows& rows, Value value) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; });
+}
+
+/// The words of such rows as a field lists them, joined by '|' at compile time.
+template <const auto& rows>
+struct WordsOf {
+  static constexpr std::size_t kSize = [] {
+    std::size_t size = rows.size() - 1;
+    for (const auto& row : rows) size += row.word.size();
+    return size;
+  }();
+  static constexpr std::array<char, kSize> kLetters = [] {
+    std::array<char, kSize> letters{};
+    std::size_t end = 0;
+    for (const auto& row : rows) {
+      if (end > 0) letters[end++] = '|';
+      for (const char c : row.word) letters[end++] = c;
+    }
+    return letters;
+  }();
+  static constexpr std::string_view text{kLetters.data(), kSize};
+};
+
 enum class Need { required, optional, none };
 
 struct ShapeRule {
   std::string_view word;
-  SolidShape shape;
+  SolidShape value;
   Need radius, inner_radius, length;  ///< a length that is required is above 0
 };
 
@@ -34,7 +85,7 @@ inline constexpr std::array kShapeRules = {
 
 struct MotionRule {
   std::string_view word;
-  PlatformMotion motion;
+  PlatformMotion value;
   std::string_view required;  ///< keys without which nothing moves as the word says, separated by '|'
   std::string_view allowed;   ///< of kMotionKeys
 };
@@ -73,7 +124,7 @@ constexpr StepRule step_rule(Method method) {
 /// What a criterion of a kind must and may say besides kind, set, why and slow.
 struct CriterionRule {
   std::string_view word;
-  CriterionKind kind;
+  CriterionKind value;
   std::string_view required, allowed;  ///< of kCriterionKeys
   std::string_view quantities;         ///< of which there is one; empty where there is none
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies, moves and ends of a Scenario: much code, which sources that hold one would each compile for themselves.
+// Copies, moves, ends and comparisons of a Scenario: much code, which sources that hold one would each compile for themselves.
 #include "earthtop/scenario/scenario.hpp"
+
+#include "earthtop/frames/earth_orientation.hpp"
 
 namespace earthtop {
 
@@ -10,5 +12,17 @@ Scenario::Scenario(Scenario&&) noexcept = default;
 Scenario& Scenario::operator=(const Scenario&) = default;
 Scenario& Scenario::operator=(Scenario&&) noexcept = default;
 Scenario::~Scenario() = default;
+bool Scenario::operator==(const Scenario&) const = default;
+
+double resolved_rotation_rate_rad_s(const Scenario& scenario) {
+  const double excess_s = scenario.excess_length_of_day_ms * 1e-3;
+  return excess_s == 0 ? scenario.rotation_rate_rad_s : earth_rate_with_length_of_day(scenario.rotation_rate_rad_s, excess_s);
+}
+
+Site resolved_site(const Scenario& scenario) {
+  Site site = scenario.site;
+  site.gravity_m_s2 += scenario.gravity_anomaly_m_s2;
+  return site;
+}
 
 }  // namespace earthtop

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene has to say of a scenario's text: whether there is a start, whether effects and method fit, what the run costs.
+#include "scene/examine.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "earthtop/model/release.hpp"
 #include "earthtop/scene/scene.hpp"
-#include "scenario/reading.hpp"
 
 namespace earthtop {
 namespace {
@@ -91,17 +92,21 @@ void check_scene(const Section& root, const Scene& scene) {
 
 }  // namespace
 
-ScenarioReport examine_scenario(const ScenarioSource& source, const Overrides& overrides) {
-  scenario::Reading reading = scenario::read_scenario(source, overrides);
-  if (!reading.is_whole) return {std::nullopt, reading.findings.count(), reading.errors()};
-  const Scene scene(std::move(reading.scenario));
-  if (reading.has_start) check_scene(reading.section(), scene);
-  const input::Findings& findings = reading.findings;
-  ScenarioReport report{std::nullopt, findings.count(), reading.errors(), findings.warnings(reading.text)};
+ScenarioReport examine(const scenario::Document& document, const std::vector<input::Change>& changes) {
+  scenario::Decoded decoded = document.decode(changes);
+  if (!decoded.is_whole) return {std::nullopt, decoded.findings.count(), decoded.errors()};
+  const Scene scene(std::move(decoded.scenario));
+  if (decoded.has_start) check_scene(decoded.section(), scene);
+  const input::Findings& findings = decoded.findings;
+  ScenarioReport report{std::nullopt, findings.count(), decoded.errors(), findings.warnings(decoded.text)};
   if (!findings.empty()) return report;
   report.scenario = scene.scenario();
   report.scene = scene;
   return report;
+}
+
+ScenarioReport examine_scenario(const ScenarioSource& source, const Overrides& overrides) {
+  return examine(scenario::Document(source, overrides));
 }
 
 Scene parse_scene(const ScenarioSource& source, const Overrides& overrides) {

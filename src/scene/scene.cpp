@@ -28,15 +28,20 @@ struct InPrecision {
 }  // namespace
 
 struct Scene::Parts {
-  explicit Parts(Scenario given) : scenario(std::move(given)) {}
+  explicit Parts(Scenario given)
+      : scenario(std::move(given)),
+        site(resolved_site(scenario)),
+        rotation_rate_rad_s(resolved_rotation_rate_rad_s(scenario)) {}
   template <class T>
   const InPrecision<T>& in() const {
     return std::get<InPrecision<T>>(precisions);
   }
 
   const Scenario scenario;
+  const Site site;
+  const double rotation_rate_rad_s;
   std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
-  Once<std::string> canonical, sha256;
+  Once<std::string> identity, sha256;
   Once<int> symmetry_axis;
   Once<NaturalUnits> units;
   Once<PlatformDemand> platform_demand;
@@ -52,13 +57,13 @@ Scene::Scene() : Scene(Scenario()) {}
 Scene::Scene(Scenario scenario) : parts_(std::make_shared<const Parts>(std::move(scenario))) {}
 
 const Scenario& Scene::scenario() const { return parts_->scenario; }
-const Site& Scene::site() const { return parts_->scenario.site; }
-double Scene::rotation_rate_rad_s() const { return parts_->scenario.rotation_rate_rad_s; }
-const std::string& Scene::canonical() const {
-  return parts_->canonical.get([this] { return canonical_json(scenario()); });
+const Site& Scene::site() const { return parts_->site; }
+double Scene::rotation_rate_rad_s() const { return parts_->rotation_rate_rad_s; }
+const std::string& Scene::identity() const {
+  return parts_->identity.get([this] { return identity_json(scenario()); });
 }
 const std::string& Scene::sha256() const {
-  return parts_->sha256.get([this] { return sha256_hex(canonical()); });
+  return parts_->sha256.get([this] { return sha256_hex(identity()); });
 }
 
 bool Scene::is_plain() const { return !scenario().platform && scenario().effects.plain(); }

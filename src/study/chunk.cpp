@@ -13,10 +13,6 @@ constexpr double kMostRows = 200'000;
 
 double rows_of(const Scene& scene) { return 2 + scene.rows(); }
 
-Value axis_cell(const StudyAxis& axis, const Setting& setting) {
-  return setting.at_base ? Value() : read_value(axis_value(axis, setting));
-}
-
 std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch& watch) {
   try {
     return run_batch(scenes, watch);
@@ -48,10 +44,10 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
     result.number = point.number;
     result.values.resize(study.quantities.size());
     for (std::size_t a = 0; a < study.axes.size(); ++a)
-      result.axis_values.push_back(axis_cell(study.axes[a], point.settings[a]));
+      result.axis_values.push_back(axis_value(study.axes[a], point.settings[a]));
     if (watch.asks_to_stop()) {
       result.status = to_string(RunStatus::interrupted);
-    } else if (auto scene = collector.scene(overrides(study, point), result.reason)) {
+    } else if (auto scene = collector.scene(changes(study, point), result.reason)) {
       of_scene.push_back(results.size() - 1);
       scenes.push_back(*std::move(scene));
     } else {

@@ -10,6 +10,7 @@
 
 #include "earthtop/results/provenance.hpp"
 #include "results/summary_section.hpp"
+#include "scene/examine.hpp"
 #include "study/json_text.hpp"
 
 namespace earthtop::study {
@@ -70,7 +71,7 @@ bool is_known_at_the_end(std::string_view path) {
   return false;
 }
 
-Collector::Collector(const Study& study) : study_(study) {
+Collector::Collector(const Study& study) : study_(study), base_(study.base, study.set) {
   paths_.reserve(study.quantities.size());
   for (const StudyQuantity& quantity : study.quantities) {
     std::vector<std::string> steps(1);
@@ -91,8 +92,8 @@ Collector::Collector(const Study& study) : study_(study) {
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
 
-ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::string>>& overrides) const {
-  ScenarioReport report = examine_scenario(study_.base, overrides);
+ScenarioReport Collector::examine(const std::vector<input::Change>& changes) const {
+  ScenarioReport report = earthtop::examine(base_, changes);
   if (!report.scenario) return report;
   Scenario& scenario = *report.scenario;
   scenario.numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
@@ -101,13 +102,12 @@ ScenarioReport Collector::examine(const std::vector<std::pair<std::string, std::
     scenario.sensitivities = false;
     scenario.uncertainty.reset();
   }
-  report.scene = resolve(scenario);
+  if (!(scenario == report.scene->scenario())) report.scene = resolve(scenario);
   return report;
 }
 
-std::optional<Scene> Collector::scene(const std::vector<std::pair<std::string, std::string>>& overrides,
-                                      std::string& refusal) const {
-  ScenarioReport report = examine(overrides);
+std::optional<Scene> Collector::scene(const std::vector<input::Change>& changes, std::string& refusal) const {
+  ScenarioReport report = examine(changes);
   if (!report.scene) refusal = first_message(report);
   return std::move(report.scene);
 }

@@ -9,6 +9,7 @@
 
 #include "earthtop/run_batch.hpp"
 #include "earthtop/study/study.hpp"
+#include "scenario/document.hpp"
 #include "study/value.hpp"
 
 namespace earthtop::study {
@@ -30,22 +31,23 @@ std::string first_message(const ScenarioReport& report);
 /// Whether the value at a path of summary.json can be computed without output rows between release and end.
 bool is_known_at_the_end(std::string_view path);
 
-/// Makes the scenarios of points from their overrides, and collects the values of their runs.
+/// Makes the scenes of a study's points from the base, which is read once, and collects the values of their runs.
 class Collector {
  public:
   explicit Collector(const Study& study);
 
   /// The scenario of a point, or all errors in it.
-  ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
+  ScenarioReport examine(const std::vector<input::Change>& changes) const;
 
   /// The scenario of a point. If it is refused, nothing is returned, and `refusal` receives the reason.
-  std::optional<Scene> scene(const std::vector<std::pair<std::string, std::string>>& overrides, std::string& refusal) const;
+  std::optional<Scene> scene(const std::vector<input::Change>& changes, std::string& refusal) const;
 
   /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;
 
  private:
   const Study& study_;
+  scenario::Document base_;
   bool ends_only_;      ///< no output rows between release and end are needed
   bool sensitivities_;  ///< the drift's derivatives are needed, if the base asks for them
   struct Path {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "earthtop/elementary.hpp"
-#include "study/json_text.hpp"
 #include "study/permutation.hpp"
 
 namespace earthtop {
@@ -131,25 +130,25 @@ void Design::fill_drawn(PlannedPoint& point) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> changes(const StudyAxis& axis, const Setting& setting) {
-  std::vector<std::pair<std::string, std::string>> list;
-  if (setting.at_base) return list;
-  list.reserve(axis.pointers.size());
-  for (std::size_t i = 0; i < axis.pointers.size(); ++i)
-    list.emplace_back(axis.pointers[i],
-                      axis.range ? json_text(value_of(*axis.range, i, setting.fraction)) : axis.levels[setting.level][i]);
-  return list;
+Value axis_value(const StudyAxis& axis, const Setting& setting) {
+  if (setting.at_base) return {};
+  if (!axis.range) return read_value(axis.levels[setting.level].front());
+  const double value = value_of(*axis.range, 0, setting.fraction);
+  return std::isfinite(value) ? Value(value) : Value();
 }
 
-std::string axis_value(const StudyAxis& axis, const Setting& setting) {
-  if (setting.at_base) return "";
-  return axis.range ? json_text(value_of(*axis.range, 0, setting.fraction)) : axis.levels[setting.level].front();
-}
-
-std::vector<std::pair<std::string, std::string>> overrides(const Study& study, const PlannedPoint& point) {
-  std::vector<std::pair<std::string, std::string>> list = study.set;
-  for (std::size_t a = 0; a < study.axes.size(); ++a)
-    for (auto& change : changes(study.axes[a], point.settings[a])) list.push_back(std::move(change));
+std::vector<input::Change> changes(const Study& study, const PlannedPoint& point) {
+  std::vector<input::Change> list;
+  for (std::size_t a = 0; a < study.axes.size(); ++a) {
+    const StudyAxis& axis = study.axes[a];
+    const Setting& setting = point.settings[a];
+    if (setting.at_base) continue;
+    for (std::size_t i = 0; i < axis.pointers.size(); ++i)
+      if (axis.range)
+        list.push_back({axis.pointers[i], value_of(*axis.range, i, setting.fraction)});
+      else
+        list.push_back({axis.pointers[i], axis.levels[setting.level][i]});
+  }
   return list;
 }
 

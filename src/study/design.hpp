@@ -6,11 +6,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "earthtop/study/study.hpp"
+#include "input/overrides.hpp"
+#include "study/value.hpp"
 
 namespace earthtop::study {
 
@@ -51,13 +51,10 @@ class Design {
   std::vector<double> sobol_vector_;  ///< the last one drawn
 };
 
-/// The changes that a setting makes to the scenario: a value (JSON text) for each of the axis's pointers.
-std::vector<std::pair<std::string, std::string>> changes(const StudyAxis& axis, const Setting& setting);
+/// The value at the axis's first pointer, which the results list for the axis; nothing at the base.
+Value axis_value(const StudyAxis& axis, const Setting& setting);
 
-/// The value (JSON text) at the axis's first pointer, which the results list for the axis; empty at the base.
-std::string axis_value(const StudyAxis& axis, const Setting& setting);
-
-/// All changes that a point makes to the base: the study's own changes first, then those of each axis.
-std::vector<std::pair<std::string, std::string>> overrides(const Study& study, const PlannedPoint& point);
+/// The changes that a point's axes make to the study's base; the study's own changes come before them.
+std::vector<input::Change> changes(const Study& study, const PlannedPoint& point);
 
 }  // namespace earthtop::study

@@ -127,7 +127,7 @@ class Decoder {
       if (change.key.starts_with("//")) continue;
       if (!is_pointer(change.key))
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), "is no JSON pointer; e.g. /motion/duration_s");
-      else if (const auto fault = base_ ? std::nullopt : pointer_fault(scenario::fields(), change.key))
+      else if (const auto fault = base_ ? std::nullopt : pointer_target(scenario::fields(), change.key).fault)
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), *fault);
       else
         study_.set.emplace_back(change.key, json_text(change));
@@ -179,7 +179,7 @@ class Decoder {
         return;
       } else if (!pointers_.insert(pointer).second) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{} is varied twice", excerpt(pointer)));
-      } else if (const auto fault = base_ ? std::nullopt : pointer_fault(scenario::fields(), pointer)) {
+      } else if (const auto fault = base_ ? std::nullopt : pointer_target(scenario::fields(), pointer).fault) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{}: {}", excerpt(pointer, 200), *fault));
       }
     if (decoded.pointers.empty()) return;

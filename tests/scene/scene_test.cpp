@@ -42,7 +42,7 @@ TEST(Scene, CopiesShareWhatTheyCompute) {
   EXPECT_EQ(&scene.problem<double>(), &copy.problem<double>());
   EXPECT_EQ(&scene.choice(), &copy.choice());
   EXPECT_EQ(&scene.estimate(), &copy.estimate());
-  EXPECT_EQ(&scene.canonical(), &copy.canonical());
+  EXPECT_EQ(&scene.identity(), &copy.identity());
   EXPECT_EQ(&scene.method_refusal(Method::closed_form), &copy.method_refusal(Method::closed_form));
   EXPECT_NE(&scene.body<double>(), &Scene(testing::toy_top()).body<double>());
 }
@@ -59,7 +59,7 @@ TEST(Scene, HasTheBodyTheReleaseAndTheModelOfItsScenario) {
   EXPECT_EQ(scene.problem<long double>().model.W_IL_L, model.W_IL_L);
   EXPECT_NE(scene.model<long double>().W_IL_L, model.W_IL_L);  // which is in SI units
   EXPECT_EQ(scene.problem<double>().times_s, output_times(scenario.duration_s, scenario.output_step_s));
-  EXPECT_EQ(scene.sha256(), sha256_hex(canonical_json(scenario)));
+  EXPECT_EQ(scene.sha256(), sha256_hex(identity_json(scenario)));
   EXPECT_TRUE(scene.is_plain());
   EXPECT_EQ(scene.symmetry_axis(), 2);
 }
@@ -158,7 +158,7 @@ ScenarioReport examined(const std::string& spin, const std::string& method) {
 TEST(ExamineScenario, GivesTheSceneThatItJudged) {
   const ScenarioReport report = examined("100", "auto");
   ASSERT_TRUE(report.scene);
-  EXPECT_EQ(report.scene->canonical(), canonical_json(*report.scenario));
+  EXPECT_EQ(report.scene->identity(), identity_json(*report.scenario));
 }
 
 // The scene's own complaints stand at their places in the text, sorted with those of the decoder.

@@ -33,8 +33,8 @@ std::vector<double> values(const Study& study, Design& design, std::uint64_t num
   std::vector<double> list;
   const PlannedPoint point = design.point(number);
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    const std::string text = axis_value(study.axes[a], point.settings[a]);
-    list.push_back(text.empty() ? NAN : std::stod(text));
+    const Value value = axis_value(study.axes[a], point.settings[a]);
+    list.push_back(std::holds_alternative<double>(value) ? std::get<double>(value) : NAN);
   }
   return list;
 }
@@ -75,20 +75,19 @@ TEST(OneAtATime, OthersStayAtTheBase) {
   const Study study = study_of(DesignKind::one_at_a_time, {list_axis("x", {"1", "2"}), range_axis("y", 3, 4, 2)});
   Design design(study);
   ASSERT_EQ(point_count(study), 5U);
-  EXPECT_TRUE(overrides(study, design.point(0)).empty());
-  using Changes = std::vector<std::pair<std::string, std::string>>;
-  EXPECT_EQ(overrides(study, design.point(2)), (Changes{{"/x", "2"}}));
-  EXPECT_EQ(overrides(study, design.point(4)), (Changes{{"/y", "4.0"}}));
+  EXPECT_TRUE(changes(study, design.point(0)).empty());
+  using Changes = std::vector<input::Change>;
+  EXPECT_EQ(changes(study, design.point(2)), (Changes{{"/x", "2"}}));
+  EXPECT_EQ(changes(study, design.point(4)), (Changes{{"/y", 4.0}}));
 }
 
 TEST(TiedPointers, ChangeTogether) {
   StudyAxis axis{"pair", {"/a", "/b"}, {}, {}};
   axis.range = StudyAxis::Range{{0, 10}, {1, 30}, 3, false};
   Study study = study_of(DesignKind::grid, {axis});
-  study.set = {{"/c", "true"}};
   Design design(study);
-  using Changes = std::vector<std::pair<std::string, std::string>>;
-  EXPECT_EQ(overrides(study, design.point(1)), (Changes{{"/c", "true"}, {"/a", "0.5"}, {"/b", "20.0"}}));
+  using Changes = std::vector<input::Change>;
+  EXPECT_EQ(changes(study, design.point(1)), (Changes{{"/a", 0.5}, {"/b", 20.0}}));
 }
 
 TEST(Permutation, IsOneForEverySize) {

@@ -85,7 +85,7 @@ TEST(SobolIndices, OfIshigamisFunction) {
   const auto f = [&](std::uint64_t number) {
     const PlannedPoint point = design.point(number);
     double x[3];
-    for (std::size_t i = 0; i < 3; ++i) x[i] = std::stod(axis_value(study.axes[i], point.settings[i]));
+    for (std::size_t i = 0; i < 3; ++i) x[i] = std::get<double>(axis_value(study.axes[i], point.settings[i]));
     return std::sin(x[0]) + a * std::pow(std::sin(x[1]), 2) + b * std::pow(x[2], 4) * std::sin(x[0]) + 1000;
   };
   SobolSums sums(3, 1000 + a / 2);

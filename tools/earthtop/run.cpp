@@ -49,7 +49,7 @@ bool is_another_scene(Scenario scenario, const ScenarioSource& source) {
   scenario.ledger = before.ledger;
   scenario.output_step_s = before.output_step_s;
   scenario.threshold_rad = before.threshold_rad;
-  return canonical_json(scenario) != original->canonical();
+  return identity_json(scenario) != original->identity();
 }
 
 struct RequestedScene {

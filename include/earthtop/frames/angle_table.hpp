@@ -10,6 +10,7 @@ namespace earthtop {
 struct AngleTable {
   std::vector<double> t_s;        ///< strictly ascending; at least four
   std::vector<double> angle_rad;  ///< one for each time
+  bool operator==(const AngleTable&) const = default;
 };
 
 }  // namespace earthtop

@@ -15,6 +15,7 @@ inline constexpr double kGravitationalConstantWgs84 = 3.986004418e14;
 struct PolarMotion {
   double x_arcsec = 0;
   double y_arcsec = 0;
+  bool operator==(const PolarMotion&) const = default;
 };
 
 /// Deflection of the vertical: the zenith of the plumb line relative to the ellipsoid's normal, xi towards North and eta
@@ -24,6 +25,7 @@ struct PolarMotion {
 struct VerticalDeflection {
   double north_arcsec = 0;
   double east_arcsec = 0;
+  bool operator==(const VerticalDeflection&) const = default;
 };
 
 /// The laboratory's site: geodetic latitude and longitude (deg), height above the ellipsoid (m), apparent gravity (m/s^2), and
@@ -35,6 +37,7 @@ struct Site {
   double gravity_m_s2 = 0;
   PolarMotion pole = {};
   VerticalDeflection deflection = {};
+  bool operator==(const Site&) const = default;
   /// Whether the pole is the ellipsoid's axis and Up is the ellipsoid's normal.
   bool follows_ellipsoid() const {
     return pole.x_arcsec == 0 && pole.y_arcsec == 0 && deflection.north_arcsec == 0 && deflection.east_arcsec == 0;

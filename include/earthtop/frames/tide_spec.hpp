@@ -14,6 +14,7 @@ struct TideOptions {
   bool sun = true;
   double gravimetric_factor = 1;
   double tilt_factor = 1;
+  bool operator==(const TideOptions&) const = default;
 };
 
 /// A tide: either that of Moon and Sun from the scenario's start on, or a harmonic oscillation of given amplitude.
@@ -23,6 +24,7 @@ struct TideSpec {
   std::array<double, 3> amplitude_m_s2 = {0, 0, 0};  ///< for the harmonic tide: East, North, Up
   double frequency_hz = 0;
   double phase_deg = 0;
+  bool operator==(const TideSpec&) const = default;
 };
 
 }  // namespace earthtop

@@ -68,6 +68,7 @@ struct KickSteps {
   double step_s = 0;      ///< longest step (s)
   int kicks = 0;          ///< number of kicks in a step, at Gauss nodes; 0: the kicks of the composition ABA(8, 6, 4)
   bool averages = false;  ///< whether the kicks are averaged over the nutation
+  bool operator==(const KickSteps&) const = default;
 };
 
 /// How a problem is to be integrated.
@@ -81,6 +82,7 @@ struct IntegrationOptions {
   std::int64_t step_limit = 2'000'000'000;           ///< largest number of steps
   bool stops_beyond_estimate = true;    ///< whether to stop at ten times the work estimated, where the pace is known
   std::optional<KickSteps> kick_steps;  ///< for long_horizon: the steps to take, instead of searching for them
+  bool operator==(const IntegrationOptions&) const = default;
 };
 
 /// Whether an integration with these options takes the reduced form of a model that has one. `splitting` knows no other, and

@@ -17,6 +17,7 @@ struct AirDragSpec {
   double density_kg_m3 = 1.204;
   double kinematic_viscosity_m2_s = 1.516e-5;
   DiscFlow flow = DiscFlow::automatic;
+  bool operator==(const AirDragSpec&) const = default;
 };
 
 /// The Earth's gravity gradient: only the radial term about the geocentric vertical, the whole tensor of the normal field, or a
@@ -25,11 +26,13 @@ enum class GradientField { radial, normal, given };
 struct GravityGradientSpec {
   GradientField field = GradientField::radial;
   double gm_over_r3_s2 = 0;  ///< for GradientField::given
+  bool operator==(const GravityGradientSpec&) const = default;
 };
 
 /// A gimbal that holds body axis 3 level on the platform; the axis turns freely about Up, apart from damping.
 struct GimbalSpec {
   double damping_N_m_s = 0;
+  bool operator==(const GimbalSpec&) const = default;
 };
 
 /// The applied torques as a scenario gives them; zero or absent means off.
@@ -40,6 +43,7 @@ struct AppliedTorquesSpec {
   std::optional<AirDragSpec> air_drag;
   std::optional<GravityGradientSpec> gravity_gradient;
   std::optional<GimbalSpec> gimbal;
+  bool operator==(const AppliedTorquesSpec&) const = default;
 
   bool any() const {
     return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag || gravity_gradient || gimbal;

@@ -20,6 +20,7 @@ struct Solid {
   std::optional<double> mass_kg;
   std::optional<double> density_kg_m3;
   double at_m = 0;  ///< axial coordinate of its centre of mass, signed
+  bool operator==(const Solid&) const = default;
 };
 
 /// A body as a scenario gives it.
@@ -29,6 +30,7 @@ struct BodySpec {
   InertiaAbout inertia_about = InertiaAbout::pivot;
   std::array<std::array<double, 3>, 3> inertia_kg_m2 = {};
   std::vector<Solid> solids;  ///< if not empty, the four members above are computed from the solids
+  bool operator==(const BodySpec&) const = default;
 };
 
 }  // namespace earthtop

@@ -25,6 +25,15 @@ struct PlatformSpec {
   std::shared_ptr<const AngleTable> table = nullptr;  ///< for PlatformMotion::table; copies share it
   std::string file = {};                              ///< file of the table, as the scenario names it
   std::string file_sha256 = {};                       ///< hash of that file's bytes
+
+  /// Two tables are equal if their rows are.
+  bool operator==(const PlatformSpec& other) const {
+    const bool same_table = table == other.table || (table && other.table && *table == *other.table);
+    return same_table && motion == other.motion && axis == other.axis && rate_rad_s == other.rate_rad_s &&
+           acceleration_rad_s2 == other.acceleration_rad_s2 && amplitude_rad == other.amplitude_rad &&
+           frequency_hz == other.frequency_hz && phase_deg == other.phase_deg && pivot_offset_m == other.pivot_offset_m &&
+           file == other.file && file_sha256 == other.file_sha256;
+  }
 };
 
 }  // namespace earthtop

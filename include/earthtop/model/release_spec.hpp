@@ -24,6 +24,7 @@ struct ReleaseSpec {
   double spin_rad_s = 0;
   Precession precession = Precession::none;
   double precession_rate_rad_s = 0;  ///< counterclockwise about Up; for Precession::given
+  bool operator==(const ReleaseSpec&) const = default;
 };
 
 }  // namespace earthtop

@@ -29,6 +29,7 @@ struct CriterionSpec {
   std::optional<double> tolerance;  ///< largest error; unit of the error
   std::string why;                  ///< where values and tolerance come from
   bool slow = false;                ///< takes over a minute
+  bool operator==(const CriterionSpec&) const = default;
 };
 
 }  // namespace earthtop

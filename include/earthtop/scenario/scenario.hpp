@@ -30,6 +30,7 @@ struct EffectsSpec {
   AppliedTorquesSpec applied;
   std::optional<TideSpec> tide;
   bool automatic = false;  ///< what has no parameter of its own is chosen by the drift error asked for
+  bool operator==(const EffectsSpec&) const = default;
   bool all_on() const { return coriolis && centrifugal && transverse; }
   /// Whether gravity and all three of [F]'s torques act, and nothing else.
   bool plain() const { return all_on() && !applied.any() && !tide; }
@@ -42,6 +43,7 @@ struct HeadlineSpec {
   double value = 0;
   double tolerance = 0;  ///< largest difference, unit of the quantity
   std::string origin;
+  bool operator==(const HeadlineSpec&) const = default;
 };
 
 /// The inputs by which a drift's derivatives are taken, each named by its key and unit.
@@ -56,6 +58,7 @@ struct Scenario {
   Scenario& operator=(const Scenario&);
   Scenario& operator=(Scenario&&) noexcept;
   ~Scenario();
+  bool operator==(const Scenario&) const;
 
   std::string name = "unnamed";
   std::string title;
@@ -63,9 +66,11 @@ struct Scenario {
   std::optional<HeadlineSpec> headline;
   std::vector<CriterionSpec> criteria;
   Site site;
-  double rotation_rate_rad_s = kEarthRateWgs84;  ///< less what a longer day takes of it
-  double excess_length_of_day_s = 0;             ///< which is in the rate already
-  double gravity_anomaly_m_s2 = 0;               ///< which is in the site's gravity already
+  // The next three numbers and the site's gravity are as they were given, or by default; `resolved_rotation_rate_rad_s` and
+  // `resolved_site` put them together.
+  double rotation_rate_rad_s = kEarthRateWgs84;
+  double excess_length_of_day_ms = 0;
+  double gravity_anomaly_m_s2 = 0;
   BodySpec body;
   ReleaseSpec release;
   double duration_s = 0;
@@ -100,8 +105,19 @@ struct ScenarioSource {
 /// file, a directory or a FIFO; ReadError.
 ScenarioSource read_scenario_source(const std::string& path);
 
-/// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers: the identity of
-/// a run. Output location and comments are not part of it.
+/// The Earth's rate of rotation (rad/s), less what the excess length of day takes of it.
+double resolved_rotation_rate_rad_s(const Scenario& scenario);
+/// The site, the gravity anomaly added to its apparent gravity.
+Site resolved_site(const Scenario& scenario);
+
+/// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers. It reads back as an
+/// equal scenario; comments are not part of it.
 std::string canonical_json(const Scenario& scenario);
+
+/// The identity of a run: the canonical text without the keys that only describe the scenario (title, purpose, headline,
+/// criteria), on which no result depends.
+std::string identity_json(const Scenario& scenario);
+/// The top-level keys that only describe a scenario.
+std::vector<std::string_view> describing_keys();
 
 }  // namespace earthtop

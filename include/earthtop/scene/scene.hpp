@@ -73,8 +73,8 @@ class Scene {
   const Site& site() const;
   /// The Earth's rate (rad/s), all effects on it included.
   double rotation_rate_rad_s() const;
-  /// `canonical_json` of the scenario, the identity of a run, and its SHA-256 as 64 hexadecimal digits.
-  const std::string& canonical() const;
+  /// `identity_json` of the scenario, and its SHA-256 as 64 hexadecimal digits: equal for scenarios that compute the same thing.
+  const std::string& identity() const;
   const std::string& sha256() const;
 
   /// Whether the scene is a top under gravity on a pivot at rest in the laboratory, with all three of [F]'s torques: what

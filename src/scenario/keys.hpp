@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// One description of each section of a scenario: its keys and the members that they stand for. `Reading` goes through it to
+/// decode a text, `Writing` to write the canonical one. Keys that exclude each other are variants here; what else several keys
+/// must agree on is a rule of the decoder.
+#pragma once
+
+#include <string_view>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "input/fields.hpp"
+#include "scenario/rules.hpp"
+
+namespace earthtop::scenario {
+
+// -- site and Earth
+
+/// Gravity is given, or computed from latitude and height, with an anomaly or without one: it is written out where it has none.
+template <class Codec, class S>
+void site_keys(Codec& codec, S& scenario) {
+  codec.key("latitude_deg", scenario.site.latitude_deg);
+  codec.key("longitude_deg", scenario.site.longitude_deg);
+  codec.key("height_m", scenario.site.height_m);
+  if (codec.takes("gravity_m_s2", scenario.gravity_anomaly_m_s2 == 0))
+    codec.key("gravity_m_s2", scenario.site.gravity_m_s2);
+  else
+    codec.key("gravity_anomaly_m_s2", scenario.gravity_anomaly_m_s2);
+}
+
+template <class Codec, class S>
+void earth_keys(Codec& codec, S& scenario) {
+  codec.key("rotation_rate_rad_s", scenario.rotation_rate_rad_s);
+}
+
+// -- body
+
+template <class Codec, class S>
+void solid_keys(Codec& codec, S& solid) {
+  codec.word("shape", solid.shape, kShapeRules);
+  // A member that a shape does not have would be refused on reading back; 0 is its default where it has one.
+  codec.sparse("radius_m", solid.radius_m);
+  if (row_of(kShapeRules, solid.shape).inner_radius == Need::required)
+    codec.key("inner_radius_m", solid.inner_radius_m);
+  else
+    codec.sparse("inner_radius_m", solid.inner_radius_m);
+  codec.sparse("length_m", solid.length_m);
+  codec.key("mass_kg", solid.mass_kg);
+  codec.key("density_kg_m3", solid.density_kg_m3);
+  codec.key("at_m", solid.at_m);
+}
+
+/// The tensor is written in full; its principal moments are another way to give it.
+template <class Codec, class S>
+void inertia_keys(Codec& codec, S& body) {
+  codec.word("about", body.inertia_about, kInertiaPoints);
+  if constexpr (!Codec::kWrites) {
+    if (codec.takes("principal_kg_m2", false)) {
+      std::array<double, 3> moments = {};
+      codec.key("principal_kg_m2", moments);
+      for (std::size_t i = 0; i < 3; ++i) body.inertia_kg_m2[i][i] = moments[i];
+      return;
+    }
+  }
+  codec.key("matrix_kg_m2", body.inertia_kg_m2);
+}
+
+/// A body that is no union of solids.
+template <class Codec, class S>
+void body_keys(Codec& codec, S& body) {
+  codec.key("mass_kg", body.mass_kg);
+  codec.key("center_of_mass_m", body.center_of_mass_m);
+  codec.object("inertia", true, [&](auto& below) { inertia_keys(below, body); });
+}
+
+// -- release
+
+template <class Codec, class S>
+void attitude_keys(Codec& codec, S& release) {
+  if (codec.takes("quaternion_LB", release.quaternion_LB.has_value())) {
+    if constexpr (!Codec::kWrites) release.quaternion_LB.emplace();
+    codec.object("quaternion_LB", true, [&](auto& below) {
+      constexpr std::string_view kParts[] = {"w", "x", "y", "z"};
+      for (std::size_t i = 0; i < 4; ++i) below.key(kParts[i], (*release.quaternion_LB)[i]);
+    });
+    return;
+  }
+  codec.key("tilt_deg", release.tilt_deg);
+  codec.key("azimuth_deg", release.azimuth_deg);
+  codec.key("spin_angle_deg", release.spin_angle_deg);
+}
+
+template <class Codec, class S>
+void rates_keys(Codec& codec, S& release) {
+  if (codec.takes("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s.has_value()))
+    return codec.key("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s);
+  codec.key("spin_rad_s", release.spin_rad_s);
+  if constexpr (!Codec::kWrites)
+    if (codec.is_object("precession")) release.precession = Precession::given;
+  if (release.precession == Precession::given)
+    codec.object("precession", true, [&](auto& below) { below.key("rate_rad_s", release.precession_rate_rad_s); });
+  else
+    codec.word("precession", release.precession, kPrecessions);
+}
+
+// -- motion and platform
+
+template <class Codec, class S>
+void motion_keys(Codec& codec, S& scenario) {
+  codec.key("duration_s", scenario.duration_s);
+  codec.key("output_step_s", scenario.output_step_s);
+  codec.key("start_utc", scenario.start_utc);
+}
+
+template <class Codec, class S>
+void platform_keys(Codec& codec, S& platform) {
+  codec.word("motion", platform.motion, kMotionRules);
+  codec.key("axis", platform.axis);
+  codec.key("pivot_offset_m", platform.pivot_offset_m);
+  const auto of_motion = [&](std::string_view key, auto& member) {
+    if (!Codec::kWrites || input::lists(row_of(kMotionRules, platform.motion).allowed, key)) codec.key(key, member);
+  };
+  of_motion("rate_rad_s", platform.rate_rad_s);
+  of_motion("acceleration_rad_s2", platform.acceleration_rad_s2);
+  of_motion("amplitude_rad", platform.amplitude_rad);
+  of_motion("frequency_hz", platform.frequency_hz);
+  of_motion("phase_deg", platform.phase_deg);
+  of_motion("file", platform.file);
+  of_motion("file_sha256", platform.file_sha256);  // the table itself, as far as the run's identity goes
+}
+
+// -- effects: those that are off are left out, so that a scene of before they were known keeps its identity
+
+template <class Codec, class S>
+void air_drag_keys(Codec& codec, S& air) {
+  codec.key("disc_radius_m", air.disc_radius_m);
+  codec.key("density_kg_m3", air.density_kg_m3);
+  codec.key("kinematic_viscosity_m2_s", air.kinematic_viscosity_m2_s);
+  codec.word("flow", air.flow, kDiscFlows);
+}
+
+template <class Codec, class S>
+void gravity_gradient_key(Codec& codec, S& gradient) {
+  constexpr std::string_view kKey = "gravity_gradient";
+  if (!codec.switched(kKey, gradient)) return;
+  if constexpr (!Codec::kWrites)
+    gradient->field = codec.is_object(kKey) ? GradientField::given
+                      : codec.is_word(kKey) ? GradientField::normal
+                                            : GradientField::radial;
+  switch (gradient->field) {
+    case GradientField::radial: return codec.yes(kKey);
+    case GradientField::normal: return codec.literal(kKey, "normal");
+    case GradientField::given:
+      return codec.object(kKey, true, [&](auto& below) { below.key("gm_over_r3_s2", gradient->gm_over_r3_s2); });
+  }
+}
+
+/// A tide of given amplitude, or that of Moon and Sun.
+template <class Codec, class S>
+void tide_key(Codec& codec, S& tide) {
+  if (!codec.switched("tide", tide)) return;
+  codec.object("tide", true, [&](auto& below) {
+    if constexpr (!Codec::kWrites) tide->given = below.takes("amplitude_m_s2", false);
+    if (tide->given) {
+      below.key("amplitude_m_s2", tide->amplitude_m_s2);
+      below.key("frequency_hz", tide->frequency_hz);
+      below.key("phase_deg", tide->phase_deg);
+    } else {
+      below.key("gravimetric_factor", tide->options.gravimetric_factor);
+      below.key("tilt_factor", tide->options.tilt_factor);
+    }
+  });
+}
+
+/// The pole that `true` looks up by the date is written as the numbers found, so that the text says all that was computed with.
+template <class Codec, class S>
+void orientation_keys(Codec& codec, S& scenario) {
+  auto& pole = scenario.site.pole;
+  codec.object("polar_motion", !(pole == PolarMotion{}), [&](auto& below) {
+    below.key("x_arcsec", pole.x_arcsec);
+    below.key("y_arcsec", pole.y_arcsec);
+  });
+  auto& deflection = scenario.site.deflection;
+  codec.object("deflection_of_vertical", !(deflection == VerticalDeflection{}), [&](auto& below) {
+    below.key("north_arcsec", deflection.north_arcsec);
+    below.key("east_arcsec", deflection.east_arcsec);
+  });
+  codec.sparse("excess_length_of_day_ms", scenario.excess_length_of_day_ms);
+}
+
+template <class Codec, class S>
+void torque_keys(Codec& codec, S& effects) {
+  codec.key("coriolis", effects.coriolis);
+  codec.key("centrifugal", effects.centrifugal);
+  codec.key("transverse", effects.transverse);
+  auto& applied = effects.applied;
+  codec.sparse("viscous_torque_N_m_s", applied.viscous_N_m_s);
+  codec.sparse("quadratic_torque_N_m_s2", applied.quadratic_N_m_s2);
+  codec.sparse("coulomb_torque_N_m", applied.coulomb_N_m);
+  if (codec.switched("air_drag", applied.air_drag))
+    codec.object("air_drag", true, [&](auto& below) { air_drag_keys(below, *applied.air_drag); });
+  gravity_gradient_key(codec, applied.gravity_gradient);
+  if (codec.switched("gimbal", applied.gimbal))
+    codec.object("gimbal", true, [&](auto& below) { below.key("damping_N_m_s", applied.gimbal->damping_N_m_s); });
+  if (codec.takes("select", effects.automatic)) {
+    codec.literal("select", "auto");
+    if constexpr (!Codec::kWrites) effects.automatic = true;
+  }
+}
+
+// -- numerics
+
+/// A step that is given stands in place of the tolerance from which one is found; a closed form has neither.
+template <class Codec, class S>
+void numerics_keys(Codec& codec, S& scenario) {
+  auto& options = scenario.numerics;
+  codec.named("method", options.method);
+  codec.named("observer", options.observer);
+  codec.named("model", options.form);
+  codec.named("precision", scenario.precision);
+  if (!Codec::kWrites || (!options.step_s && options.method != Method::closed_form))
+    codec.key("relative_tolerance", options.relative_tolerance);
+  codec.key("step_s", options.step_s);
+  if (!Codec::kWrites || options.composition != Composition::automatic) codec.named("composition", options.composition);
+  codec.named("ledger", scenario.ledger);
+}
+
+// -- what is asked of the run, and what is known of it
+
+/// Standard errors bring the derivatives with them.
+template <class Codec, class S>
+void report_keys(Codec& codec, S& scenario) {
+  codec.key("threshold_rad", scenario.threshold_rad);
+  if (!Codec::kWrites || !scenario.uncertainty) codec.sparse("sensitivities", scenario.sensitivities);
+}
+
+template <class Codec, class S>
+void uncertainty_keys(Codec& codec, S& standard_errors) {
+  for (std::size_t i = 0; i < kInputNames.size(); ++i) codec.key(kInputNames[i], standard_errors[i]);
+}
+
+template <class Codec, class S>
+void headline_keys(Codec& codec, S& headline) {
+  codec.key("quantity", headline.quantity);
+  codec.key("at_s", headline.at_s);
+  codec.key("value", headline.value);
+  codec.key("tolerance", headline.tolerance);
+  codec.key("origin", headline.origin);
+}
+
+template <class Codec, class S>
+void criterion_keys(Codec& codec, S& criterion) {
+  codec.word("kind", criterion.kind, kCriterionRules);
+  codec.sparse("quantity", criterion.quantity);
+  codec.sparse("set", criterion.set);
+  codec.sparse("values", criterion.values);
+  codec.key("at_s", criterion.at_s);
+  codec.key("until_s", criterion.until_s);
+  codec.key("tolerance", criterion.tolerance);
+  codec.key("why", criterion.why);
+  codec.sparse("slow", criterion.slow);
+}
+
+template <class Codec, class S>
+void description_keys(Codec& codec, S& scenario) {
+  codec.key("name", scenario.name);
+  codec.sparse("title", scenario.title);
+  codec.sparse("purpose", scenario.purpose);
+}
+
+}  // namespace earthtop::scenario

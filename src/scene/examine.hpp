@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Examines a scenario whose text has been read already, for those who change its values many times.
+#pragma once
+
+#include <vector>
+
+#include "earthtop/scene/scene.hpp"
+#include "scenario/document.hpp"
+
+namespace earthtop {
+
+/// Decodes and validates the document's scenario with some values changed. Its messages are those of `examine_scenario` with the
+/// same values as overrides.
+ScenarioReport examine(const scenario::Document& document, const std::vector<input::Change>& changes = {});
+
+}  // namespace earthtop

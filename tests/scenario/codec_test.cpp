@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every key of the table of fields, set to a legal value that is not its default: it must come back from the canonical text,
+// and change the identity of the run unless it only describes the scenario. A key that the table has and the codec lacks fails.
+#include <fmt/core.h>
+
+#include <fstream>
+#include <map>
+
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
+#include "scenario/fields.hpp"
+#include "support.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace earthtop::scenario_test {
+namespace {
+
+using input::Field, input::FieldKind;
+
+/// What a key needs beside it, and its value where the one made up for its kind would not be legal there.
+struct Setting {
+  Overrides base;
+  std::string value = "";
+  Overrides instead = {};           ///< where the key cannot be changed alone
+  bool has_one_value_only = false;  ///< the key may be given, but says nothing new
+};
+
+const std::string kStart = "2026-11-22T12:00:00Z";
+
+/// By the beginning of the pointer pattern; the longest one counts.
+const std::map<std::string, Setting>& settings() {
+  static const auto* all = new std::map<std::string, Setting>{
+      {"", {}},
+      {"/$schema", {{}, "\"earthtop-scenario-1.json\"", {}, true}},
+      {"/headline", {{{"/headline", R"({"quantity": "drift_axis_rad", "value": 1, "tolerance": 1, "origin": ""})"}}}},
+      {"/criteria",
+       {{{"/criteria", R"([{"kind": "value", "quantity": "drift_axis_rad", "values": [1], "tolerance": 1, "why": ""}])"}}}},
+      {"/criteria/*/kind",
+       {{{"/criteria", R"([{"kind": "order", "quantity": "convergence", "tolerance": 1, "why": ""}])"}},
+        "",
+        {{"/criteria", R"([{"kind": "exactly_zero", "quantity": "drift", "why": ""}])"}}}},
+      {"/criteria/*/until_s",
+       {{{"/criteria", R"([{"kind": "closed_form", "quantity": "reference", "tolerance": 1, "why": ""}])"}}}},
+      {"/body/mass_kg", {{}, "0.11"}},
+      {"/body/center_of_mass_m", {{}, "[0, 0, 0.02]"}},
+      {"/body/inertia/principal_kg_m2", {{}, "[3e-4, 3e-4, 4e-5]"}},
+      {"/body/inertia/matrix_kg_m2",
+       {{{"/body/inertia", R"({"matrix_kg_m2": [[2e-4, 0, 0], [0, 2e-4, 0], [0, 0, 4e-5]]})"}},
+        "[[2e-4, 1e-6, 0], [1e-6, 2e-4, 0], [0, 0, 4e-5]]"}},
+      {"/body/solids", {{{"/body", R"({"solids": [{"shape": "cylinder", "radius_m": 0.1, "length_m": 0.2, "mass_kg": 1}]})"}}}},
+      {"/body/solids/*/inner_radius_m",
+       {{{"/body", R"({"solids": [{"shape": "ring", "radius_m": 0.5, "inner_radius_m": 0, "mass_kg": 1}]})"}}}},
+      {"/body/solids/*/density_kg_m3",
+       {{{"/body", R"({"solids": [{"shape": "sphere", "radius_m": 0.5, "density_kg_m3": 1000}]})"}}}},
+      {"/release/quaternion_LB",
+       {{{"/release", R"({"quaternion_LB": {"w": 1, "x": 0, "y": 0, "z": 0}, "spin_rad_s": 200})"}}, "0.001"}},
+      {"/release/quaternion_LB/w",
+       {{{"/release", R"({"quaternion_LB": {"w": 1, "x": 0, "y": 0, "z": 0}, "spin_rad_s": 200})"}}, "0.9999995"}},
+      {"/release/angular_velocity_body_rad_s",
+       {{{"/release", R"({"tilt_deg": 20, "angular_velocity_body_rad_s": [1, 2, 3]})"}}}},
+      {"/release/precession/rate_rad_s", {{{"/release/precession", R"({"rate_rad_s": 1})"}}}},
+      {"/motion/start_utc", {{}, "\"" + kStart + "\""}},
+      {"/platform", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}}},
+      {"/platform/motion",
+       {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}},
+        "",
+        {{"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 1})"}}}},
+      {"/platform/acceleration_rad_s2", {{{"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 1})"}}}},
+      {"/platform/amplitude_rad", {{{"/platform", R"({"motion": "harmonic", "amplitude_rad": 1, "frequency_hz": 1})"}}}},
+      {"/platform/frequency_hz", {{{"/platform", R"({"motion": "harmonic", "amplitude_rad": 1, "frequency_hz": 1})"}}}},
+      {"/platform/phase_deg", {{{"/platform", R"({"motion": "harmonic", "amplitude_rad": 1, "frequency_hz": 1})"}}}},
+      {"/platform/file", {{{"/platform", R"({"motion": "table", "file": "one.csv"})"}}, "\"other.csv\""}},
+      {"/platform/file_sha256", {{{"/platform", R"({"motion": "table", "file": "one.csv"})"}}, "SHA256 OF ONE", {}, true}},
+      {"/effects", {{{"/accuracy/drift_rad", "1e-3"}}}},
+      {"/effects/gravity_gradient/gm_over_r3_s2", {{{"/effects/gravity_gradient", R"({"gm_over_r3_s2": 1})"}}}},
+      {"/effects/tide", {{{"/motion/start_utc", kStart}}}},
+      {"/effects/tide/gravimetric_factor", {{{"/motion/start_utc", kStart}, {"/effects/tide", "{}"}}}},
+      {"/effects/tide/tilt_factor", {{{"/motion/start_utc", kStart}, {"/effects/tide", "{}"}}}},
+      {"/effects/tide/amplitude_m_s2", {{{"/effects/tide", R"({"amplitude_m_s2": [1, 0, 0], "frequency_hz": 1})"}}}},
+      {"/effects/tide/frequency_hz", {{{"/effects/tide", R"({"amplitude_m_s2": [1, 0, 0], "frequency_hz": 1})"}}}},
+      {"/effects/tide/phase_deg", {{{"/effects/tide", R"({"amplitude_m_s2": [1, 0, 0], "frequency_hz": 1})"}}}},
+      {"/effects/polar_motion", {{{"/motion/start_utc", kStart}}}},
+      {"/effects/polar_motion/x_arcsec", {{{"/effects/polar_motion", R"({"x_arcsec": 0, "y_arcsec": 0})"}}}},
+      {"/effects/polar_motion/y_arcsec", {{{"/effects/polar_motion", R"({"x_arcsec": 0, "y_arcsec": 0})"}}}},
+      {"/effects/viscous_torque_N_m_s", {{}, "1e-6"}},
+      {"/effects/quadratic_torque_N_m_s2", {{}, "1e-9"}},
+      {"/effects/coulomb_torque_N_m", {{}, "1e-6"}},
+      {"/effects/air_drag", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
+      {"/effects/air_drag/disc_radius_m", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}, "0.03"}},
+      {"/effects/gimbal", {{{"/release/tilt_deg", "90"}}}},
+      {"/effects/gimbal/damping_N_m_s", {{{"/release/tilt_deg", "90"}, {"/effects/gimbal", "{}"}}, "1e-6"}},
+      {"/numerics/step_s", {{{"/numerics/method", "gauss"}}, "1e-3"}},
+      {"/numerics/composition", {{{"/numerics/method", "splitting"}}}},
+  };
+  return *all;
+}
+
+const Setting& setting_of(std::string pattern) {
+  while (!settings().contains(pattern)) pattern.resize(pattern.rfind('/'));
+  return settings().at(pattern);
+}
+
+/// A legal value of the field's kind that is not its default, as JSON.
+std::string made_up(const Field& field) {
+  switch (field.kind) {
+    case FieldKind::text: return "\"another text\"";
+    case FieldKind::name: return "\"another-name\"";
+    case FieldKind::flag: return field.fallback == "true" ? "false" : "true";
+    case FieldKind::flag_or_object: return "true";
+    case FieldKind::word:
+    case FieldKind::object_or_word:
+      for (const std::string_view word : input::split_words(field.words))
+        if (fmt::format("\"{}\"", word) != field.fallback) return fmt::format("\"{}\"", word);
+      return "";
+    case FieldKind::number:
+      for (const double value : {0.25, 2e-3, -0.5})
+        if (field.range.contains(value) && fmt::format("{}", value) != field.fallback) return fmt::format("{}", value);
+      return "";
+    case FieldKind::vector3: return "[0.1, 0.2, 0.3]";
+    case FieldKind::numbers: return "[0.25]";
+    case FieldKind::changes: return "[\"/motion/duration_s=2\"]";
+    default: return "";
+  }
+}
+
+class Codec : public ::testing::Test {
+ protected:
+  Codec() {
+    for (const auto& [file, last] : {std::pair("one.csv", "0.3"), std::pair("other.csv", "0.4")})
+      std::ofstream(temporary_.path() / file) << "t_s,angle_rad\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
+  }
+  Scenario decoded(const std::string& text, const Overrides& overrides = {}) const {
+    return parse_scenario({(temporary_.path() / "minimal.json").string(), text}, overrides);
+  }
+  testing::TemporaryDirectory temporary_;
+};
+
+bool only_describes(const Field& field) {
+  for (const std::string_view key : describing_keys())
+    if (field.pointer == fmt::format("/{}", key) || field.pointer.starts_with(fmt::format("/{}/", key))) return true;
+  return false;
+}
+
+TEST_F(Codec, EveryKeyOfTheTableComesBackAndDecidesTheIdentity) {
+  int walked = 0;
+  for (const Field& field : scenario::fields().fields) {
+    if (field.kind == FieldKind::object || field.kind == FieldKind::list) continue;  // what lies below them is walked
+    SCOPED_TRACE(std::string(field.pointer));
+    const Setting& setting = setting_of(std::string(field.pointer));
+    const Scenario base = decoded(kMinimal, setting.base);
+    Overrides overrides = setting.base;
+    std::string pointer(field.pointer);
+    if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';
+    std::string value = setting.value.empty() ? made_up(field) : setting.value;
+    if (value == "SHA256 OF ONE") value = fmt::format("\"{}\"", base.platform->file_sha256);
+    if (setting.instead.empty())
+      overrides.emplace_back(pointer, value);
+    else
+      overrides.insert(overrides.end(), setting.instead.begin(), setting.instead.end());
+    const Scenario scenario = decoded(kMinimal, overrides);
+    EXPECT_EQ(scenario == base, setting.has_one_value_only);
+
+    const std::string canonical = canonical_json(scenario);
+    const Scenario again = decoded(canonical);
+    EXPECT_TRUE(again == scenario) << canonical;
+    EXPECT_EQ(canonical_json(again), canonical);
+    EXPECT_EQ(resolve(again).sha256(), resolve(scenario).sha256());
+    EXPECT_EQ(resolve(scenario).sha256() == resolve(base).sha256(), only_describes(field) || setting.has_one_value_only);
+    ++walked;
+  }
+  EXPECT_GT(walked, 80);
+}
+
+TEST_F(Codec, WhatIsLeftOutOfTheIdentityIsReadBack) {
+  const Scenario scenario = decoded(kMinimal, {{"/title", "a title"}, {"/purpose", "a purpose"}});
+  EXPECT_EQ(identity_json(scenario), identity_json(decoded(kMinimal)));
+  EXPECT_EQ(decoded(canonical_json(scenario)).purpose, "a purpose");
+}
+
+/// Solids, an attitude by quaternion, and platforms: variants that a walk of single keys does not reach.
+TEST_F(Codec, VariantsComeBack) {
+  const Overrides variants = {
+      {"/body", R"({"solids": [{"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0, "mass_kg": 1, "at_m": -0.1},
+                               {"shape": "rod", "length_m": 0.1, "mass_kg": 0.1},
+                               {"shape": "sphere", "radius_m": 0.1, "density_kg_m3": 1000},
+                               {"shape": "cone", "radius_m": 0.1, "length_m": 0.2, "density_kg_m3": 1000}]})"},
+      {"/release", R"({"quaternion_LB": {"w": 0.6, "x": 0, "y": 0.8, "z": 0}, "angular_velocity_body_rad_s": [1, 2, 3]})"},
+      {"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 1e-3, "pivot_offset_m": [1, 2, 3]})"},
+      {"/effects/gravity_gradient", "normal"},
+      {"/numerics", R"({"method": "abm8", "step_s": 1e-3})"},
+      {"/numerics", R"({"precision": "float128"})"}};
+  for (const auto& variant : variants) {
+    const Scenario scenario = decoded(kMinimal, {variant});
+    EXPECT_TRUE(decoded(canonical_json(scenario)) == scenario) << variant.first;
+    EXPECT_NE(identity_json(scenario), identity_json(decoded(kMinimal))) << variant.first;
+  }
+  const Scenario exact = decoded(kMinimal, {{"/earth/rotation_rate_rad_s", "0"}, {"/numerics/method", "closed_form"}});
+  EXPECT_TRUE(decoded(canonical_json(exact)) == exact);
+}
+
+/// Numbers that are computed from what was given: the canonical text must not give them twice, nor lose them.
+TEST_F(Codec, TheCanonicalTextRunsToTheSameNumbers) {
+  const std::vector<Overrides> scenes = {{{"/effects/excess_length_of_day_ms", "900"}},
+                                         {{"/site/gravity_anomaly_m_s2", "0.05"}, {"/site/height_m", "1000"}},
+                                         {{"/effects/polar_motion", "true"}, {"/motion/start_utc", kStart}},
+                                         {{"/effects/tide", R"({"tilt_factor": 0.7})"}, {"/motion/start_utc", kStart}}};
+  const std::string plain = summary_json(run(decoded(kMinimal, {{"/motion/duration_s", "1"}})));
+  for (Overrides scene : scenes) {
+    scene.emplace_back("/motion/duration_s", "1");
+    const Scenario scenario = decoded(kMinimal, scene);
+    const std::string summary = summary_json(run(scenario));
+    EXPECT_EQ(summary_json(run(decoded(canonical_json(scenario)))), summary) << scene.front().first;
+    EXPECT_NE(summary.substr(0, summary.find("\"scenario\"")), plain.substr(0, plain.find("\"scenario\""))) << scene[0].first;
+  }
+}
+
+}  // namespace
+}  // namespace earthtop::scenario_test
