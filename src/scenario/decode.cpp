@@ -7,7 +7,6 @@
 
 #include "scenario/check.hpp"
 #include "scenario/overrides.hpp"
-#include "scenario/plausibility.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/reading.hpp"
 
@@ -96,7 +95,6 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   scenario.threshold_rad = root.section("report").number("threshold_rad");
   scenario.sensitivities = root.section("report").flag("sensitivities").value_or(false) || root.has("uncertainty");
   if (root.has("uncertainty")) scenario.uncertainty = decode_uncertainty(root.section("uncertainty"));
-  warn_of_implausible(root, scenario);
   return body && release && gravity;
 }
 

@@ -8,6 +8,7 @@
 #include "earthtop/model/release.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "scenario/reading.hpp"
+#include "scene/plausibility.hpp"
 
 namespace earthtop {
 namespace {
@@ -96,6 +97,7 @@ ScenarioReport examine_scenario(const ScenarioSource& source, const Overrides& o
   if (!reading.is_whole) return {std::nullopt, reading.findings.count(), reading.errors()};
   const Scene scene(std::move(reading.scenario));
   if (reading.has_start) check_scene(reading.section(), scene);
+  warn_of_implausible(reading.section(), scene);
   const scenario::Findings& findings = reading.findings;
   ScenarioReport report{std::nullopt, findings.count(), reading.errors(), findings.warnings(reading.text)};
   if (!findings.empty()) return report;
