@@ -100,7 +100,7 @@ double estimated_seconds_of(const Scene& scene, const Recipe& recipe, double tol
   constexpr std::size_t kRows = 60;
   scenario.output_step_s = scenario.duration_s / kRows;
   const Scene planned = resolve(std::move(scenario));
-  return planned.seconds(planned.choice().options);
+  return planned.costs()[0].seconds;
 }
 
 }  // namespace

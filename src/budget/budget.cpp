@@ -11,7 +11,6 @@
 #include "budget/candidates.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
-#include "scene/run_estimate.hpp"
 
 namespace earthtop {
 namespace {
@@ -106,7 +105,7 @@ bool has_affordable_drift(const Scene& scene) {
 double drift_seconds(const Scene& scene, double followed_s) {
   if (!(followed_s < scene.scenario().duration_s)) return 0;
   const Scene drift = drift_scene(scene);
-  return has_affordable_drift(drift) ? drift.seconds(drift.choice().options) : 0;
+  return has_affordable_drift(drift) ? drift.costs()[0].seconds : 0;
 }
 
 /// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it

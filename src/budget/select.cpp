@@ -8,7 +8,7 @@
 #include "drift/stability.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
-#include "scene/run_estimate.hpp"
+#include "scene/input_derivatives.hpp"
 
 namespace earthtop {
 namespace {

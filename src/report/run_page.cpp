@@ -221,7 +221,7 @@ double largest_gravity(const Run& run) {
 }
 
 std::string ledger_section(const Run& run, Page& page) {
-  if (!run.scene || run.scene->work(run.scene->choice().options).steps > kBudgetSteps)
+  if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
     return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
   const Budget budget = effect_budget(*run.scene);
   std::vector<Bar> bars;

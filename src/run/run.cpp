@@ -30,7 +30,7 @@ IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions option
   constexpr double kShortRun = 1e6;  // steps
   const bool long_horizon = options.method == Method::long_horizon;
   if (!options.stops_beyond_estimate || !(long_horizon || options.method == Method::closed_form)) return options;
-  Work work = scene.work(options);
+  Work work = scene.cost(options).work;
   if (long_horizon) work.steps = std::max(work.steps, kShortRun);
   options.step_limit = std::min(options.step_limit, limit_of(work).steps);
   return options;

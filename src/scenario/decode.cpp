@@ -11,7 +11,6 @@
 #include "scenario/document.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
-#include "scenario/plausibility.hpp"
 #include "scenario/reading.hpp"
 
 namespace earthtop::scenario {
@@ -92,7 +91,6 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
     uncertainty_keys(uncertainty, scenario.uncertainty.emplace());
     scenario.sensitivities = true;
   }
-  warn_of_implausible(root, scenario);
   return body && release && gravity;
 }
 

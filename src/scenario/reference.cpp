@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "input/schema.hpp"
-#include "scenario/fields.hpp"
 #include "scenario/document.hpp"
+#include "scenario/fields.hpp"
 #include "scenario/rules.hpp"
 #include "text/json.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "earthtop/model/release.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "scene/plausibility.hpp"
 
 namespace earthtop {
 namespace {
@@ -97,6 +98,7 @@ ScenarioReport examine(const scenario::Document& document, const std::vector<inp
   if (!decoded.is_whole) return {std::nullopt, decoded.findings.count(), decoded.errors()};
   const Scene scene(std::move(decoded.scenario));
   if (decoded.has_start) check_scene(decoded.section(), scene);
+  warn_of_implausible(decoded.section(), scene);
   const input::Findings& findings = decoded.findings;
   ScenarioReport report{std::nullopt, findings.count(), decoded.errors(), findings.warnings(decoded.text)};
   if (!findings.empty()) return report;

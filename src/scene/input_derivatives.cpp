@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/problem.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -165,6 +165,15 @@ std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s
   if (phase > kAffordablePhase)
     return fmt::format("{:.1e} rad of the fastest rate would take minutes; at most {:.0e} are done", phase, kAffordablePhase);
   return std::nullopt;
+}
+
+double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
+  // A right-hand side with four inputs' variations against one of both motions and their deviation, as measured on a toy top, a
+  // body of three moments and a gyrocompass.
+  constexpr double kAgainstOne = 4;
+  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
+  return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *
+         variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
 }
 
 }  // namespace earthtop

@@ -20,5 +20,7 @@ InputDerivatives input_derivatives(const Scene& scene);
 inline constexpr double kSensitivityTolerance = 1e-11;
 /// Why the drift's derivatives at a time (s) cannot be had; nothing where they can.
 std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s);
+/// The seconds that they take by so many inputs, followed from the release to a time (s).
+double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs);
 
 }  // namespace earthtop

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/integration_cost.hpp"
-
+// What one integration costs whose options are known, before any of it is done.
 #include <algorithm>
 #include <cmath>
 
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/method_fit.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -58,7 +57,7 @@ double slowness(Precision precision) {
   return 1;
 }
 
-/// Seconds for one evaluation, as `integration_work` counts them.
+/// Seconds for one evaluation, as the work counts them.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
   if (options.method == Method::long_horizon) return 2.5e-6;
@@ -80,20 +79,21 @@ double general_evaluation_seconds(const Scene& scene) {
   return scene.is_plain() ? 1.8e-7 : 2.8e-7;
 }
 
-Work integration_work(const Scene& scene, const IntegrationOptions& options) {
-  if (options.method == Method::closed_form) return work_of_closed_form(scene);
-  if (is_long_horizon(scene, options)) return long_horizon_work(scene);
-  return estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
-}
-
-double integration_seconds(const Scene& scene, const IntegrationOptions& options) {
+IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   constexpr double kSecondsALook = 1e-6;
+  IntegrationCost cost;
+  const bool closed_form = options.method == Method::closed_form, long_horizon = is_long_horizon(scene, options);
+  if (closed_form)
+    cost.work = work_of_closed_form(scene);
+  else if (long_horizon)
+    cost.work = long_horizon_work(scene);
+  else
+    cost.work = estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
+  cost.seconds = seconds_an_evaluation(scene, options) * cost.work.evaluations;
   // Where the two motions are not one and a turn of the laboratory, a closed form's drift needs digits that only 113 bits have.
-  const double seconds_a_row = scene.is_one_motion() ? 1e-6 : 1e-4;
-  double seconds = seconds_an_evaluation(scene, options) * integration_work(scene, options).evaluations;
-  if (options.method == Method::closed_form) seconds += seconds_a_row * scene.rows();
-  if (is_long_horizon(scene, options)) seconds += kSecondsALook * long_horizon_looks(scene);
-  return seconds;
+  if (closed_form) cost.seconds += (scene.is_one_motion() ? 1e-6 : 1e-4) * scene.rows();
+  if (long_horizon) cost.seconds += kSecondsALook * long_horizon_looks(scene);
+  return cost;
 }
 
 }  // namespace earthtop

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/method_choice.hpp"
-
+// What "auto" means for a scene.
 #include <algorithm>
+
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -29,7 +30,7 @@ IntegrationOptions with_finer_tolerance(const Scene& scene, Method method, doubl
 double seconds_with(const Scene& scene, const IntegrationOptions& options) {
   constexpr double kSecondsAnEvaluation = 1.5e-7, kKick = 20;
   const double each = options.method == Method::long_horizon ? kKick : 1;
-  return 2 * kSecondsAnEvaluation * each * scene.work(options).evaluations;
+  return 2 * kSecondsAnEvaluation * each * scene.cost(options).work.evaluations;
 }
 
 /// Where the difference of the two motions is a turn of the laboratory, closed forms cost their calls; elsewhere digits that

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/method_fit.hpp"
-
+// Which method fits which scene.
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {

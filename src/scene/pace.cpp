@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/pace.hpp"
-
+// The rates of a scene and how long they last: what turns, what drives it, and what brings it to rest.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {

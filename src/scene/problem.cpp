@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/problem.hpp"
+// From the body and the release of a scene to what its integrations take.
+#include "scene/parts.hpp"
 
 namespace earthtop {
 

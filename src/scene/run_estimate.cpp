@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/run_estimate.hpp"
-
+// What a whole run costs, before any of it is done, and which scenes are too dear.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,8 +9,7 @@
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
-#include "scene/integration_cost.hpp"
-#include "scene/second_integration.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -46,28 +44,18 @@ RowSeconds seconds_a_row(Precision precision) {
 
 RunEstimate estimate_run(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  const IntegrationOptions& first = scene.choice().options;
-  const IntegrationOptions second = second_options(scene, first);
-  RunEstimate estimate{scene.work(first), scene.work(second), growth_work(scene), {}};
+  const auto& [first, second] = scene.costs();
+  RunEstimate estimate{first.work, second.work, growth_work(scene), {}};
   const RowSeconds row = seconds_a_row(scenario.precision);
   RunSeconds& seconds = estimate.seconds;
-  seconds.solution = scene.seconds(first) + row.integrated * scene.rows();
-  seconds.bound = scene.seconds(second) + row.integrated * scene.rows();
+  seconds.solution = first.seconds + row.integrated * scene.rows();
+  seconds.bound = second.seconds + row.integrated * scene.rows();
   seconds.rows = row.assessed * scene.rows();
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = seconds.rows;
   if (scenario.sensitivities && !sensitivity_refusal(scene, scenario.duration_s))
     seconds.sensitivities = sensitivity_seconds(scene, scenario.duration_s, kSensitivityTolerance, kInputNames.size());
   return estimate;
-}
-
-double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
-  // A right-hand side with four inputs' variations against one of both motions and their deviation, as measured on a toy top, a
-  // body of three moments and a gyrocompass.
-  constexpr double kAgainstOne = 4;
-  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
-  return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *
-         variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
 }
 
 std::string about_seconds(double seconds) {
@@ -83,8 +71,7 @@ void refuse_unaffordable(const Scene& scene) {
   constexpr double kStiffDays = 1.0 / 24, kNearlyAll = 0.9;
   const Scenario& scenario = scene.scenario();
   const IntegrationOptions& options = scene.choice().options;
-  const double first = scene.work(options).steps;
-  const double second = scene.work(second_options(scene, options)).steps;
+  const double first = scene.costs()[0].work.steps, second = scene.costs()[1].work.steps;
   const auto limit = static_cast<double>(scenario.numerics.step_limit);
   const bool within = first <= limit && second <= std::max(limit, static_cast<double>(IntegrationOptions{}.step_limit));
   const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal;

@@ -4,13 +4,9 @@
 #include <array>
 #include <tuple>
 
-#include "scene/integration_cost.hpp"
-#include "scene/method_choice.hpp"
-#include "scene/method_fit.hpp"
 #include "scene/once.hpp"
-#include "scene/pace.hpp"
-#include "scene/problem.hpp"
-#include "scene/run_estimate.hpp"
+#include "scene/parts.hpp"
+#include "scene/second_integration.hpp"
 #include "text/sha256.hpp"
 
 namespace earthtop {
@@ -50,6 +46,7 @@ struct Scene::Parts {
   Once<ExactKind> closed_form_kind;
   std::array<Once<std::optional<std::string>>, kMethodCount> refusals;
   Once<MethodChoice> choice;
+  Once<std::array<IntegrationCost, 2>> costs;
   Once<RunEstimate> estimate;
 };
 
@@ -143,8 +140,13 @@ ModelForm Scene::form(const IntegrationOptions& options) const {
   return takes_reduced_form(is_reducible(), options) ? ModelForm::reduced : ModelForm::general;
 }
 
-Work Scene::work(const IntegrationOptions& options) const { return integration_work(*this, options); }
-double Scene::seconds(const IntegrationOptions& options) const { return integration_seconds(*this, options); }
+IntegrationCost Scene::cost(const IntegrationOptions& options) const { return cost_of(*this, options); }
+const std::array<IntegrationCost, 2>& Scene::costs() const {
+  return parts_->costs.get([this] {
+    const IntegrationOptions& first = choice().options;
+    return std::array{cost(first), cost(second_options(*this, first))};
+  });
+}
 const RunEstimate& Scene::estimate() const {
   return parts_->estimate.get([this] { return estimate_run(*this); });
 }

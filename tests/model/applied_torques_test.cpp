@@ -8,7 +8,7 @@
 #include "earthtop/frames/gravity_gradient.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "paper/particles.hpp"
-#include "scene/problem.hpp"
+#include "scene/parts.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop {

@@ -116,7 +116,7 @@ TEST(Scene, EstimatesTheSumOfItsPhases) {
     EXPECT_GT(part, 0);
   EXPECT_EQ(seconds.growth, 0);  // a fast symmetric top is next to a closed form, far from every separatrix
   EXPECT_DOUBLE_EQ(seconds.all(), seconds.solution + seconds.bound + seconds.rows + seconds.sensitivities + seconds.ledger);
-  EXPECT_EQ(top.estimate().solution.steps, top.work(top.choice().options).steps);
+  EXPECT_EQ(top.estimate().solution.steps, top.cost(top.choice().options).work.steps);
   EXPECT_GT(Scene(testing::asymmetric_top()).estimate().seconds.growth, 0);
   const RunSeconds& less = Scene(testing::toy_top()).estimate().seconds;
   EXPECT_EQ(less.ledger, 0);

@@ -2,6 +2,7 @@
 /// What a scenario resolves to: body, release, model, method and cost, each computed once.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,12 @@ struct PlatformDemand {
 struct StiffFriction {
   std::string_view pointer = {};  ///< JSON pointer of the key that gives it; empty without friction
   double damping = 0;             ///< integral of its damping rate over the duration (1)
+};
+
+/// What one integration costs: its work, and its time on one core.
+struct IntegrationCost {
+  Work work;
+  double seconds = 0;
 };
 
 /// What the phases of a run cost on one core (s), within a factor of a few; a phase that the run does not have costs nothing.
@@ -130,10 +137,10 @@ class Scene {
   /// The form of the equations that an integration with these options takes.
   ModelForm form(const IntegrationOptions& options) const;
 
-  /// Work of one integration, within a factor of a few, and its time on one core (s).
-  /// @param options  with a method, as `choice` gives
-  Work work(const IntegrationOptions& options) const;
-  double seconds(const IntegrationOptions& options) const;
+  /// What one integration costs, within a factor of a few. @param options  with a method, as `choice` gives
+  IntegrationCost cost(const IntegrationOptions& options) const;
+  /// The same for the two integrations of a run: the solution with the chosen method, and the one that its bounds come from.
+  const std::array<IntegrationCost, 2>& costs() const;
   /// The whole run with the chosen method.
   const RunEstimate& estimate() const;
   /// @throws ScenarioError, with the estimate, for a scene that would take days: more steps than `numerics.step_limit`, or in

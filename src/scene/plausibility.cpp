@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scenario/plausibility.hpp"
+#include "scene/plausibility.hpp"
 
 #include <fmt/core.h>
 
@@ -8,8 +8,10 @@
 
 #include "earthtop/model/body.hpp"
 
-namespace earthtop::scenario {
+namespace earthtop {
 namespace {
+
+using input::Section;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -31,15 +33,15 @@ void warn_of_radians(const Section& section, std::string_view key, double most) 
 
 bool is_earth(double rotation_rate_rad_s) { return std::abs(std::abs(rotation_rate_rad_s) / kEarthRateWgs84 - 1) < 0.01; }
 
-void warn_of_site(const Section& root, const Scenario& scenario, bool has_weight) {
+void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
   const Section site = root.section("site"), earth = root.section("earth");
   warn_of_radians(site, "latitude_deg", std::numbers::pi / 2);
   for (const auto& [unit, factor] : {std::pair("degrees an hour", 3600 / kDegree), std::pair("degrees a second", 1 / kDegree)})
-    if (earth.has("rotation_rate_rad_s") && is_earth(scenario.rotation_rate_rad_s / factor))
+    if (earth.has("rotation_rate_rad_s") && is_earth(scene.rotation_rate_rad_s() / factor))
       earth.warn("rotation_rate_rad_s", fmt::format("is the Earth's rate in {}; in rad/s it is 7.292115e-5", unit));
   const auto gravity = site.has("gravity_m_s2") ? site.number("gravity_m_s2") : std::nullopt;
   const auto height = site.number("height_m");
-  if (!gravity || *gravity == 0 || !height || !has_weight || !is_earth(scenario.rotation_rate_rad_s)) return;
+  if (!gravity || *gravity == 0 || !height || !has_weight || !is_earth(scene.rotation_rate_rad_s())) return;
   // The least and largest gravity at sea level, anomalies included, taken to the height by normal gravity's decrease.
   const double decrease = normal_gravity(45, 0) - normal_gravity(45, *height);
   const double least = 9.76 - decrease, most = 9.84 - decrease;
@@ -51,8 +53,9 @@ void warn_of_site(const Section& root, const Scenario& scenario, bool has_weight
 }
 
 /// Grams and millimetres show in what the body would be made of, and how far it would be from its pivot.
-void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_s) {
-  const Body<double> body = make_body<double>(spec);
+void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s) {
+  const BodySpec& spec = scene.scenario().body;
+  const Body<double>& body = scene.body<double>();
   const double arm = norm(body.p_PBcm_B);
   const double radius = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));  // of gyration
   const std::string_view place = section.has("solids") ? "solids" : "inertia";
@@ -91,17 +94,17 @@ void warn_of_body(const Section& section, const BodySpec& spec, double spin_rad_
 
 }  // namespace
 
-void warn_of_implausible(const Section& root, const Scenario& scenario) {
-  const BodySpec& body = scenario.body;
+void warn_of_implausible(const Section& root, const Scene& scene) {
+  const BodySpec& body = scene.scenario().body;
+  const ReleaseSpec& given = scene.scenario().release;
   const bool has_body = body.mass_kg > 0 || !body.solids.empty();
-  const bool has_weight = has_body && norm(make_body<double>(body).p_PBcm_B) > 0;
-  warn_of_site(root, scenario, has_weight);
+  warn_of_site(root, scene, has_body && norm(scene.body<double>().p_PBcm_B) > 0);
   const Section release = root.section("release");
   for (const std::string_view key : {"tilt_deg", "azimuth_deg", "spin_angle_deg"})
     warn_of_radians(release, key, 2 * std::numbers::pi);
-  const auto& rates = scenario.release.angular_velocity_body_rad_s;
-  const double spin = rates ? real::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : scenario.release.spin_rad_s;
-  if (has_body) warn_of_body(root.section("body"), body, spin);
+  const auto& rates = given.angular_velocity_body_rad_s;
+  const double spin = rates ? real::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : given.spin_rad_s;
+  if (has_body) warn_of_body(root.section("body"), scene, spin);
 }
 
-}  // namespace earthtop::scenario
+}  // namespace earthtop

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "support.hpp"
+#include "scenario/support.hpp"
 
 namespace earthtop::scenario_test {
 namespace {
