@@ -148,7 +148,7 @@ std::string_view Document::text() const {
   return text;
 }
 
-ScenarioReport Document::examine(const std::vector<input::Change>& changes) const {
+ScenarioReport Document::examine(const std::vector<input::TreeChange>& changes) const {
   if (!is_whole_) return {std::nullopt, findings_.count(), findings_.errors(text()), {}};
   input::Findings findings = findings_;
   Node root = root_;

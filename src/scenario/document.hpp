@@ -20,7 +20,7 @@ class Document {
 
   /// Decodes and validates the scenario, the changes made after the overrides. Messages are those of `examine_scenario` with
   /// the same values as overrides.
-  ScenarioReport examine(const std::vector<input::Change>& changes = {}) const;
+  ScenarioReport examine(const std::vector<input::TreeChange>& changes = {}) const;
 
   /// The tree, the overrides in it; its structure is not checked.
   const input::Node& root() const { return root_; }

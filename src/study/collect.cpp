@@ -91,7 +91,7 @@ Collector::Collector(const Study& study) : study_(study), base_(study.base, stud
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
 
-ScenarioReport Collector::examine(const std::vector<input::Change>& changes) const {
+ScenarioReport Collector::examine(const std::vector<input::TreeChange>& changes) const {
   ScenarioReport report = base_.examine(changes);
   if (!report.scenario) return report;
   report.scenario->numerics.stops_beyond_estimate = study_.limits.stops_beyond_estimate;
@@ -103,7 +103,7 @@ ScenarioReport Collector::examine(const std::vector<input::Change>& changes) con
   return report;
 }
 
-std::optional<Scenario> Collector::scenario(const std::vector<input::Change>& changes, std::string& refusal) const {
+std::optional<Scenario> Collector::scenario(const std::vector<input::TreeChange>& changes, std::string& refusal) const {
   ScenarioReport report = examine(changes);
   if (!report.scenario) refusal = first_message(report);
   return std::move(report.scenario);

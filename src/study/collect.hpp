@@ -37,10 +37,10 @@ class Collector {
   explicit Collector(const Study& study);
 
   /// What a point's scenario is, or all that is wrong with it.
-  ScenarioReport examine(const std::vector<input::Change>& changes) const;
+  ScenarioReport examine(const std::vector<input::TreeChange>& changes) const;
 
   /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
-  std::optional<Scenario> scenario(const std::vector<input::Change>& changes, std::string& refusal) const;
+  std::optional<Scenario> scenario(const std::vector<input::TreeChange>& changes, std::string& refusal) const;
 
   /// Fills in status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;

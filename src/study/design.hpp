@@ -55,6 +55,6 @@ class Design {
 Value axis_value(const StudyAxis& axis, const Setting& setting);
 
 /// What a point's axes change of the study's base; the study's own changes come before.
-std::vector<input::Change> changes(const Study& study, const PlannedPoint& point);
+std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point);
 
 }  // namespace earthtop::study

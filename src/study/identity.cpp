@@ -77,7 +77,7 @@ StudyEstimate estimate(const Study& study) {
   for (const std::uint64_t number : spread(reach(study, *count), 25)) {
     std::string refusal;
     points += 1;
-    if (const auto scenario = collector.scenario(changes(study, design.point(number)), refusal))
+    if (const auto scenario = collector.scenario(point_changes(study, design.point(number)), refusal))
       seconds += estimated_seconds(*scenario);
   }
   constexpr double kSecondsAPoint = 2e-4;  // reading, verdict, storing
@@ -97,7 +97,7 @@ StudySample sample_points(const Study& study) {
   StudySample sample;
   std::vector<Diagnostic> common;
   for (const std::uint64_t number : scattered(reach(study, count, kQuickSobol), kPoints)) {
-    const ScenarioReport report = collector.examine(changes(study, design.point(number)));
+    const ScenarioReport report = collector.examine(point_changes(study, design.point(number)));
     ++sample.looked_at;
     if (report.scenario) continue;
     if (++sample.refused == 1) {
@@ -162,7 +162,7 @@ std::string study_sha256(const Study& study) {
   bool seen = false;
   for (const std::uint64_t number : spread(reach(study, point_count(study).value_or(0)), 7)) {
     std::string refusal;
-    const auto scenario = collector.scenario(changes(study, design.point(number)), refusal);
+    const auto scenario = collector.scenario(point_changes(study, design.point(number)), refusal);
     text += fmt::format("point {} {}\n", number, scenario ? scenario_sha256(*scenario) : refusal);
     seen = seen || scenario;
   }
