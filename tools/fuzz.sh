@@ -16,7 +16,7 @@ mkdir -p "$work/corpus" "$work/seeds" "$work/found"
 cp scenarios/*.json "$work/seeds/"
 printf '%s\001/site/latitude_deg\00112\001/numerics/method\001dopri5' "$(cat scenarios/toy-top.json)" >"$work/seeds/sets.txt"
 { # every key, pointer and word of the table of fields, and the punctuation and numbers that JSON consists of
-  grep -oE '"[^" ]+"' src/scenario/fields.cpp | tr -d '"' | tr '|' '\n' | grep -E '^[/$A-Za-z0-9_.*-]+$' |
+  grep -hoE '"[^" ]+"' src/scenario/fields.cpp src/scenario/rules.hpp | tr -d '"' | tr '|' '\n' | grep -E '^[/$A-Za-z0-9_.*-]+$' |
     awk '{ print; if (sub(/.*\//, "") && length) print }' | sort -u | sed 's/.*/"\\"&\\""/'
   grep -oE '"/[^" ]+"' src/scenario/fields.cpp | tr -d '"' | sort -u | sed 's/.*/"\\x01&\\x01"/'
   printf '"%s"\n' '{' '}' '[' ']' ':' ',' '\"' '\\u0000' '\\ud83d' '\\ude00' '0' '-0' '1e308' '1e-320' '1e999' '1e-400' \

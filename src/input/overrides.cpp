@@ -85,8 +85,8 @@ void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::s
   for (const auto& [pointer, value] : overrides) apply(root, pointer, value, findings);
 }
 
-void apply_changes(Node& root, const std::vector<Change>& changes, Findings& findings) {
-  for (const Change& change : changes) apply(root, change.pointer, change.value, findings);
+void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings) {
+  for (const TreeChange& change : changes) apply(root, change.pointer, change.value, findings);
 }
 
 }  // namespace earthtop::input

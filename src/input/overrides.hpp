@@ -13,14 +13,14 @@
 namespace earthtop::input {
 
 /// A value to be put into a tree: a number as it is, or JSON text.
-struct Change {
+struct TreeChange {
   std::string pointer;
   std::variant<double, std::string> value;
-  bool operator==(const Change&) const = default;
+  bool operator==(const TreeChange&) const = default;
 };
 
 /// Makes changes in order, with the messages of overrides of the same values.
-void apply_changes(Node& root, const std::vector<Change>& changes, Findings& findings);
+void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings);
 
 /// Replaces or adds values in order, creating missing objects on the way. A value that is not JSON is a string. Finds
 /// malformed pointers, pointers that lead through what is no container, and values out of a double's range.

@@ -122,7 +122,7 @@ double EstimatedInputs::number_at(const std::string& pointer, const std::string&
 }
 
 std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) const {
-  std::vector<input::Change> changes;
+  std::vector<input::TreeChange> changes;
   std::optional<double> vertical_rate_rad_s;
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!std::isfinite(values[i])) return std::nullopt;

@@ -110,7 +110,7 @@ std::string_view Document::text() const {
   return text;
 }
 
-Decoded Document::decode(const std::vector<input::Change>& changes) const {
+Decoded Document::decode(const std::vector<input::TreeChange>& changes) const {
   Decoded decoded{text(), root_, findings_, {}, is_whole_, false};
   if (!is_whole_) return decoded;
   if (root_.kind == input::JsonKind::object) input::apply_changes(decoded.root, changes, decoded.findings);

@@ -36,7 +36,7 @@ class Document {
   explicit Document(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
   /// Decodes the scenario with the changes made after the overrides.
-  Decoded decode(const std::vector<input::Change>& changes = {}) const;
+  Decoded decode(const std::vector<input::TreeChange>& changes = {}) const;
 
   /// The tree, the overrides in it; its structure is not checked.
   const input::Node& root() const { return root_; }

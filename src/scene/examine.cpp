@@ -93,7 +93,7 @@ void check_scene(const Section& root, const Scene& scene) {
 
 }  // namespace
 
-ScenarioReport examine(const scenario::Document& document, const std::vector<input::Change>& changes) {
+ScenarioReport examine(const scenario::Document& document, const std::vector<input::TreeChange>& changes) {
   scenario::Decoded decoded = document.decode(changes);
   if (!decoded.is_whole) return {std::nullopt, decoded.findings.count(), decoded.errors()};
   const Scene scene(std::move(decoded.scenario));

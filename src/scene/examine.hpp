@@ -11,6 +11,6 @@ namespace earthtop {
 
 /// Decodes and validates the document's scenario with some values changed. Its messages are those of `examine_scenario` with the
 /// same values as overrides.
-ScenarioReport examine(const scenario::Document& document, const std::vector<input::Change>& changes = {});
+ScenarioReport examine(const scenario::Document& document, const std::vector<input::TreeChange>& changes = {});
 
 }  // namespace earthtop

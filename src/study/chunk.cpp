@@ -47,7 +47,7 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
       result.axis_values.push_back(axis_value(study.axes[a], point.settings[a]));
     if (watch.asks_to_stop()) {
       result.status = to_string(RunStatus::interrupted);
-    } else if (auto scene = collector.scene(changes(study, point), result.reason)) {
+    } else if (auto scene = collector.scene(point_changes(study, point), result.reason)) {
       of_scene.push_back(results.size() - 1);
       scenes.push_back(*std::move(scene));
     } else {

@@ -92,7 +92,7 @@ Collector::Collector(const Study& study) : study_(study), base_(study.base, stud
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
 
-ScenarioReport Collector::examine(const std::vector<input::Change>& changes) const {
+ScenarioReport Collector::examine(const std::vector<input::TreeChange>& changes) const {
   ScenarioReport report = earthtop::examine(base_, changes);
   if (!report.scenario) return report;
   Scenario& scenario = *report.scenario;
@@ -106,7 +106,7 @@ ScenarioReport Collector::examine(const std::vector<input::Change>& changes) con
   return report;
 }
 
-std::optional<Scene> Collector::scene(const std::vector<input::Change>& changes, std::string& refusal) const {
+std::optional<Scene> Collector::scene(const std::vector<input::TreeChange>& changes, std::string& refusal) const {
   ScenarioReport report = examine(changes);
   if (!report.scene) refusal = first_message(report);
   return std::move(report.scene);

@@ -37,10 +37,10 @@ class Collector {
   explicit Collector(const Study& study);
 
   /// The scenario of a point, or all errors in it.
-  ScenarioReport examine(const std::vector<input::Change>& changes) const;
+  ScenarioReport examine(const std::vector<input::TreeChange>& changes) const;
 
   /// The scenario of a point. If it is refused, nothing is returned, and `refusal` receives the reason.
-  std::optional<Scene> scene(const std::vector<input::Change>& changes, std::string& refusal) const;
+  std::optional<Scene> scene(const std::vector<input::TreeChange>& changes, std::string& refusal) const;
 
   /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;

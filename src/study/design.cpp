@@ -137,8 +137,8 @@ Value axis_value(const StudyAxis& axis, const Setting& setting) {
   return std::isfinite(value) ? Value(value) : Value();
 }
 
-std::vector<input::Change> changes(const Study& study, const PlannedPoint& point) {
-  std::vector<input::Change> list;
+std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point) {
+  std::vector<input::TreeChange> list;
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
     const StudyAxis& axis = study.axes[a];
     const Setting& setting = point.settings[a];

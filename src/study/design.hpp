@@ -55,6 +55,6 @@ class Design {
 Value axis_value(const StudyAxis& axis, const Setting& setting);
 
 /// The changes that a point's axes make to the study's base; the study's own changes come before them.
-std::vector<input::Change> changes(const Study& study, const PlannedPoint& point);
+std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point);
 
 }  // namespace earthtop::study

@@ -78,7 +78,7 @@ StudyEstimate estimate(const Study& study) {
   for (const std::uint64_t number : spread(reach(study, *count), 25)) {
     std::string refusal;
     points += 1;
-    if (const auto scene = collector.scene(changes(study, design.point(number)), refusal))
+    if (const auto scene = collector.scene(point_changes(study, design.point(number)), refusal))
       seconds += scene->estimate().seconds.all();
   }
   constexpr double kSecondsAPoint = 2e-4;  // reading, verdict, storing
@@ -98,7 +98,7 @@ StudySample sample_points(const Study& study) {
   StudySample sample;
   std::vector<Diagnostic> common;
   for (const std::uint64_t number : scattered(reach(study, count, kQuickSobol), kPoints)) {
-    const ScenarioReport report = collector.examine(changes(study, design.point(number)));
+    const ScenarioReport report = collector.examine(point_changes(study, design.point(number)));
     ++sample.looked_at;
     if (report.scenario) continue;
     if (++sample.refused == 1) {
@@ -163,7 +163,7 @@ std::string study_sha256(const Study& study) {
   bool seen = false;
   for (const std::uint64_t number : spread(reach(study, point_count(study).value_or(0)), 7)) {
     std::string refusal;
-    const auto scene = collector.scene(changes(study, design.point(number)), refusal);
+    const auto scene = collector.scene(point_changes(study, design.point(number)), refusal);
     text += fmt::format("point {} {}\n", number, scene ? scene->sha256() : refusal);
     seen = seen || scene;
   }

@@ -75,10 +75,10 @@ TEST(OneAtATime, OthersStayAtTheBase) {
   const Study study = study_of(DesignKind::one_at_a_time, {list_axis("x", {"1", "2"}), range_axis("y", 3, 4, 2)});
   Design design(study);
   ASSERT_EQ(point_count(study), 5U);
-  EXPECT_TRUE(changes(study, design.point(0)).empty());
-  using Changes = std::vector<input::Change>;
-  EXPECT_EQ(changes(study, design.point(2)), (Changes{{"/x", "2"}}));
-  EXPECT_EQ(changes(study, design.point(4)), (Changes{{"/y", 4.0}}));
+  EXPECT_TRUE(point_changes(study, design.point(0)).empty());
+  using Changes = std::vector<input::TreeChange>;
+  EXPECT_EQ(point_changes(study, design.point(2)), (Changes{{"/x", "2"}}));
+  EXPECT_EQ(point_changes(study, design.point(4)), (Changes{{"/y", 4.0}}));
 }
 
 TEST(TiedPointers, ChangeTogether) {
@@ -86,8 +86,8 @@ TEST(TiedPointers, ChangeTogether) {
   axis.range = StudyAxis::Range{{0, 10}, {1, 30}, 3, false};
   Study study = study_of(DesignKind::grid, {axis});
   Design design(study);
-  using Changes = std::vector<input::Change>;
-  EXPECT_EQ(changes(study, design.point(1)), (Changes{{"/a", 0.5}, {"/b", 20.0}}));
+  using Changes = std::vector<input::TreeChange>;
+  EXPECT_EQ(point_changes(study, design.point(1)), (Changes{{"/a", 0.5}, {"/b", 20.0}}));
 }
 
 TEST(Permutation, IsOneForEverySize) {
