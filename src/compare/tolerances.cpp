@@ -31,7 +31,7 @@ constexpr double kSmall = 0.01;           // of the largest error: below it, err
 // more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
 
-bool is_error(const Measure& measure) { return measure.name.ends_with("bound_rad") || measure.name == "residual_N_m"; }
+bool is_error(const Measure& measure) { return measure.part == RowPart::error && measure.kind != MeasureKind::flag; }
 
 std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
   if (is_error(measure)) return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
