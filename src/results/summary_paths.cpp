@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which members a summary.json can have: those of runs made up to have everything that a run can have, taken together. The
-// members are written by the code that writes every summary, so that there is no second list of them.
+// Which members a summary.json can have: those of the table, and in the scenario inside it all that scenarios made up to have
+// everything that a scenario can have would write.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,11 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "earthtop/results/results.hpp"
-#include "results/summary_section.hpp"
+#include "results/figures.hpp"
 #include "scenario/pointers.hpp"
 #include "scenario/suggest.hpp"
-#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -63,28 +61,6 @@ Scenario any_scenario(int kind) {
   return scenario;
 }
 
-RunResult any_result(int kind) {
-  RunResult result;
-  result.scenario = result.modelled = any_scenario(kind);
-  result.rows.resize(2);  // a row beyond the release, without which there are no numbers
-  result.extended_rows.resize(1);
-  result.solution.status = result.certificate.status = RunStatus::step_limit;
-  result.selection = Selection{};
-  result.selection->switched_on = result.selection->left_out = {""};
-  result.accuracy = AccuracyReport{};
-  result.drift.azimuth_final_rad = result.drift.axis_final_over_earth_angle = result.drift.threshold_time_s = 0;
-  result.drift.secular = SecularDrift{};
-  result.stops.resize(1);
-  result.invariants.resize(1);
-  result.theory.resize(1);
-  result.sensitivities = SensitivityReport{};
-  result.sensitivities->inputs.resize(1);
-  if (kind == 1) result.sensitivities->unavailable = "a reason";
-  result.ledger = LedgerReport{};
-  result.notes = {""};
-  return result;
-}
-
 /// A list: how many elements it has depends on the run. Arrays of numbers are vectors, of the same size in every run.
 bool is_list(const Json& array) { return !array.empty() && !array.front().is_number() && !array.front().is_array(); }
 
@@ -102,11 +78,36 @@ void join(Json& all, Json more) {
   }
 }
 
+/// What may stand at a member, as an example of its form.
+Json example_of(const SummaryMember& member) {
+  Json example;
+  RunResult result;
+  switch (member.form) {
+    case MemberForm::value: return "";
+    case MemberForm::vector: return {0, 0, 0};
+    case MemberForm::words: return Json::array({""});
+    case MemberForm::object: return Json::object();
+    case MemberForm::list: return Json::array({Json::object()});
+    case MemberForm::document:
+      for (int kind = 0; kind < kKinds; ++kind) {
+        result.scenario = any_scenario(kind);
+        join(example, member.value(result, 0));
+      }
+      return example;
+  }
+  return example;
+}
+
 const Json& every_member() {
   static const Json all = [] {
-    Json joined;
-    for (int kind = 0; kind < kKinds; ++kind) join(joined, json_of(summary_json(any_result(kind))));
-    return joined;
+    Json document = Json::object();
+    for (const SummaryMember& member : summary_members()) {
+      std::string pointer = "/" + std::string(member.path);
+      std::replace(pointer.begin(), pointer.end(), '.', '/');
+      std::replace(pointer.begin(), pointer.end(), '*', '0');
+      document[Json::json_pointer(pointer)] = example_of(member);
+    }
+    return document;
   }();
   return all;
 }

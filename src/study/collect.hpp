@@ -27,9 +27,6 @@ struct PointResult {
 /// The first of a refused scenario's faults in one line, and how many there are beside it.
 std::string first_message(const ScenarioReport& report);
 
-/// Whether a path of summary.json needs no rows between release and end.
-bool is_known_at_the_end(std::string_view path);
-
 /// The scenarios of points, each with the overrides that make it.
 class Collector {
  public:
@@ -49,11 +46,6 @@ class Collector {
   const Study& study_;
   bool ends_only_;      ///< no rows between release and end are needed
   bool sensitivities_;  ///< the drift's derivatives are, where the base asks for them
-  struct Path {
-    std::string section;             // top-level key of summary.json
-    std::vector<std::string> steps;  // below it
-  };
-  std::vector<Path> paths_;
 };
 
 }  // namespace earthtop::study

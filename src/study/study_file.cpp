@@ -8,7 +8,7 @@
 #include <set>
 
 #include "earthtop/study/study.hpp"
-#include "results/summary_section.hpp"
+#include "results/figures.hpp"
 #include "scenario/check.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/pointers.hpp"
