@@ -55,8 +55,9 @@ std::optional<Rule> physics_rule(const Measure& measure, double effect) {
 }
 
 std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
-  if (kind == FigureKind::word) return Rule{};
-  if (kind == FigureKind::time) return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
+  if (kind == FigureKind::word || kind == FigureKind::outcome) return Rule{};
+  if (kind == FigureKind::time || kind == FigureKind::threshold_time)
+    return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
   if (kind == FigureKind::error)
     return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
@@ -68,15 +69,17 @@ std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
 
 std::optional<Rule> physics_rule(FigureKind kind) {
   switch (kind) {
-    case FigureKind::word: return Rule{};
+    case FigureKind::outcome: return Rule{};
     case FigureKind::drift_axis:
     case FigureKind::drift_tilt:
     case FigureKind::drift_azimuth:
     case FigureKind::azimuth_rate:
     case FigureKind::drift_attitude:
+    case FigureKind::drift_spin:
     case FigureKind::ratio: return Rule{0, kOfEffect, 0, 1, ""};
     case FigureKind::attitude: return Rule{0, 0, kOfEffect, 1, ""};
-    case FigureKind::time: return Rule{0, 50 * kTime, 0, 0, ""};
+    case FigureKind::time:
+    case FigureKind::threshold_time: return Rule{0, 50 * kTime, 0, 0, ""};
     default: return std::nullopt;
   }
 }
