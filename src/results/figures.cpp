@@ -353,7 +353,7 @@ constexpr auto kMembers = [] {
                [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_rad) : kLeftOut; }),
       compared("uncertainty.from_inputs_rad", derived, end, kAtEnd,
                [](R r) { return have_sensitivities(r) ? Json(r.sensitivities->axis_error_rad) : kLeftOut; }),
-      compared("uncertainty.from_numerics_rad", derived, end, kAtEnd,
+      compared("uncertainty.from_numerics_rad", error, end, kAtEnd,
                [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_bound_rad) : kLeftOut; }),
       compared("uncertainty.largest_from", word, end, kAtEnd,
                [](R r) { return have_sensitivities(r) ? largest_error_from(r) : kLeftOut; }),

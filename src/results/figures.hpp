@@ -80,7 +80,8 @@ std::span<const SummaryMember> summary_members();
 /// The member that a dotted path leads to or into; of an element of a list its number or its name. None where there is none.
 const SummaryMember* find_member(std::string_view path);
 
-/// Whether all that lies at or below a dotted path is known without rows between release and end.
+/// Whether all that lies at or below a dotted path is known without rows between release and end. A whole object or vector is
+/// not taken for it: where integrations end their steps at rows, its last digits are those of a run with rows.
 bool is_known_at_the_end(std::string_view path);
 
 /// What lies at a dotted path of a result's summary, elements of lists by their numbers; null where this result has no such

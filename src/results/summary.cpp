@@ -121,8 +121,12 @@ const SummaryMember* find_member(std::string_view path) {
 }
 
 bool is_known_at_the_end(std::string_view path) {
-  return std::all_of(summary_members().begin(), summary_members().end(), [&](const SummaryMember& member) {
-    return is_holder(member) || member.known == KnownFrom::end || relation(path, member.path) == Relation::apart;
+  const auto members = summary_members();
+  return std::all_of(members.begin(), members.end(), [&](const SummaryMember& member) {
+    const Relation to_member = relation(path, member.path);
+    if (to_member == Relation::same && member.form != MemberForm::value)
+      return member.form == MemberForm::words || member.form == MemberForm::list;
+    return to_member == Relation::apart || is_holder(member) || member.known == KnownFrom::end;
   });
 }
 
