@@ -52,7 +52,7 @@ Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs
   return row;
 }
 
-/// What a reference keeps of a summary: the top-level members in which something is compared or counted as cost, and what says
+/// A reference keeps this of a summary: the top-level members in which something is compared or counted as cost, and what says
 /// where it comes from.
 Json kept_of(const Json& summary) {
   Json kept = Json::object();

@@ -61,10 +61,10 @@ class FigureErrors {
 
   /// @param path  of an invariant's figure says whose scale its error has
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
-    // An error of the axis is one of its azimuth over the sine of the tilt, which no summary states: the largest azimuth drift
-    // over that of the axis stands for it, and a factor for the rows that are nearer to the vertical.
+    // An error of the axis causes one of its azimuth that is larger by the sine of the tilt, which no summary states. The
+    // largest azimuth drift over that of the axis stands in for it, with a factor for rows that are nearer to the vertical.
     const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
-    // The directions along which a drift is split turn by the attitudes' errors, there too.
+    // The directions along which a drift is split into its parts turn by the attitudes' errors, and more near the vertical.
     const double turned = axis_drift_rad_ * attitude_.value_or(0);
     switch (kind) {
       case FigureKind::drift_axis: return axis_;
@@ -88,7 +88,7 @@ class FigureErrors {
   static constexpr double kNearVertical = 10;
   static constexpr double kRounding = 1e-12;  // thousands of steps, some roundings each
 
-  /// Of the invariant that the path leads to.
+  /// The scale of the invariant that the path leads to.
   static double scale_of(const std::string& path, const Comparand& reference) {
     for (const Json& invariant : reference.summary->value("invariants", Json::array()))
       if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return std::abs(invariant.value("scale", 0.0));

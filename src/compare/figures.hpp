@@ -8,7 +8,7 @@
 
 namespace earthtop::compare {
 
-/// What is known of two runs beside their figures.
+/// This is known of two runs beside their figures.
 struct FigureContext {
   bool same_computation = false;  ///< as of `rule_of`
   bool whole_run = true;          ///< both verdicts trust them to the end; else figures of the end are left out

@@ -239,7 +239,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
   if (judges_.empty()) result_.findings.push_back({"nothing in common", "the two have no quantity in common"});
 }
 
-/// Of one attitude there are two quaternions.
+/// Whether two quaternions have opposite signs, which stand for the same attitude.
 bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   double cosine = 0;
   for (std::size_t i = measure.column; i < measure.column + measure.width; ++i) cosine += a.value[i] * b.value[i];

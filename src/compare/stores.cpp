@@ -75,7 +75,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
       report.findings.push_back({"missing column", fmt::format("{} is missing in the new store", quantity.name)});
       continue;
     }
-    // What no summary's comparison looks at, a study may have collected on purpose.
+    // A study may have collected on purpose what the comparison of two summaries passes over.
     const SummaryMember* member = find_member(quantity.path);
     const FigureKind kind = member && member->kind != FigureKind::not_compared ? member->kind : FigureKind::derived;
     const auto rule = is_compared(kind) ? rule_of(quantity.name, kind, options.tolerances, same_study) : std::nullopt;

@@ -14,7 +14,7 @@
 
 namespace earthtop {
 
-/// What the numbers of a quantity are. The order is that in which messages list vectors by their names.
+/// The kinds of quantities. Messages list the names of vectors in this order.
 enum class MeasureKind {
   number,
   angle,      ///< a number modulo 2 pi
@@ -35,7 +35,7 @@ enum class BoundKind {
   rates            ///< the same, times the motion's fastest rate
 };
 
-/// What a quantity belongs to. A comparison lists its measures in this order.
+/// The parts of a row, to one of which each quantity belongs. A comparison lists its measures in this order.
 enum class RowPart {
   rotating,   ///< the motion on the rotating Earth
   reference,  ///< the non-rotating prediction
@@ -115,45 +115,72 @@ constexpr ValuedQuantity<Row, ExtendedRow> valued(const RowQuantity& quantity, M
           }};
 }
 
-using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
-
 /// The quantities of trajectory.csv after the time, in the file's order.
-inline constexpr auto kDriftQuantities = [] {
+/// @param visit  takes for each a function from a row of any scalar to the quantity's number, numbers or flag in it, and then
+/// the quantity
+template <class Visit>
+constexpr void for_each_drift_quantity(const Visit& visit) {
   using enum MeasureKind;
   using enum RowPart;
   using Bound = BoundKind;
-  const auto row = [](const RowQuantity& quantity, auto member) {
-    return valued<DriftRow, ExtendedDriftRow>(quantity, member);
-  };
-  return std::array{
-      row({"q_LB", "", attitude, rotating, "attitude_rad", Bound::attitude, "drift_attitude_rad"},
-          [](const auto& r) { return r.q_LB; }),
-      row({"w_LB_B", "_rad_s", vector, rotating, "rates_rad_s", Bound::rates, "rates_rad_s"},
-          [](const auto& r) { return r.w_LB_B; }),
-      row({"ref_q_LB", "", attitude, reference, "ref_attitude_rad", Bound::attitude, "drift_attitude_rad"},
-          [](const auto& r) { return r.ref_q_LB; }),
-      row({"ref_w_LB_B", "_rad_s", vector, reference, "ref_rates_rad_s", Bound::rates, "rates_rad_s"},
-          [](const auto& r) { return r.ref_w_LB_B; }),
-      row({"axis_L", "", direction, rotating, "axis_rad", Bound::attitude, "drift_axis_rad"},
-          [](const auto& r) { return r.axis_L; }),
-      row({"ref_axis_L", "", direction, reference, "ref_axis_rad", Bound::attitude, "drift_axis_rad"},
-          [](const auto& r) { return r.ref_axis_L; }),
-      row({"drift_axis", "_rad", number, drift, "drift_axis_rad", Bound::drift_axis, "drift_axis_rad"},
-          [](const auto& r) { return r.drift_axis_rad; }),
-      row({"drift_axis_bound", "_rad", number, error, "drift_axis_bound_rad"},
-          [](const auto& r) { return r.drift_axis_bound_rad; }),
-      row({"drift_azimuth", "_rad", angle, drift, "drift_azimuth_rad", Bound::drift_azimuth, "drift_azimuth_rad"},
-          [](const auto& r) { return r.drift_azimuth_rad; }),
-      row({"drift_tilt", "_rad", number, drift, "drift_tilt_rad", Bound::drift_tilt, "drift_axis_rad"},
-          [](const auto& r) { return r.drift_tilt_rad; }),
-      row({"drift_attitude", "_rad", number, drift, "drift_attitude_rad", Bound::drift_attitude, "drift_attitude_rad"},
-          [](const auto& r) { return r.drift_attitude_rad; }),
-      row({"drift_attitude_bound", "_rad", number, error, "drift_attitude_bound_rad"},
-          [](const auto& r) { return r.drift_attitude_bound_rad; }),
-      row({"drift_spin", "_rad", angle, drift, "drift_spin_rad", Bound::drift_attitude, "drift_attitude_rad"},
-          [](const auto& r) { return r.drift_spin_rad; }),
-      row({"drift_reliable", "", flag, error, "drift_reliable"}, [](const auto& r) { return r.drift_reliable; }),
-  };
+  using Q = RowQuantity;
+  visit(
+      [](auto& r) -> auto& { return r.q_LB; },
+      Q{"q_LB", "", attitude, rotating, "attitude_rad", Bound::attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.w_LB_B; },
+      Q{"w_LB_B", "_rad_s", vector, rotating, "rates_rad_s", Bound::rates, "rates_rad_s"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_q_LB; },
+      Q{"ref_q_LB", "", attitude, reference, "ref_attitude_rad", Bound::attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_w_LB_B; },
+      Q{"ref_w_LB_B", "_rad_s", vector, reference, "ref_rates_rad_s", Bound::rates, "rates_rad_s"});
+  visit(
+      [](auto& r) -> auto& { return r.axis_L; },
+      Q{"axis_L", "", direction, rotating, "axis_rad", Bound::attitude, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_axis_L; },
+      Q{"ref_axis_L", "", direction, reference, "ref_axis_rad", Bound::attitude, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_axis_rad; },
+      Q{"drift_axis", "_rad", number, drift, "drift_axis_rad", Bound::drift_axis, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_axis_bound_rad; },
+      Q{"drift_axis_bound", "_rad", number, error, "drift_axis_bound_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_azimuth_rad; },
+      Q{"drift_azimuth", "_rad", angle, drift, "drift_azimuth_rad", Bound::drift_azimuth, "drift_azimuth_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_tilt_rad; },
+      Q{"drift_tilt", "_rad", number, drift, "drift_tilt_rad", Bound::drift_tilt, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_attitude_rad; },
+      Q{"drift_attitude", "_rad", number, drift, "drift_attitude_rad", Bound::drift_attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_attitude_bound_rad; },
+      Q{"drift_attitude_bound", "_rad", number, error, "drift_attitude_bound_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_spin_rad; },
+      Q{"drift_spin", "_rad", angle, drift, "drift_spin_rad", Bound::drift_attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_reliable; }, Q{"drift_reliable", "", flag, error, "drift_reliable"});
+}
+
+using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
+
+/// The same as an array.
+inline constexpr auto kDriftQuantities = [] {
+  constexpr std::size_t kCount = [] {
+    std::size_t count = 0;
+    for_each_drift_quantity([&](auto, const RowQuantity&) { ++count; });
+    return count;
+  }();
+  std::array<DriftQuantity, kCount> all{};
+  std::size_t i = 0;
+  for_each_drift_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = valued<DriftRow, ExtendedDriftRow>(quantity, member); });
+  return all;
 }();
 
 }  // namespace earthtop

@@ -66,7 +66,7 @@ std::string_view to_word(Prediction prediction) { return prediction == Predictio
 Json relative_tolerance(const IntegrationReport& report) {
   return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
 }
-/// How an integration ended, where that was before its time.
+/// The status of an integration that ended before its time.
 Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
@@ -373,7 +373,7 @@ constexpr auto kMembers = [] {
           "effects.modelled", word, any, kAtEnd, [](R r) { return effects_list(r.modelled, true); }, words),
       told(
           "effects.left_out", kAtEnd, kSelected, [](R r) { return effects_list(r.modelled, false); }, words),
-      // What was chosen for a scene that left it open, and what the error asked for came to.
+      // The effects chosen for a scene that left them open, and the error reached where one was asked for.
       object_or_nothing("selection", [](R r) { return r.selection.has_value(); }),
       compared("selection.accuracy_rad", input, any, kAtEnd, [](R r) { return r.selection->accuracy_rad; }),
       told(

@@ -15,7 +15,7 @@
 
 namespace earthtop {
 
-/// What a figure is to a comparison, which says how much of it may change.
+/// The kinds of figures: a comparison lets figures of one kind differ by the same rule.
 enum class FigureKind {
   not_compared,    ///< its entry says why
   cost,            ///< work and how it was done: only limits on the cost look at it
@@ -37,17 +37,17 @@ enum class FigureKind {
   threshold_time   ///< the same, with a bound of its own
 };
 
-/// What decides a figure's value beside the motion.
+/// Figures whose value hangs on more than the motion are compared only where that is the same in both runs.
 enum class FigureScope {
-  any,  ///< nothing
-  end,  ///< the end of the run, and what led there
-  rows  ///< which rows there are: it is a maximum or a mean of them
+  any,  ///< it hangs on nothing else
+  end,  ///< it hangs on the end of the run, and what led there
+  rows  ///< it is a maximum or a mean of the rows, and hangs on which there are
 };
 
 /// Whether a run without rows between release and end knows a figure as well.
 enum class KnownFrom { end, rows };
 
-/// How a member stands in the document.
+/// The forms in which a member stands in the document.
 enum class MemberForm {
   value,     ///< a number, a word, a flag, or null
   vector,    ///< an array of three numbers
@@ -65,10 +65,11 @@ struct SummaryMember {
   FigureScope scope;
   KnownFrom known;
   std::string_view why_not;  ///< why it is not compared; empty where it is
-  /// Of a value, vector, words or document, in that element of the list where it is in one; a discarded value where the
-  /// member is left out. Called only where the objects and lists above it are there.
+  /// Gives a value, vector, words or document; of a member of a list's elements that of the element with this number. It is
+  /// called only where the objects and lists above the member are there. A member whose value is discarded is left out.
   nlohmann::ordered_json (*value)(const RunResult&, std::size_t element);
-  /// Of an object or list: how many there are (of an object 1); null or left out where there is none.
+  /// Gives the number of a list's elements, 1 for an object; none where the result has no such list or object, which is then
+  /// null or left out.
   std::optional<std::size_t> (*count)(const RunResult&);
   bool left_out;  ///< an object or list without which the document has no such member, instead of null
   bool of_rows;   ///< a top-level member that says what rows say: without a row beyond the release all its numbers are null
@@ -84,8 +85,8 @@ const SummaryMember* find_member(std::string_view path);
 /// not taken for it: where integrations end their steps at rows, its last digits are those of a run with rows.
 bool is_known_at_the_end(std::string_view path);
 
-/// What lies at a dotted path of a result's summary, elements of lists by their numbers; null where this result has no such
-/// member. Nothing else of the summary is computed.
+/// The part of a result's summary at a dotted path, in which lists' elements are called by their numbers; null where this
+/// result has no such member. Nothing else of the summary is computed.
 nlohmann::ordered_json summary_part(const RunResult& result, std::string_view path);
 
 /// Why no run's summary.json has a member at this dotted path ("drift.secular.azimuth_rate_rad_s", "theory.0.computed"), with

@@ -31,7 +31,7 @@ std::string_view take_step(std::string_view& path) {
   return step;
 }
 
-/// How a path lies to a member's: a star is any step.
+/// The relation of a path to a member's, in which a star is any step.
 enum class Relation { apart, above, same, below };
 Relation relation(std::string_view path, std::string_view member) {
   while (!path.empty() && !member.empty()) {
@@ -50,7 +50,7 @@ Json without_numbers(Json json) {
   return json;
 }
 
-/// What a member is in a result, without what it holds; discarded where it is left out.
+/// A member's own value in a result, without the members that it holds; discarded where it is left out.
 Json own_value(const SummaryMember& member, const RunResult& result, std::size_t element, bool has_numbers) {
   if (!is_holder(member)) {
     Json value = member.value(result, element);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which members a summary.json can have: those of the table, and in the scenario inside it all that scenarios made up to have
-// everything that a scenario can have would write.
+// A summary.json can have the members of the table of figures. Its copy of the scenario can have all keys that are written for
+// scenarios made up here to have everything that a scenario can have.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What some scenarios have in place of what others have: one of these each.
+/// Scenarios have one thing or another in the same place; so many kinds of made-up ones have each of them.
 constexpr int kKinds = 4;
 
 BodySpec any_body(int kind) {
@@ -64,7 +64,7 @@ Scenario any_scenario(int kind) {
 /// A list: how many elements it has depends on the run. Arrays of numbers are vectors, of the same size in every run.
 bool is_list(const Json& array) { return !array.empty() && !array.front().is_number() && !array.front().is_array(); }
 
-/// What either of two has; of a list, one element with the members of all.
+/// Adds to a document what another one has; a list keeps one element, with the members of all.
 void join(Json& all, Json more) {
   if (more.is_object()) {
     if (!all.is_object()) all = Json::object();
@@ -78,7 +78,7 @@ void join(Json& all, Json more) {
   }
 }
 
-/// What may stand at a member, as an example of its form.
+/// An example of what may stand at a member, in its form.
 Json example_of(const SummaryMember& member) {
   Json example;
   RunResult result;

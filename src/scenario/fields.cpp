@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scenario/quantities.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
 namespace {

@@ -9,8 +9,8 @@
 
 namespace earthtop::scenario {
 
-/// Names written letter by letter, separated by '|', at compile time. @param Spell  calls its argument with each name's pieces,
-/// and with "|" between names
+/// A list of names, joined at compile time. @param spell  a function that calls its argument with one piece of the list after
+/// the other, "|" between names included
 template <auto spell>
 struct Spelled {
   static constexpr std::size_t kSize = [] {
@@ -91,7 +91,5 @@ inline constexpr std::string_view kOrders = "step_resonance|convergence";
 inline constexpr std::string_view kVerdicts = "reliable|noise_floor|unstable|chaotic|marginal";
 
 inline constexpr std::string_view kValues = Joined<kFigures, kColumnVectors, kRunNumbers>::text;
-inline constexpr std::string_view kAllQuantities =
-    Joined<kFigures, kColumnVectors, kRunNumbers, kInvariants, kClosedForms, kRelations, kZeros, kOrders, kVerdicts>::text;
 
 }  // namespace earthtop::scenario

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a study takes from a run.
+/// Takes from a run the quantities that a study collects.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ class Collector {
  public:
   explicit Collector(const Study& study);
 
-  /// What a point's scenario is, or all that is wrong with it.
+  /// The scenario of a point, or all that is wrong with it.
   ScenarioReport examine(const std::vector<std::pair<std::string, std::string>>& overrides) const;
 
   /// The scenario of a point; nothing, with the reason in `refusal`, where it is refused.
