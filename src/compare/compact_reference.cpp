@@ -11,6 +11,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
+#include "results/figures.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
@@ -51,13 +52,17 @@ Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs
   return row;
 }
 
-/// What a reference keeps of a summary: what is compared, and what says where it comes from.
+/// A reference keeps this of a summary: the top-level members in which something is compared or counted as cost, and what says
+/// where it comes from.
 Json kept_of(const Json& summary) {
   Json kept = Json::object();
-  for (const char* key :
-       {"$schema", "name", "outcome", "drift", "motion", "growth_of_disturbances", "stops", "attitude_bound_rad", "invariants",
-        "theory", "ledger", "effects", "solution", "certificate", "scenario", "provenance"})
-    if (summary.contains(key)) kept[key] = summary.at(key);
+  for (const auto& [key, value] : summary.items()) {
+    const auto members = summary_members();
+    const bool counts = std::any_of(members.begin(), members.end(), [&, name = key](const SummaryMember& member) {
+      return member.path.substr(0, member.path.find('.')) == name && member.kind != FigureKind::not_compared;
+    });
+    if (counts || key == "$schema" || key == "name" || key == "scenario" || key == "provenance") kept[key] = value;
+  }
   for (const std::string_view key : describing_keys()) kept["scenario"].erase(std::string(key));
   for (const char* key : {"constants", "libraries", "flags"}) kept["provenance"].erase(key);
   return kept;

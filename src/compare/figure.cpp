@@ -5,6 +5,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "results/time_unit.hpp"
+#include "results/unit_of_name.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -21,12 +22,6 @@ std::vector<const QuantityVerdict*> chosen(const PairReport& pair) {
                    [](const auto* a, const auto* b) { return a->passed != b->passed ? !a->passed : a->share > b->share; });
   if (list.size() > kMostDifferences) list.resize(kMostDifferences);
   return list;
-}
-
-std::string unit_of(std::string_view name) {
-  for (const auto& [end, unit] : {std::pair("_rad_s", "rad/s"), {"_N_m", "N m"}, {"_rad", "rad"}})
-    if (name.ends_with(end)) return unit;
-  return "";
 }
 
 }  // namespace
@@ -49,7 +44,7 @@ Figure comparison_figure(const CompareReport& report) {
     std::vector<double> times = quantity->curve.t_s;
     for (double& t : times) t *= time.per_s;
     const LineColor color = quantity->passed ? LineColor::blue : LineColor::vermillion;
-    figure.panels.push_back({{quantity->name, unit_of(quantity->name), AxisScale::logarithmic},
+    figure.panels.push_back({{quantity->name, std::string(unit_of_name(quantity->name)), AxisScale::logarithmic},
                              {{"tolerance", times, quantity->curve.tolerance, LineColor::grey, LineStyle::dashed},
                               {quantity->passed ? "difference" : "difference, beyond it", times, quantity->curve.difference,
                                color, LineStyle::solid}},

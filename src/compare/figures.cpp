@@ -10,83 +10,11 @@
 #include <numbers>
 
 #include "compare/tolerances.hpp"
-#include "earthtop/run.hpp"
+#include "results/figures.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
-
-/// What a figure hangs on.
-enum class Scope {
-  any,
-  end,  ///< the end of the run, and what led there
-  rows  ///< all rows: which ones there are decides a maximum or a mean
-};
-
-/// Which figures are compared, and as what: the first line that fits. A star stands for one step of the path.
-struct FigureRow {
-  std::string_view path;
-  FigureKind kind;
-  Scope scope;
-};
-constexpr FigureRow kFigures[] = {
-    {"outcome.status", FigureKind::word, Scope::any},
-    {"outcome.reached_s", FigureKind::input, Scope::any},
-    {"drift.verdict", FigureKind::word, Scope::any},
-    {"drift.verdict_from_s", FigureKind::error, Scope::any},  // hangs on the size of the errors
-    {"drift.reliable.until_s", FigureKind::error, Scope::any},
-    {"drift.reliable.*", FigureKind::word, Scope::end},  // the same rows are compared as rows; skipped below
-    {"drift.axis_final_over_earth_angle", FigureKind::ratio, Scope::end},
-    {"drift.axis_final_rad", FigureKind::drift_axis, Scope::end},
-    {"drift.axis_max_rad", FigureKind::drift_axis, Scope::rows},
-    {"drift.tilt_final_rad", FigureKind::drift_tilt, Scope::end},
-    {"drift.tilt_max_rad", FigureKind::drift_tilt, Scope::rows},
-    {"drift.azimuth_final_rad", FigureKind::drift_azimuth, Scope::end},
-    {"drift.azimuth_max_rad", FigureKind::drift_azimuth, Scope::rows},
-    {"drift.oscillation.azimuth_rad", FigureKind::drift_azimuth, Scope::rows},
-    {"drift.secular.*", FigureKind::azimuth_rate, Scope::rows},
-    {"drift.attitude_final_rad", FigureKind::drift_attitude, Scope::end},
-    {"drift.spin_final_rad", FigureKind::drift_attitude, Scope::end},
-    {"drift.axis_bound_rad", FigureKind::error, Scope::rows},
-    {"drift.attitude_bound_rad", FigureKind::error, Scope::rows},
-    {"drift.threshold_rad", FigureKind::input, Scope::any},
-    {"drift.threshold_time_s", FigureKind::time, Scope::any},
-    {"drift.threshold_time_bound_s", FigureKind::error, Scope::any},
-    {"drift.threshold_crossing", FigureKind::word, Scope::any},
-    {"motion.axis_mean_L.*", FigureKind::attitude, Scope::rows},
-    {"motion.reference_axis_mean_L.*", FigureKind::attitude, Scope::rows},
-    {"motion.*.*", FigureKind::attitude, Scope::end},
-    {"growth_of_disturbances.round_off_grown_s", FigureKind::error, Scope::any},
-    {"growth_of_disturbances.*", FigureKind::time, Scope::any},
-    {"stops.*.prediction", FigureKind::word, Scope::any},
-    {"stops.*.t_s", FigureKind::time, Scope::any},
-    {"stops.*.bound_s", FigureKind::error, Scope::any},
-    {"attitude_bound_rad", FigureKind::error, Scope::rows},
-    {"invariants.*.largest_change", FigureKind::conserved, Scope::rows},
-    {"invariants.*.initial", FigureKind::input, Scope::any},
-    {"invariants.*.scale", FigureKind::derived, Scope::rows},
-    {"theory.*.predicted", FigureKind::input, Scope::any},
-    {"theory.*.computed", FigureKind::derived, Scope::rows},
-    {"ledger.observer", FigureKind::word, Scope::any},
-    {"ledger.residual*", FigureKind::error, Scope::rows},
-    {"ledger.*", FigureKind::derived, Scope::rows},
-    {"effects.modelled.*", FigureKind::word, Scope::any},
-    {"sensitivities.inputs.*.*", FigureKind::derived, Scope::end},
-    {"uncertainty.largest_from", FigureKind::word, Scope::end},
-    {"uncertainty.*", FigureKind::derived, Scope::end},
-};
-
-bool fits(std::string_view path, std::string_view pattern) {
-  for (;;) {
-    const std::size_t path_dot = path.find('.'), pattern_dot = pattern.find('.');
-    const std::string_view step = path.substr(0, path_dot), wanted = pattern.substr(0, pattern_dot);
-    const bool open = wanted.ends_with('*');
-    if (open ? !step.starts_with(wanted.substr(0, wanted.size() - 1)) : step != wanted) return false;
-    if (path_dot == path.npos || pattern_dot == pattern.npos) return path_dot == pattern_dot;
-    path.remove_prefix(path_dot + 1);
-    pattern.remove_prefix(pattern_dot + 1);
-  }
-}
 
 using Figures = std::vector<std::pair<std::string, const Json*>>;
 
@@ -105,10 +33,10 @@ void flatten(const Json& json, const std::string& path, Figures& figures) {
   }
 }
 
-const FigureRow* row_of(const std::string& path) {
-  const auto* found =
-      std::find_if(std::begin(kFigures), std::end(kFigures), [&](const FigureRow& row) { return fits(path, row.path); });
-  return found == std::end(kFigures) || found->path == "drift.reliable.*" ? nullptr : found;
+/// The table's entry of a figure that is compared; null where it is not.
+const SummaryMember* compared_member(const std::string& path) {
+  const SummaryMember* member = find_member(path);
+  return member && is_compared(member->kind) ? member : nullptr;
 }
 
 /// Both error bounds of a figure, in its unit; none where there are none.
@@ -131,11 +59,12 @@ class FigureErrors {
   }
   double axis_drift_rad() const { return axis_drift_rad_; }
 
+  /// @param path  of an invariant's figure says whose scale its error has
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
-    // An error of the axis is one of its azimuth over the sine of the tilt, which no summary states: the largest azimuth drift
-    // over that of the axis stands for it, and a factor for the rows that are nearer to the vertical.
+    // An error of the axis causes one of its azimuth that is larger by the sine of the tilt, which no summary states. The
+    // largest azimuth drift over that of the axis stands in for it, with a factor for rows that are nearer to the vertical.
     const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
-    // The directions along which a drift is split turn by the attitudes' errors, there too.
+    // The directions along which a drift is split into its parts turn by the attitudes' errors, and more near the vertical.
     const double turned = axis_drift_rad_ * attitude_.value_or(0);
     switch (kind) {
       case FigureKind::drift_axis: return axis_;
@@ -144,12 +73,13 @@ class FigureErrors {
       // The slope of a straight line through points that are off by no more than e changes by at most 3 e over the duration.
       case FigureKind::azimuth_rate:
         return axis_ && duration_s_ > 0 ? std::optional(3 * (*axis_ + turned * steeper) * steeper / duration_s_) : std::nullopt;
-      case FigureKind::drift_attitude: return attitude_drift_;
+      case FigureKind::drift_attitude:
+      case FigureKind::drift_spin: return attitude_drift_;
       case FigureKind::attitude: return attitude_;
       case FigureKind::ratio: return axis_ && final_rad_ > 0 ? std::optional(*axis_ / final_rad_ * ratio_) : std::nullopt;
       case FigureKind::conserved:
         return attitude_ ? std::optional((*attitude_ + kRounding) * scale_of(path, reference)) : std::nullopt;
-      case FigureKind::time: return path == "drift.threshold_time_s" ? threshold_time_ : std::nullopt;
+      case FigureKind::threshold_time: return threshold_time_;
       default: return std::nullopt;
     }
   }
@@ -158,7 +88,7 @@ class FigureErrors {
   static constexpr double kNearVertical = 10;
   static constexpr double kRounding = 1e-12;  // thousands of steps, some roundings each
 
-  /// Of the invariant that the path leads to.
+  /// The scale of the invariant that the path leads to.
   static double scale_of(const std::string& path, const Comparand& reference) {
     for (const Json& invariant : reference.summary->value("invariants", Json::array()))
       if (path.starts_with("invariants." + invariant.value("name", "") + ".")) return std::abs(invariant.value("scale", 0.0));
@@ -183,10 +113,10 @@ constexpr double kAnySize = std::numeric_limits<double>::max();  // what limits 
 
 std::string text_of(const Json& json) { return written_replacing(json); }
 
-QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json& a, const Json& b, const FigureErrors& errors,
+QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, const Json& b, const FigureErrors& errors,
                       const Rule& rule, const Comparand& reference) {
-  const bool always_there = row.kind == FigureKind::drift_axis || row.kind == FigureKind::drift_attitude ||
-                            row.kind == FigureKind::attitude || row.kind == FigureKind::conserved;
+  const bool always_there = kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude ||
+                            kind == FigureKind::drift_spin || kind == FigureKind::attitude || kind == FigureKind::conserved;
   // A run without a row beyond the release says so, and has no numbers.
   const bool none_stated = a.is_null() && b.is_null() && reference.word("/drift/verdict") == to_string(Verdict::unassessed);
   if (always_there && !none_stated && (a.is_null() || b.is_null())) return failed(name, "no finite number");
@@ -202,14 +132,13 @@ QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json&
   verdict.name = name;
   verdict.compared = 1;
   const auto x = a.get<double>(), y = b.get<double>();
-  const bool folds = row.kind == FigureKind::drift_azimuth || name.ends_with("spin_final_rad");
+  const bool folds = is_angle(kind);
   verdict.largest = folds ? std::abs(std::remainder(x - y, 2 * std::numbers::pi)) : std::abs(x - y);
-  verdict.errors = errors.of(row.kind, name, reference);
+  verdict.errors = errors.of(kind, name, reference);
   const double folded = folds ? std::abs(std::remainder(x, 2 * std::numbers::pi)) : std::abs(x);
-  const double size = row.kind == FigureKind::attitude ? 1 : folded;
-  const bool is_drift = row.kind == FigureKind::drift_tilt || row.kind == FigureKind::drift_azimuth ||
-                        row.kind == FigureKind::attitude || row.kind == FigureKind::drift_axis ||
-                        row.kind == FigureKind::drift_attitude;
+  const double size = kind == FigureKind::attitude ? 1 : folded;
+  const bool is_drift = kind == FigureKind::drift_tilt || kind == FigureKind::drift_azimuth || kind == FigureKind::attitude ||
+                        kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude || kind == FigureKind::drift_spin;
   const double effect = is_drift ? std::max(folded, errors.axis_drift_rad()) : kAnySize;
   Tolerance tolerance = tolerance_of(rule, size, effect, verdict.errors.value_or(0));
   if (rule.times > 0 && !are_of_one_size(x, y, rule.times, 0)) tolerance.value = 0;
@@ -231,11 +160,6 @@ QuantityVerdict judge(const std::string& name, const FigureRow& row, const Json&
 
 }  // namespace
 
-std::optional<FigureKind> figure_kind(const std::string& path) {
-  const FigureRow* row = row_of(path);
-  return row ? std::optional(row->kind) : std::nullopt;
-}
-
 std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,
                                              const FigureContext& context, const CompareOptions& options) {
   std::vector<QuantityVerdict> verdicts;
@@ -248,22 +172,22 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
     return found == figures.end() ? nullptr : found->second;
   };
   for (const auto& [path, value] : old_figures) {
-    const FigureRow* row = row_of(path);
-    if (!row) continue;
+    const SummaryMember* member = compared_member(path);
+    if (!member) continue;
     const bool end_known = context.whole_run || options.tolerances.profile == Profile::bitwise;
-    if ((row->scope != Scope::any && !end_known) || (row->scope == Scope::rows && !context.same_rows)) continue;
-    const auto rule = rule_of(path, row->kind, options.tolerances, context.same_computation);
-    const bool counts_in_physics = row->kind != FigureKind::word || path == "drift.verdict" || path == "outcome.status";
-    if (!rule || (options.tolerances.profile == Profile::physics && !counts_in_physics)) continue;
+    if ((member->scope != FigureScope::any && !end_known) || (member->scope == FigureScope::rows && !context.same_rows))
+      continue;
+    const auto rule = rule_of(path, member->kind, options.tolerances, context.same_computation);
+    if (!rule) continue;
     const Json* now = find(new_figures, path);
     if (!now)
       verdicts.push_back(failed(path, "is missing in the new summary"));
     else
-      verdicts.push_back(judge(path, *row, *value, *now, errors, *rule, reference));
+      verdicts.push_back(judge(path, member->kind, *value, *now, errors, *rule, reference));
   }
   if (options.tolerances.profile != Profile::physics && !reference.has_some_rows_only)
     for (const auto& [path, value] : new_figures)
-      if (!value->is_null() && row_of(path) && !find(old_figures, path))
+      if (!value->is_null() && compared_member(path) && !find(old_figures, path))
         verdicts.push_back(failed(path, "is missing in the reference's summary"));
   return verdicts;
 }

@@ -8,10 +8,7 @@
 
 namespace earthtop::compare {
 
-/// What a dotted path of summary.json leads to; none for what is not compared (how it was computed, words about it).
-std::optional<FigureKind> figure_kind(const std::string& path);
-
-/// What is known of two runs beside their figures.
+/// This is known of two runs beside their figures.
 struct FigureContext {
   bool same_computation = false;  ///< as of `rule_of`
   bool whole_run = true;          ///< both verdicts trust them to the end; else figures of the end are left out

@@ -93,7 +93,7 @@ std::optional<double> common_ratio(const Measure& measure, std::span<const SeenP
   double products = 0, squares = 0, candidate_squares = 0;
   for (const SeenPair& pair : seen) {
     if (presence(measure, pair.reference) != Presence::whole || presence(measure, pair.candidate) != Presence::whole) continue;
-    for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i) {
+    for (std::size_t i = measure.column; i < measure.column + measure.width; ++i) {
       const double a = pair.reference.value[i], b = pair.candidate.value[i];
       products += a * b;
       squares += a * a;
@@ -144,7 +144,7 @@ std::vector<std::string> hints(std::span<const SeenPair> seen) {
   std::vector<std::string> found;
   for (const Measure& measure : trajectory_table().measures) {
     const double now = largest_difference(measure, seen, 0);
-    if (measure.kind == MeasureKind::flag || measure.name.ends_with("bound_rad") || !(now > 0)) continue;
+    if (measure.part == RowPart::error || !(now > 0)) continue;
     if (measure.kind == MeasureKind::number || measure.kind == MeasureKind::angle || measure.kind == MeasureKind::vector) {
       look_for_ratio(measure, seen, found);
       continue;

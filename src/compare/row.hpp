@@ -5,9 +5,11 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "drift/row_quantities.hpp"
 #include "input/csv_reader.hpp"
 
 namespace earthtop::compare {
@@ -23,45 +25,23 @@ struct Row {
   std::array<std::size_t, kMostColumns> more_digits{};  // a hash of the cell where a double does not hold all of it; else 0
 };
 
-enum class MeasureKind {
-  number,
-  angle,      ///< a number modulo 2 pi
-  vector,     ///< three components: length of the difference
-  direction,  ///< three components: angle between them
-  attitude,   ///< quaternion, w first, its sign without meaning: angle of the turn from one to the other
-  flag        ///< 0 or 1
-};
-
-/// Whose error bound a measure shares.
-enum class BoundKind {
-  none,
-  drift_axis,      ///< drift_axis_bound_rad of the row
-  drift_tilt,      ///< the same, and what an error of both axes makes of the drift's direction
-  drift_azimuth,   ///< that over the sine of the tilt
-  drift_attitude,  ///< drift_attitude_bound_rad of the row
-  attitude,        ///< attitude_bound_rad of the summary
-  rates            ///< the same, times the motion's fastest rate
-};
-
+/// The difference of two rows in one quantity.
 struct Measure {
   std::string_view name;  ///< with its unit
   MeasureKind kind;
-  std::size_t column;  ///< the first of its columns
-  std::string_view first_column;
-  BoundKind bound = BoundKind::none;
-  std::string_view effect = "";  ///< the measure whose largest value is the Earth's effect on this one
-
-  std::size_t width() const {
-    if (kind == MeasureKind::attitude) return 4;
-    return kind == MeasureKind::vector || kind == MeasureKind::direction ? 3 : 1;
-  }
+  RowPart part;
+  BoundKind bound;
+  std::string_view effect;   ///< the measure whose largest value is the Earth's effect on this one; empty where there is none
+  std::size_t column;        ///< the first of its columns
+  std::size_t width;         ///< how many there are
+  std::string first_column;  ///< its name
 };
 
 /// A result file's columns after the time, and what is measured of them.
 struct Table {
   std::string_view file;
-  std::span<const std::string_view> columns;
-  std::span<const Measure> measures;
+  std::vector<std::string> columns;
+  std::vector<Measure> measures;
   std::optional<std::size_t> find(std::string_view column) const;
 };
 const Table& trajectory_table();

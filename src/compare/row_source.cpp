@@ -206,7 +206,7 @@ class MappedRows : public RowSource {
 }  // namespace
 
 bool RowSource::has(const Measure& measure) const {
-  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i)
+  for (std::size_t i = measure.column; i < measure.column + measure.width; ++i)
     if (!has_column(i)) return false;
   return true;
 }

@@ -239,17 +239,17 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
   if (judges_.empty()) result_.findings.push_back({"nothing in common", "the two have no quantity in common"});
 }
 
-/// Of one attitude there are two quaternions.
+/// Whether two quaternions have opposite signs, which stand for the same attitude.
 bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   double cosine = 0;
-  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i) cosine += a.value[i] * b.value[i];
+  for (std::size_t i = measure.column; i < measure.column + measure.width; ++i) cosine += a.value[i] * b.value[i];
   return cosine < 0;
 }
 
 /// Whether two rows have the same digits, those beyond a double's included; of a quaternion's signs either is right.
 bool same_digits(const Measure& measure, const Row& a, const Row& b) {
   const double sign = measure.kind == MeasureKind::attitude && have_other_signs(measure, a, b) ? -1 : 1;
-  for (std::size_t i = measure.column; i < measure.column + measure.width(); ++i)
+  for (std::size_t i = measure.column; i < measure.column + measure.width; ++i)
     if (a.value[i] != sign * b.value[i] || (sign > 0 && a.more_digits[i] != b.more_digits[i])) return false;
   return true;
 }
@@ -292,8 +292,7 @@ void Comparison::require_fine_rows(const Survey& known) const {
   if (turn > kMostTurnBetweenRows) refuse(fmt::format("the body turns by {:.3g} rad from row to row", turn));
   for (std::size_t i = 0; i < table_.measures.size(); ++i)
     for (const Judge& judge : judges_) {
-      const bool is_fixed = &judge.measure() == &table_.measures[i] && judge.measure().kind != MeasureKind::flag &&
-                            !judge.measure().name.ends_with("bound_rad");
+      const bool is_fixed = &judge.measure() == &table_.measures[i] && judge.measure().part != RowPart::error;
       if (is_fixed && known.interpolation_error[i] > judge.fixed())
         refuse(fmt::format("the error of {} between them may be {:.2g}, above its tolerance {:.2g}", judge.measure().name,
                            known.interpolation_error[i], judge.fixed()));

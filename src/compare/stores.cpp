@@ -8,8 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "compare/figures.hpp"
 #include "compare/scenario_changes.hpp"
+#include "compare/tolerances.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "study/store.hpp"
 
@@ -39,7 +39,8 @@ std::string name_of(const PointResult& point, const Study& study) {
 std::string_view bound_path(FigureKind kind) {
   switch (kind) {
     case FigureKind::drift_axis: return "drift.axis_bound_rad";
-    case FigureKind::drift_attitude: return "drift.attitude_bound_rad";
+    case FigureKind::drift_attitude:
+    case FigureKind::drift_spin: return "drift.attitude_bound_rad";
     case FigureKind::attitude: return "attitude_bound_rad";
     default: return "";
   }
@@ -74,9 +75,10 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
       report.findings.push_back({"missing column", fmt::format("{} is missing in the new store", quantity.name)});
       continue;
     }
-    const bool is_cost = quantity.path.starts_with("solution.") || quantity.path.starts_with("certificate.");
-    const FigureKind kind = figure_kind(quantity.path).value_or(FigureKind::derived);
-    const auto rule = is_cost ? std::nullopt : rule_of(quantity.name, kind, options.tolerances, same_study);
+    // A study may have collected on purpose what the comparison of two summaries passes over.
+    const SummaryMember* member = find_member(quantity.path);
+    const FigureKind kind = member && member->kind != FigureKind::not_compared ? member->kind : FigureKind::derived;
+    const auto rule = is_compared(kind) ? rule_of(quantity.name, kind, options.tolerances, same_study) : std::nullopt;
     if (!rule) {
       not_compared += (not_compared.empty() ? "" : ", ") + quantity.name;
       continue;
@@ -110,8 +112,7 @@ void judge(SharedQuantity& quantity, const PointResult& a, const PointResult& b,
   bool passed = before == now;
   if (x && y) {
     const double turn = 2 * std::numbers::pi;
-    const double found =
-        quantity.kind == FigureKind::drift_azimuth ? std::abs(std::remainder(*x - *y, turn)) : std::abs(*x - *y);
+    const double found = is_angle(quantity.kind) ? std::abs(std::remainder(*x - *y, turn)) : std::abs(*x - *y);
     const auto errors = errors_of(quantity, a, b);
     const Tolerance tolerance = tolerance_of(quantity.rule, quantity.scale, quantity.scale, errors.value_or(0));
     passed = quantity.rule.times > 0 ? are_of_one_size(*x, *y, quantity.rule.times, quantity.scale)

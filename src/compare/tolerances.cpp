@@ -31,7 +31,7 @@ constexpr double kSmall = 0.01;           // of the largest error: below it, err
 // more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
 
-bool is_error(const Measure& measure) { return measure.name.ends_with("bound_rad") || measure.name == "residual_N_m"; }
+bool is_error(const Measure& measure) { return measure.part == RowPart::error && measure.kind != MeasureKind::flag; }
 
 std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
   if (is_error(measure)) return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
@@ -55,8 +55,9 @@ std::optional<Rule> physics_rule(const Measure& measure, double effect) {
 }
 
 std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
-  if (kind == FigureKind::word) return Rule{};
-  if (kind == FigureKind::time) return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
+  if (kind == FigureKind::word || kind == FigureKind::outcome) return Rule{};
+  if (kind == FigureKind::time || kind == FigureKind::threshold_time)
+    return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
   if (kind == FigureKind::error)
     return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
@@ -68,15 +69,17 @@ std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
 
 std::optional<Rule> physics_rule(FigureKind kind) {
   switch (kind) {
-    case FigureKind::word: return Rule{};
+    case FigureKind::outcome: return Rule{};
     case FigureKind::drift_axis:
     case FigureKind::drift_tilt:
     case FigureKind::drift_azimuth:
     case FigureKind::azimuth_rate:
     case FigureKind::drift_attitude:
+    case FigureKind::drift_spin:
     case FigureKind::ratio: return Rule{0, kOfEffect, 0, 1, ""};
     case FigureKind::attitude: return Rule{0, 0, kOfEffect, 1, ""};
-    case FigureKind::time: return Rule{0, 50 * kTime, 0, 0, ""};
+    case FigureKind::time:
+    case FigureKind::threshold_time: return Rule{0, 50 * kTime, 0, 0, ""};
     default: return std::nullopt;
   }
 }

@@ -8,6 +8,7 @@
 
 #include "compare/row.hpp"
 #include "earthtop/compare/compare.hpp"
+#include "results/figures.hpp"
 
 namespace earthtop::compare {
 
@@ -41,22 +42,11 @@ Tolerance tolerance_of(const Rule& rule, double scale, double effect, double err
 /// @returns none where the profile does not compare it
 std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, bool same_computation, double effect);
 
-/// What a figure of summary.json is, which says how much of it may change.
-enum class FigureKind {
-  word,            ///< equal or not
-  drift_axis,      ///< has the error bound of the axis drift
-  drift_tilt,      ///< the same, and what the attitudes' errors make of the drift's direction
-  drift_azimuth,   ///< that at the axis's distance from the vertical
-  azimuth_rate,    ///< the same, over the duration
-  drift_attitude,  ///< has the error bound of the attitude drift
-  attitude,        ///< has the error bound of the attitudes
-  ratio,           ///< relative error of the axis drift
-  error,           ///< an error or its bound: of its size counts the order of magnitude
-  conserved,       ///< change of an invariant
-  input,           ///< known to rounding
-  derived,         ///< of several numbers, to some digits
-  time             ///< of an event, or of a growth
-};
+/// Whether figures of this kind are compared at all.
+constexpr bool is_compared(FigureKind kind) { return kind != FigureKind::not_compared && kind != FigureKind::cost; }
+/// Whether they are angles modulo 2 pi.
+constexpr bool is_angle(FigureKind kind) { return kind == FigureKind::drift_azimuth || kind == FigureKind::drift_spin; }
+
 std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances, bool same_computation);
 
 }  // namespace earthtop::compare

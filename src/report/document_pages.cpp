@@ -7,6 +7,7 @@
 
 #include "report/pages.hpp"
 #include "results/time_unit.hpp"
+#include "results/unit_of_name.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -74,11 +75,7 @@ std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
     const std::string name = text_of(*quantity, "name");
     Figure figure{
         name, quantity->value("passed", false) ? "within its tolerance" : "beyond its tolerance", {"Time", unit.name}, {}};
-    figure.panels.push_back({{"Difference",
-                              name.ends_with("_rad_s") ? "rad/s"
-                              : name.ends_with("_rad") ? "rad"
-                                                       : "",
-                              AxisScale::logarithmic},
+    figure.panels.push_back({{"Difference", std::string(unit_of_name(name)), AxisScale::logarithmic},
                              {{"tolerance", t, numbers(curve.at("tolerance"), 1), LineColor::vermillion, LineStyle::filled},
                               {"difference", t, numbers(curve.at("difference"), 1)}},
                              130});

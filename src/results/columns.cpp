@@ -4,47 +4,54 @@
 namespace earthtop {
 namespace {
 
-/// A column of rows of both kinds. @param Member  from a row of any scalar to a number, or to none
 template <class Member>
-constexpr Column column(std::string_view name, Member) {
-  return {name, [](const DriftRow& row) -> std::optional<double> { return Member{}(row); },
-          [](const ExtendedDriftRow& row) -> std::optional<float128> { return Member{}(row); }};
+constexpr TorqueQuantity torque(std::string_view stem, std::string_view measure, Member member,
+                                bool (*present)(const EffectsSpec&) = nullptr, RowPart part = RowPart::torque) {
+  return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, "_N_m", MeasureKind::vector, part, measure}, member), present};
 }
 
-constexpr Column kColumns[] = {
-    column("t_s", [](const auto& row) { return row.t_s; }),
-    column("q_LB_w", [](const auto& row) { return row.q_LB[0]; }),
-    column("q_LB_x", [](const auto& row) { return row.q_LB[1]; }),
-    column("q_LB_y", [](const auto& row) { return row.q_LB[2]; }),
-    column("q_LB_z", [](const auto& row) { return row.q_LB[3]; }),
-    column("w_LB_B_x_rad_s", [](const auto& row) { return row.w_LB_B[0]; }),
-    column("w_LB_B_y_rad_s", [](const auto& row) { return row.w_LB_B[1]; }),
-    column("w_LB_B_z_rad_s", [](const auto& row) { return row.w_LB_B[2]; }),
-    column("ref_q_LB_w", [](const auto& row) { return row.ref_q_LB[0]; }),
-    column("ref_q_LB_x", [](const auto& row) { return row.ref_q_LB[1]; }),
-    column("ref_q_LB_y", [](const auto& row) { return row.ref_q_LB[2]; }),
-    column("ref_q_LB_z", [](const auto& row) { return row.ref_q_LB[3]; }),
-    column("ref_w_LB_B_x_rad_s", [](const auto& row) { return row.ref_w_LB_B[0]; }),
-    column("ref_w_LB_B_y_rad_s", [](const auto& row) { return row.ref_w_LB_B[1]; }),
-    column("ref_w_LB_B_z_rad_s", [](const auto& row) { return row.ref_w_LB_B[2]; }),
-    column("axis_L_x", [](const auto& row) { return row.axis_L[0]; }),
-    column("axis_L_y", [](const auto& row) { return row.axis_L[1]; }),
-    column("axis_L_z", [](const auto& row) { return row.axis_L[2]; }),
-    column("ref_axis_L_x", [](const auto& row) { return row.ref_axis_L[0]; }),
-    column("ref_axis_L_y", [](const auto& row) { return row.ref_axis_L[1]; }),
-    column("ref_axis_L_z", [](const auto& row) { return row.ref_axis_L[2]; }),
-    column("drift_axis_rad", [](const auto& row) { return row.drift_axis_rad; }),
-    column("drift_axis_bound_rad", [](const auto& row) { return row.drift_axis_bound_rad; }),
-    column("drift_azimuth_rad", [](const auto& row) { return row.drift_azimuth_rad; }),
-    column("drift_tilt_rad", [](const auto& row) { return row.drift_tilt_rad; }),
-    column("drift_attitude_rad", [](const auto& row) { return row.drift_attitude_rad; }),
-    column("drift_attitude_bound_rad", [](const auto& row) { return row.drift_attitude_bound_rad; }),
-    column("drift_spin_rad", [](const auto& row) { return row.drift_spin_rad; }),
-    column("drift_reliable", [](const auto& row) { return row.drift_reliable ? 1 : 0; }),
+constexpr TorqueQuantity kTorques[] = {
+    torque("tau_phys", "tau_phys_N_m", [](const auto& r) { return r.tau_phys_A; }),
+    torque("tau_cor", "tau_cor_N_m", [](const auto& r) { return r.tau_cor_A; }),
+    torque("tau_trans", "tau_trans_N_m", [](const auto& r) { return r.tau_trans_A; }),
+    torque("tau_cent", "tau_cent_N_m", [](const auto& r) { return r.tau_cent_A; }),
+    torque("dL_dt", "dL_dt_N_m", [](const auto& r) { return r.dL_dt_A; }),
+    torque(
+        "residual", "residual_N_m", [](const auto& r) { return r.residual_A; }, nullptr, RowPart::error),
+    torque(
+        "tau_tide", "tau_tide_N_m", [](const auto& r) { return r.share_A[0]; },
+        [](const EffectsSpec& effects) { return effects.tide.has_value(); }),
+    torque(
+        "tau_gradient", "tau_gradient_N_m", [](const auto& r) { return r.share_A[1]; },
+        [](const EffectsSpec& effects) { return effects.applied.gravity_gradient.has_value(); }),
+    torque(
+        "tau_friction", "tau_friction_N_m", [](const auto& r) { return r.share_A[2]; },
+        [](const EffectsSpec& effects) { return effects.applied.friction(); }),
+    torque(
+        "tau_gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
+        [](const EffectsSpec& effects) { return effects.applied.gimbal.has_value(); }),
 };
+
+constexpr bool shares_are_in_order() {
+  constexpr std::size_t kFirst = std::size(kTorques) - kAppliedShares.size();
+  for (std::size_t i = 0; i < kAppliedShares.size(); ++i)
+    if (kTorques[kFirst + i].stem.substr(4) != kAppliedShares[i]) return false;
+  return true;
+}
+static_assert(shares_are_in_order(), "the shares' columns are those of kAppliedShares");
 
 }  // namespace
 
-std::span<const Column> trajectory_columns() { return kColumns; }
+const std::vector<Column>& trajectory_columns() {
+  static const std::vector<Column> columns = [] {
+    std::vector<Column> all;
+    for (const DriftQuantity& quantity : kDriftQuantities)
+      for (std::size_t i = 0; i < quantity.width(); ++i) all.push_back({quantity.column(i), &quantity, i});
+    return all;
+  }();
+  return columns;
+}
+
+std::span<const TorqueQuantity> torque_quantities() { return kTorques; }
 
 }  // namespace earthtop

@@ -3,25 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "results/columns.hpp"
+#include "results/figures.hpp"
 
 namespace earthtop {
 namespace {
-
-/// Figures of summary.json: their dotted path there, and where they stand in a result.
-struct SummaryFigure {
-  std::string_view path;
-  std::optional<double> (*value)(const DriftSummary&);
-};
-
-constexpr SummaryFigure kFigures[] = {
-    {"drift.axis_max_rad", [](const DriftSummary& drift) { return std::optional(drift.axis_max_rad); }},
-    {"drift.threshold_time_s", [](const DriftSummary& drift) { return drift.threshold_time_s; }},
-    {"drift.secular.azimuth_rate_rad_s",
-     [](const DriftSummary& drift) { return drift.secular ? std::optional(drift.secular->azimuth_rate_rad_s) : std::nullopt; }},
-};
 
 /// The row of time `t`; a k x step that rounding has moved is still that row.
 const DriftRow* row_at(const RunResult& result, double t) {
@@ -33,11 +22,16 @@ const DriftRow* row_at(const RunResult& result, double t) {
 
 std::optional<double> finite(std::optional<double> value) { return value && std::isfinite(*value) ? value : std::nullopt; }
 
+/// Figures of the summary have dotted names, columns have none.
+bool is_figure(std::string_view quantity) { return quantity.find('.') != std::string_view::npos; }
+
 }  // namespace
 
 std::optional<double> find_figure(const RunResult& result, std::string_view quantity, double t_s) {
-  for (const SummaryFigure& figure : kFigures)
-    if (figure.path == quantity) return finite(figure.value(result.drift));
+  if (is_figure(quantity)) {
+    const nlohmann::ordered_json value = summary_part(result, quantity);
+    return value.is_number() ? finite(value.get<double>()) : std::nullopt;
+  }
   for (const Column& column : trajectory_columns()) {
     if (column.name != quantity) continue;
     const DriftRow* row = row_at(result, t_s);
@@ -51,7 +45,7 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   HeadlineCheck check{*result.scene.scenario().headline, {}, {}, {}, false};
   const std::string_view quantity = check.stated.quantity;
   const double t_s = check.stated.at_s.value_or(result.scene.scenario().duration_s);
-  if (quantity.find('.') == std::string_view::npos) check.at_s = t_s;
+  if (!is_figure(quantity)) check.at_s = t_s;
   if (!has_drift(result)) return check;
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which members a summary.json can have: those of runs made up to have everything that a run can have, taken together. The
-// members are written by the code that writes every summary, so that there is no second list of them.
+// A summary.json can have the members of the table of figures. Its copy of the scenario can have all keys that are written for
+// scenarios made up here to have everything that a scenario can have.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,18 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "earthtop/results/results.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
-#include "results/summary_section.hpp"
-#include "text/json.hpp"
+#include "results/figures.hpp"
 
 namespace earthtop {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What some scenarios have in place of what others have: one of these each.
+/// Scenarios have one thing or another in the same place; so many kinds of made-up ones have each of them.
 constexpr int kKinds = 4;
 
 BodySpec any_body(int kind) {
@@ -43,6 +41,8 @@ Scenario any_scenario(int kind) {
   scenario.release = any_release(kind);
   scenario.duration_s = scenario.output_step_s = 1;
   scenario.headline = HeadlineSpec{"drift_axis_rad", 0.0, 0, 1, ""};
+  if (kind == 0) scenario.gravity_anomaly_m_s2 = 1;
+  scenario.excess_length_of_day_ms = 1;
   scenario.site.pole = {1, 1};
   scenario.site.deflection = {1, 1};
   scenario.start_utc = "2026-01-01T00:00:00Z";
@@ -63,32 +63,10 @@ Scenario any_scenario(int kind) {
   return scenario;
 }
 
-RunResult any_result(int kind) {
-  RunResult result;
-  result.scene = result.modelled = resolve(any_scenario(kind));
-  result.rows.resize(2);  // a row beyond the release, without which there are no numbers
-  result.extended_rows.resize(1);
-  result.solution.status = result.certificate.status = RunStatus::step_limit;
-  result.selection = Selection{};
-  result.selection->switched_on = result.selection->left_out = {""};
-  result.accuracy = AccuracyReport{};
-  result.drift.azimuth_final_rad = result.drift.axis_final_over_earth_angle = result.drift.threshold_time_s = 0;
-  result.drift.secular = SecularDrift{};
-  result.stops.resize(1);
-  result.invariants.resize(1);
-  result.theory.resize(1);
-  result.sensitivities = SensitivityReport{};
-  result.sensitivities->inputs.resize(1);
-  if (kind == 1) result.sensitivities->unavailable = "a reason";
-  result.ledger = LedgerReport{};
-  result.notes = {""};
-  return result;
-}
-
 /// A list: how many elements it has depends on the run. Arrays of numbers are vectors, of the same size in every run.
 bool is_list(const Json& array) { return !array.empty() && !array.front().is_number() && !array.front().is_array(); }
 
-/// What either of two has; of a list, one element with the members of all.
+/// Adds to a document what another one has; a list keeps one element, with the members of all.
 void join(Json& all, Json more) {
   if (more.is_object()) {
     if (!all.is_object()) all = Json::object();
@@ -102,11 +80,36 @@ void join(Json& all, Json more) {
   }
 }
 
+/// An example of what may stand at a member, in its form.
+Json example_of(const SummaryMember& member) {
+  Json example;
+  RunResult result;
+  switch (member.form) {
+    case MemberForm::value: return "";
+    case MemberForm::vector: return {0, 0, 0};
+    case MemberForm::words: return Json::array({""});
+    case MemberForm::object: return Json::object();
+    case MemberForm::list: return Json::array({Json::object()});
+    case MemberForm::document:
+      for (int kind = 0; kind < kKinds; ++kind) {
+        result.scene = resolve(any_scenario(kind));
+        join(example, member.value(result, 0));
+      }
+      return example;
+  }
+  return example;
+}
+
 const Json& every_member() {
   static const Json all = [] {
-    Json joined;
-    for (int kind = 0; kind < kKinds; ++kind) join(joined, json_of(summary_json(any_result(kind))));
-    return joined;
+    Json document = Json::object();
+    for (const SummaryMember& member : summary_members()) {
+      std::string pointer = "/" + std::string(member.path);
+      std::replace(pointer.begin(), pointer.end(), '.', '/');
+      std::replace(pointer.begin(), pointer.end(), '*', '0');
+      document[Json::json_pointer(pointer)] = example_of(member);
+    }
+    return document;
   }();
   return all;
 }

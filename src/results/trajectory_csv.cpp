@@ -8,30 +8,29 @@ namespace earthtop {
 namespace {
 
 std::string header() {
-  std::string text;
-  for (const Column& column : trajectory_columns()) {
-    if (&column != trajectory_columns().data()) text += ',';
-    text += column.name;
-  }
-  text += '\n';
-  return text;
+  std::string text(kTimeColumn);
+  for (const Column& column : trajectory_columns()) text += ',' + column.name;
+  return text + '\n';
 }
 
 void append_row(std::string& text, const DriftRow& row) {
-  for (const Column& column : trajectory_columns()) {
-    if (&column != trajectory_columns().data()) text += ',';
-    if (const auto value = column.value(row)) append_number(text, *value);
-  }
+  append_number(text, row.t_s);
+  for (const DriftQuantity& quantity : kDriftQuantities)
+    for (std::size_t i = 0; i < quantity.width(); ++i) {
+      text += ',';
+      if (const auto value = quantity.value(row, i)) append_number(text, *value);
+    }
   text += '\n';
 }
 
 /// The time is a double in every precision: it is written as one.
 void append_row(std::string& text, const ExtendedDriftRow& row, Precision precision) {
   append_number(text, static_cast<double>(row.t_s));
-  for (const Column& column : trajectory_columns().subspan(1)) {
-    text += ',';
-    if (const auto value = column.extended_value(row)) text += digits(*value, precision);
-  }
+  for (const DriftQuantity& quantity : kDriftQuantities)
+    for (std::size_t i = 0; i < quantity.width(); ++i) {
+      text += ',';
+      if (const auto value = quantity.extended_value(row, i)) text += digits(*value, precision);
+    }
   text += '\n';
 }
 

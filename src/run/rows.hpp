@@ -2,6 +2,7 @@
 /// From a sample of an integration to a row of results, in the scalar of the run, and from one scalar to another.
 #pragma once
 
+#include "drift/row_quantities.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "run/drift_bound.hpp"
@@ -41,31 +42,24 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   return row;
 }
 
+template <class To, class From>
+void cast_to(To& to, const From& from) {
+  to = static_cast<To>(from);
+}
+template <class To, class From>
+void cast_to(std::optional<To>& to, const std::optional<From>& from) {
+  if (from) to = static_cast<To>(*from);
+}
 template <class To, class From, std::size_t n>
-std::array<To, n> array_cast(const std::array<From, n>& values) {
-  std::array<To, n> cast;
-  for (std::size_t i = 0; i < n; ++i) cast[i] = static_cast<To>(values[i]);
-  return cast;
+void cast_to(std::array<To, n>& to, const std::array<From, n>& from) {
+  for (std::size_t i = 0; i < n; ++i) to[i] = static_cast<To>(from[i]);
 }
 
 template <class To, class From>
 BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   BasicDriftRow<To> cast;
-  cast.t_s = static_cast<To>(row.t_s);
-  cast.q_LB = array_cast<To>(row.q_LB);
-  cast.w_LB_B = array_cast<To>(row.w_LB_B);
-  cast.ref_q_LB = array_cast<To>(row.ref_q_LB);
-  cast.ref_w_LB_B = array_cast<To>(row.ref_w_LB_B);
-  cast.axis_L = array_cast<To>(row.axis_L);
-  cast.ref_axis_L = array_cast<To>(row.ref_axis_L);
-  cast.drift_axis_rad = static_cast<To>(row.drift_axis_rad);
-  cast.drift_axis_bound_rad = static_cast<To>(row.drift_axis_bound_rad);
-  if (row.drift_azimuth_rad) cast.drift_azimuth_rad = static_cast<To>(*row.drift_azimuth_rad);
-  cast.drift_tilt_rad = static_cast<To>(row.drift_tilt_rad);
-  cast.drift_attitude_rad = static_cast<To>(row.drift_attitude_rad);
-  cast.drift_attitude_bound_rad = static_cast<To>(row.drift_attitude_bound_rad);
-  cast.drift_spin_rad = static_cast<To>(row.drift_spin_rad);
-  cast.drift_reliable = row.drift_reliable;
+  cast_to(cast.t_s, row.t_s);
+  for_each_drift_quantity([&](auto member, const RowQuantity&) { cast_to(member(cast), member(row)); });
   return cast;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scenario's results must satisfy.
+// Reads the criteria that a scenario's results must satisfy.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,9 +12,10 @@ namespace earthtop::scenario {
 namespace {
 
 /// Numbers that a value of this quantity has.
-std::size_t numbers_in(std::string_view quantity) {
-  if (quantity == "q_LB" || quantity == "ref_q_LB") return 4;
-  return lists("w_LB_B_rad_s|ref_w_LB_B_rad_s|axis_L|ref_axis_L", quantity) ? 3 : 1;
+std::size_t numbers_in(std::string_view name) {
+  for (const RowQuantity& quantity : kDriftQuantities)
+    if (quantity.is_called(name)) return quantity.width();
+  return 1;
 }
 
 void check_keys(const Section& given, const CriterionRule& rule) {

@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "scenario/quantities.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {

@@ -2,23 +2,77 @@
 /// The names of what a headline figure or a criterion may be about, separated by '|'.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "drift/row_quantities.hpp"
+
 namespace earthtop::scenario {
 
-/// Columns of trajectory.csv, and figures of summary.json.
-inline constexpr std::string_view kFigures =
-    "q_LB_w|q_LB_x|q_LB_y|q_LB_z|w_LB_B_x_rad_s|w_LB_B_y_rad_s|w_LB_B_z_rad_s|"
-    "ref_q_LB_w|ref_q_LB_x|ref_q_LB_y|ref_q_LB_z|ref_w_LB_B_x_rad_s|ref_w_LB_B_y_rad_s|ref_w_LB_B_z_rad_s|"
-    "axis_L_x|axis_L_y|axis_L_z|ref_axis_L_x|ref_axis_L_y|ref_axis_L_z|"
-    "drift_axis_rad|drift_azimuth_rad|drift_tilt_rad|drift_attitude_rad|drift_spin_rad|"
+/// A list of names, joined at compile time. @param spell  a function that calls its argument with one piece of the list after
+/// the other, "|" between names included
+template <auto spell>
+struct Spelled {
+  static constexpr std::size_t kSize = [] {
+    std::size_t size = 0;
+    spell([&](std::string_view piece) { size += piece.size(); });
+    return size;
+  }();
+  static constexpr std::array<char, kSize> kLetters = [] {
+    std::array<char, kSize> letters{};
+    std::size_t end = 0;
+    spell([&](std::string_view piece) {
+      for (const char c : piece) letters[end++] = c;
+    });
+    return letters;
+  }();
+  static constexpr std::string_view text{kLetters.data(), kSize};
+};
+
+/// Several lists as one.
+template <const std::string_view&... lists>
+using Joined = Spelled<[](const auto& add) {
+  bool first = true;
+  const auto add_list = [&](std::string_view list) {
+    if (!first) add("|");
+    first = false;
+    add(list);
+  };
+  (add_list(lists), ...);
+}>;
+
+/// The columns of trajectory.csv but for those that state errors.
+inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
+  bool first = true;
+  for (const RowQuantity& quantity : kDriftQuantities)
+    for (std::size_t i = 0; quantity.part != RowPart::error && i < quantity.width(); ++i) {
+      if (!first) add("|");
+      first = false;
+      quantity.spell_column(i, add);
+    }
+}>::text;
+
+/// The figures of summary.json that a headline may be about. That each of them is one, the table of figures checks when it is
+/// compiled.
+inline constexpr std::string_view kSummaryFigures =
     "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s";
 
-/// Vectors of columns (an attitude's error is the angle), and numbers of the whole run.
-inline constexpr std::string_view kVectors =
-    "q_LB|ref_q_LB|w_LB_B_rad_s|ref_w_LB_B_rad_s|axis_L|ref_axis_L|jacobi_integral_J|reference_energy_J|critical_spin_rad_s";
+inline constexpr std::string_view kFigures = Joined<kColumns, kSummaryFigures>::text;
+
+/// Vectors of columns (an attitude's error is the angle).
+inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
+  bool first = true;
+  for (const MeasureKind kind : {MeasureKind::attitude, MeasureKind::vector, MeasureKind::direction})
+    for (const RowQuantity& quantity : kDriftQuantities) {
+      if (quantity.kind != kind) continue;
+      if (!first) add("|");
+      first = false;
+      add(quantity.stem), add(quantity.unit);
+    }
+}>::text;
+
+/// Numbers of the whole run.
+inline constexpr std::string_view kRunNumbers = "jacobi_integral_J|reference_energy_J|critical_spin_rad_s";
 
 inline constexpr std::string_view kInvariants =
     "jacobi_integral|reference_energy|inertial_spin|vertical_momentum|kovalevskaya|goryachev_chaplygin";
@@ -36,24 +90,6 @@ inline constexpr std::string_view kOrders = "step_resonance|convergence";
 
 inline constexpr std::string_view kVerdicts = "reliable|noise_floor|unstable|chaotic|marginal";
 
-/// Several of these lists as one, at compile time.
-template <const std::string_view&... lists>
-struct Joined {
-  static constexpr std::size_t kSize = (lists.size() + ... + (sizeof...(lists) - 1));
-  static constexpr std::array<char, kSize> kLetters = [] {
-    std::array<char, kSize> letters{};
-    std::size_t end = 0;
-    const auto add = [&](std::string_view list) {
-      if (end > 0) letters[end++] = '|';
-      for (const char c : list) letters[end++] = c;
-    };
-    (add(lists), ...);
-    return letters;
-  }();
-  static constexpr std::string_view text{kLetters.data(), kSize};
-};
-inline constexpr std::string_view kValues = Joined<kFigures, kVectors>::text;
-inline constexpr std::string_view kAllQuantities =
-    Joined<kFigures, kVectors, kInvariants, kClosedForms, kRelations, kZeros, kOrders, kVerdicts>::text;
+inline constexpr std::string_view kValues = Joined<kFigures, kColumnVectors, kRunNumbers>::text;
 
 }  // namespace earthtop::scenario

@@ -141,6 +141,17 @@ inline constexpr std::array kCriterionRules = {
     CriterionRule{"refused", CriterionKind::refused, "set", "", ""},
 };
 
+/// All that a criterion of any kind may be about.
+inline constexpr std::string_view kAllQuantities = Spelled<[](const auto& add) {
+  bool first = true;
+  for (const CriterionRule& rule : kCriterionRules) {
+    if (rule.quantities.empty()) continue;
+    if (!first) add("|");
+    first = false;
+    add(rule.quantities);
+  }
+}>::text;
+
 inline constexpr std::array kPrecisions = {Precision::bits53, Precision::bits64, Precision::bits113};
 
 }  // namespace earthtop::scenario

@@ -4,39 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/provenance.hpp"
-#include "results/summary_section.hpp"
+#include "results/figures.hpp"
 #include "scene/examine.hpp"
 #include "study/json_text.hpp"
 
 namespace earthtop::study {
-namespace {
-
-/// The value that a dotted path leads to; null if this run has no such member. The reader of the study file has already checked
-/// that some run may have it.
-Json follow(const Json& root, const std::vector<std::string>& steps) {
-  const Json* at = &root;
-  for (const std::string& step : steps) {
-    if (at->is_array()) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
-      if (error != std::errc() || end != step.data() + step.size() || index >= at->size()) return Json();
-      at = &(*at)[index];
-    } else {
-      const auto member = at->is_object() ? at->find(step) : at->end();
-      if (!at->is_object() || member == at->end()) return Json();
-      at = &*member;
-    }
-  }
-  return *at;
-}
-
-}  // namespace
-
 std::string first_message(const ScenarioReport& report) {
   if (report.errors.empty()) return "refused";
   const Diagnostic& first = report.errors.front();
@@ -45,49 +20,12 @@ std::string first_message(const ScenarioReport& report) {
   return text;
 }
 
-bool is_known_at_the_end(std::string_view path) {
-  constexpr std::array<std::string_view, 17> kPaths = {"name",
-                                                       "title",
-                                                       "outcome.status",
-                                                       "outcome.reached_s",
-                                                       "drift.axis_final_rad",
-                                                       "drift.axis_bound_rad",
-                                                       "drift.attitude_final_rad",
-                                                       "drift.attitude_bound_rad",
-                                                       "drift.spin_final_rad",
-                                                       "drift.azimuth_final_rad",
-                                                       "drift.tilt_final_rad",
-                                                       "drift.axis_final_over_earth_angle",
-                                                       "drift.verdict",
-                                                       "drift.threshold_time_s",
-                                                       "drift.threshold_time_bound_s",
-                                                       "drift.threshold_crossing",
-                                                       "attitude_bound_rad"};
-  if (std::find(kPaths.begin(), kPaths.end(), path) != kPaths.end()) return true;
-  for (const std::string_view front :
-       {"matching_rule.", "motion.axis_final_L.", "motion.reference_axis_final_L.", "growth_of_disturbances.", "effects.",
-        "selection.", "accuracy.", "scenario.", "provenance.", "sensitivities.", "uncertainty."})
-    if (path.starts_with(front)) return true;
-  return false;
-}
-
 Collector::Collector(const Study& study) : study_(study), base_(study.base, study.set) {
-  paths_.reserve(study.quantities.size());
-  for (const StudyQuantity& quantity : study.quantities) {
-    std::vector<std::string> steps(1);
-    for (const char c : quantity.path) {
-      if (c == '.')
-        steps.emplace_back();
-      else
-        steps.back() += c;
-    }
-    Path path{steps.front(), {}};
-    path.steps.assign(steps.begin() + 1, steps.end());
-    paths_.push_back(std::move(path));
-  }
-  sensitivities_ = !study.needed_rows_only || std::any_of(paths_.begin(), paths_.end(), [](const Path& path) {
-    return path.section == "sensitivities" || path.section == "uncertainty" || path.section == "scenario";
-  });
+  sensitivities_ =
+      !study.needed_rows_only || std::any_of(study.quantities.begin(), study.quantities.end(), [](const auto& quantity) {
+        const std::string section = quantity.path.substr(0, quantity.path.find('.'));
+        return section == "sensitivities" || section == "uncertainty" || section == "scenario";
+      });
   ends_only_ = study.needed_rows_only && std::all_of(study.quantities.begin(), study.quantities.end(),
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }
@@ -113,7 +51,7 @@ std::optional<Scene> Collector::scene(const std::vector<input::TreeChange>& chan
 }
 
 void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
-  point.values.assign(paths_.size(), {});
+  point.values.assign(study_.quantities.size(), {});
   if (!outcome.result) {
     point.status = "refused";
     point.reason = outcome.refusal;
@@ -129,12 +67,8 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
                                result.accuracy->asked_rad, result.accuracy->reached_rad);
   }
   point.scenario_sha256 = result.scene.sha256();
-  std::string made;
-  std::optional<Json> section;
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    if (i == 0 || made != paths_[i].section) section = summary_section(result, made = paths_[i].section);
-    if (section) point.values[i] = value_of(follow(*section, paths_[i].steps));
-  }
+  for (std::size_t i = 0; i < study_.quantities.size(); ++i)
+    point.values[i] = value_of(summary_part(result, study_.quantities[i].path));
 }
 
 }  // namespace earthtop::study

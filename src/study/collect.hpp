@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Collects the values that a study takes from each run.
+/// Takes from a run the quantities that a study collects.
 #pragma once
 
 #include <optional>
@@ -28,9 +28,6 @@ struct PointResult {
 /// The first error of a refused scenario in one line, and the number of further errors.
 std::string first_message(const ScenarioReport& report);
 
-/// Whether the value at a path of summary.json can be computed without output rows between release and end.
-bool is_known_at_the_end(std::string_view path);
-
 /// Makes the scenes of a study's points from the base, which is read once, and collects the values of their runs.
 class Collector {
  public:
@@ -50,11 +47,6 @@ class Collector {
   scenario::Document base_;
   bool ends_only_;      ///< no output rows between release and end are needed
   bool sensitivities_;  ///< the drift's derivatives are needed, if the base asks for them
-  struct Path {
-    std::string section;             // top-level key of summary.json
-    std::vector<std::string> steps;  // keys and indices below it
-  };
-  std::vector<Path> paths_;
 };
 
 }  // namespace earthtop::study

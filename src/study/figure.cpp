@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "results/unit_of_name.hpp"
 #include "study/json_text.hpp"
 #include "text/json.hpp"
 
@@ -49,15 +50,6 @@ AxisScale scale_of(const std::vector<Line>& lines) {
   return most > kManySizes * least ? AxisScale::logarithmic : AxisScale::linear;
 }
 
-/// The unit with which a name ends, by the naming rule of the whole program: "drift.axis_final_rad" -> "rad".
-std::string unit_of(std::string_view name) {
-  for (const auto& [suffix, unit] :
-       {std::pair("_rad_s", "rad/s"), std::pair("_m_s2", "m/s^2"), std::pair("_rad", "rad"), std::pair("_deg", "deg"),
-        std::pair("_s", "s"), std::pair("_m", "m"), std::pair("_hz", "Hz")})
-    if (name.ends_with(suffix)) return unit;
-  return "";
-}
-
 }  // namespace
 
 std::optional<Figure> study_figure(const Study& study, const Json& document) {
@@ -74,7 +66,7 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
 
   Figure figure{study.title.empty() ? study.name : study.title,
                 study.finding,
-                {x.name, unit_of(x.name),
+                {x.name, std::string(unit_of_name(x.name)),
                  x.range && x.range->logarithmic && x.range->from.front() > 0 ? AxisScale::logarithmic : AxisScale::linear},
                 {}};
   for (const StudyQuantity& quantity : study.quantities) {
@@ -99,7 +91,8 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
     const bool any = std::any_of(lines.begin(), lines.end(), [](const Line& line) {
       return std::any_of(line.y.begin(), line.y.end(), [](double y) { return std::isfinite(y); });
     });
-    if (any) figure.panels.push_back({{quantity.name, unit_of(quantity.name), scale_of(lines)}, std::move(lines)});
+    if (any)
+      figure.panels.push_back({{quantity.name, std::string(unit_of_name(quantity.name)), scale_of(lines)}, std::move(lines)});
   }
   if (figure.panels.empty()) return std::nullopt;
   return figure;

@@ -12,7 +12,7 @@
 #include "input/pointers.hpp"
 #include "input/reader.hpp"
 #include "input/section.hpp"
-#include "results/summary_section.hpp"
+#include "results/figures.hpp"
 #include "scenario/fields.hpp"
 #include "study/fields.hpp"
 #include "study/json_text.hpp"

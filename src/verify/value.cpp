@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drift/row_quantities.hpp"
 #include "earthtop/results/headline.hpp"
 #include "verify/differences.hpp"
 #include "verify/formulas.hpp"
@@ -23,20 +24,18 @@ double figure(const RunResult& result, std::string_view quantity, double t_s) {
   throw NotJudged(fmt::format("this run has no {} at t = {} s", quantity, t_s));
 }
 
-/// The numbers that a quantity consists of: one, or the columns of a vector or quaternion.
+/// The numbers of a quantity: of a vector those of its columns.
 std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
   if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
   if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};
   if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scene)};
-  const bool is_attitude = quantity.ends_with("q_LB"), is_axis = quantity.ends_with("axis_L");
-  const bool is_rate = quantity.ends_with("w_LB_B_rad_s");
-  if (!is_attitude && !is_axis && !is_rate) return {figure(result, quantity, t_s)};
-  const std::string stem = is_rate ? quantity.substr(0, quantity.size() - std::string_view("_rad_s").size()) : quantity;
-  std::vector<double> numbers;
-  for (const char* component : {"_w", "_x", "_y", "_z"})
-    if (is_attitude || component[1] != 'w')
-      numbers.push_back(figure(result, stem + component + (is_rate ? "_rad_s" : ""), t_s));
-  return numbers;
+  for (const RowQuantity& row_quantity : kDriftQuantities) {
+    if (!row_quantity.is_called(quantity)) continue;
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < row_quantity.width(); ++i) numbers.push_back(figure(result, row_quantity.column(i), t_s));
+    return numbers;
+  }
+  return {figure(result, quantity, t_s)};
 }
 
 }  // namespace

@@ -17,23 +17,6 @@ namespace {
 
 using namespace verify_detail;
 
-struct Kind {
-  CriterionKind kind;
-  std::string_view word;
-  double (*error)(const CriterionSpec&, Runs&);
-};
-
-constexpr Kind kKinds[] = {
-    {CriterionKind::value, "value", value_error},
-    {CriterionKind::invariant, "invariant", invariant_error},
-    {CriterionKind::closed_form, "closed form", closed_form_error},
-    {CriterionKind::equivalence, "equivalence", equivalence_error},
-    {CriterionKind::exactly_zero, "exactly zero", exactly_zero_error},
-    {CriterionKind::order, "order", order_error},
-    {CriterionKind::verdict, "verdict", verdict_error},
-    {CriterionKind::refused, "refused", refused_error},
-};
-
 const Kind& kind_of(const CriterionSpec& criterion) {
   for (const Kind& kind : kKinds)
     if (kind.kind == criterion.kind) return kind;
@@ -64,15 +47,15 @@ std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Ru
   std::set<Changes> known;
   for (const CriterionSpec& criterion : criteria) {
     double& work = all.emplace_back(0);
-    if (criterion.kind == CriterionKind::refused || (criterion.slow && !options.slow)) continue;
-    if (criterion.kind == CriterionKind::order) {
+    const RunsTaken takes = kind_of(criterion).takes;
+    if (takes == RunsTaken::none || (criterion.slow && !options.slow)) continue;
+    if (takes == RunsTaken::its_own) {
       work = order_work(criterion, runs);
       continue;
     }
     if (known.insert(criterion.set).second) work += runs.scene(criterion.set).estimate().seconds.all();
-    if (criterion.kind == CriterionKind::equivalence && known.insert(Changes()).second)
-      work += runs.scene().estimate().seconds.all();
-    if (criterion.kind == CriterionKind::exactly_zero) work *= kMethodsHeld;
+    if (takes == RunsTaken::that_and_unchanged && known.insert(Changes()).second) work += runs.scene().estimate().seconds.all();
+    if (takes == RunsTaken::all_methods) work *= kMethodsHeld;
   }
   return all;
 }
@@ -100,7 +83,7 @@ Scenario parse_verifiable(const ScenarioSource& source) {
   if (scenario.criteria.empty())
     throw ScenarioError({{0, 0, "/criteria", "is missing: there is nothing to verify"}}, source.file);
   for (std::size_t i = 0; i < scenario.criteria.size(); ++i) {
-    if (scenario.criteria[i].kind == CriterionKind::refused) continue;
+    if (kind_of(scenario.criteria[i]).takes == RunsTaken::none) continue;
     try {
       runs.scene(scenario.criteria[i].set);
     } catch (const ScenarioError& error) {

@@ -79,4 +79,39 @@ inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
   return result;
 }
 
+/// The same with everything that a result may have, and no number of its summary null.
+inline RunResult made_up_full_run() {
+  RunResult result = made_up_run_with_ledger(11);
+  Scenario& scenario = result.scenario;
+  scenario.headline = HeadlineSpec{"drift_axis_rad", 60, 1e-3, 1e-3, "made up"};
+  scenario.threshold_rad = 1e-3;
+  scenario.accuracy_rad = 1e-9;
+  scenario.sensitivities = true;
+  scenario.uncertainty.emplace().fill(1e-3);
+  scenario.effects.tide.emplace().given = true;
+  scenario.effects.applied = {1e-6, 1e-8, 1e-5, AirDragSpec{}, GravityGradientSpec{GradientField::given, 1e-3}, GimbalSpec{}};
+  result.modelled = scenario;
+  for (std::size_t i = 0; i < result.rows.size(); ++i)
+    for (std::size_t k = 0; k < kAppliedShares.size(); ++k)
+      result.ledger->entries[i].share_A[k] = {static_cast<double>(20 + 3 * k), static_cast<double>(i + 1), 0.5};
+  result.selection = Selection{1e-9, {"tide"}, {"polar_motion"}, 2e-10, 0.25};
+  result.accuracy = AccuracyReport{1e-9, 5e-10, 2};
+  result.drift.threshold_time_s = 41;
+  result.drift.threshold_time_bound_s = 1e-6;
+  result.drift.threshold_crossing = ThresholdCrossing::clear;
+  result.verdict.from_s = result.verdict.reliable_until_s = 60.5;
+  result.verdict.lyapunov_exponent_1_s = 0.1;
+  result.verdict.round_off_grown_s = 200;
+  result.verdict.earth_grown_s = 150;
+  result.stops = {{Prediction::rotating, 58, 1e-3}, {Prediction::reference, 59, 1e-3}};
+  result.solution.step_s = result.certificate.step_s = 1e-3;
+  SensitivityReport& sensitivities = result.sensitivities.emplace();
+  sensitivities.at_s = 60;
+  double number = 0;
+  for (const std::string_view name : kInputNames)
+    sensitivities.inputs.push_back({name, ++number, 2e-3 * number, 3e-3 * number, 4e-3, 5e-3, 1e-6 * number});
+  sensitivities.axis_error_rad = 1e-5;
+  return result;
+}
+
 }  // namespace earthtop::test

@@ -8,7 +8,7 @@
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/study/study.hpp"
-#include "results/summary_section.hpp"
+#include "results/figures.hpp"
 #include "support/json.hpp"
 
 namespace earthtop {

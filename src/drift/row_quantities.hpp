@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The quantities of a row of results, each in one place: what its columns are called, where its numbers stand in a row, and
+/// how two rows are compared in it. Everything that writes, reads, names or compares rows takes them from such a table: the one
+/// of trajectory.csv stands here, below the scenario, because a scenario's headline and criteria name its columns; the one of
+/// torques.csv stands in results/columns.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "earthtop/drift/drift.hpp"
+
+namespace earthtop {
+
+/// The kinds of quantities. Messages list the names of vectors in this order.
+enum class MeasureKind {
+  number,
+  angle,      ///< a number modulo 2 pi
+  flag,       ///< 0 or 1
+  attitude,   ///< quaternion, w first, its sign without meaning: two differ by the angle of the turn from one to the other
+  vector,     ///< three components: two differ by the length of the difference
+  direction,  ///< three components of a unit vector: two differ by the angle between them
+};
+
+/// Whose error bound a quantity shares.
+enum class BoundKind {
+  none,
+  drift_axis,      ///< drift_axis_bound_rad of the row
+  drift_tilt,      ///< the same, and what an error of both axes makes of the drift's direction
+  drift_azimuth,   ///< that over the sine of the tilt
+  drift_attitude,  ///< drift_attitude_bound_rad of the row
+  attitude,        ///< attitude_bound_rad of the summary
+  rates            ///< the same, times the motion's fastest rate
+};
+
+/// The parts of a row, to one of which each quantity belongs. A comparison lists its measures in this order.
+enum class RowPart {
+  rotating,   ///< the motion on the rotating Earth
+  reference,  ///< the non-rotating prediction
+  drift,      ///< the difference of the two
+  torque,     ///< a torque of the ledger
+  error       ///< what is known of the errors of the others
+};
+
+/// One quantity of a row: a number, or several that belong together.
+struct RowQuantity {
+  std::string_view stem;  ///< of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
+  std::string_view unit;  ///< the end of its columns' names, after the component: "_rad_s"; empty for a pure number
+  MeasureKind kind;
+  RowPart part;
+  std::string_view measure;           ///< the name, with its unit, of the difference that a comparison states
+  BoundKind bound = BoundKind::none;  ///< on that difference
+  std::string_view effect = "";       ///< the measure whose largest value is the Earth's effect on this one
+
+  /// The letters of its components; empty for a single number.
+  constexpr std::string_view components() const {
+    if (kind == MeasureKind::attitude) return "wxyz";
+    return kind == MeasureKind::vector || kind == MeasureKind::direction ? "xyz" : "";
+  }
+  constexpr std::size_t width() const { return components().empty() ? 1 : components().size(); }
+
+  /// The name of a column, letter by letter, so that the compiler can join names. @param add  takes a piece of the name
+  template <class Add>
+  constexpr void spell_column(std::size_t component, const Add& add) const {
+    add(stem);
+    if (!components().empty()) add("_"), add(components().substr(component, 1));
+    add(unit);
+  }
+  std::string column(std::size_t component) const {
+    std::string name;
+    spell_column(component, [&](std::string_view piece) { name += piece; });
+    return name;
+  }
+  /// Whether this is the name of the whole quantity: "w_LB_B_rad_s".
+  constexpr bool is_called(std::string_view name) const {
+    return name.size() == stem.size() + unit.size() && name.starts_with(stem) && name.ends_with(unit);
+  }
+};
+
+/// A quantity with where its numbers stand in a row of doubles and in one of extended precision.
+template <class Row, class ExtendedRow>
+struct ValuedQuantity : RowQuantity {
+  std::optional<double> (*value)(const Row&, std::size_t component);  ///< none where the row has none
+  std::optional<float128> (*extended_value)(const ExtendedRow&, std::size_t component);
+};
+
+namespace row_quantities_detail {
+
+template <class T, std::size_t n>
+constexpr std::optional<T> component_of(const std::array<T, n>& vector, std::size_t component) {
+  return vector[component];
+}
+template <class T>
+constexpr std::optional<T> component_of(const std::optional<T>& number, std::size_t) {
+  return number;
+}
+template <class T>
+constexpr std::optional<T> component_of(const T& number, std::size_t) {
+  return number;
+}
+
+}  // namespace row_quantities_detail
+
+/// @param Member  from a row of any scalar to the quantity's number, numbers or flag
+template <class Row, class ExtendedRow, class Member>
+constexpr ValuedQuantity<Row, ExtendedRow> valued(const RowQuantity& quantity, Member) {
+  return {quantity,
+          [](const Row& row, std::size_t component) -> std::optional<double> {
+            return row_quantities_detail::component_of(Member{}(row), component);
+          },
+          [](const ExtendedRow& row, std::size_t component) -> std::optional<float128> {
+            return row_quantities_detail::component_of(Member{}(row), component);
+          }};
+}
+
+/// The quantities of trajectory.csv after the time, in the file's order.
+/// @param visit  takes for each a function from a row of any scalar to the quantity's number, numbers or flag in it, and then
+/// the quantity
+template <class Visit>
+constexpr void for_each_drift_quantity(const Visit& visit) {
+  using enum MeasureKind;
+  using enum RowPart;
+  using Bound = BoundKind;
+  using Q = RowQuantity;
+  visit(
+      [](auto& r) -> auto& { return r.q_LB; },
+      Q{"q_LB", "", attitude, rotating, "attitude_rad", Bound::attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.w_LB_B; },
+      Q{"w_LB_B", "_rad_s", vector, rotating, "rates_rad_s", Bound::rates, "rates_rad_s"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_q_LB; },
+      Q{"ref_q_LB", "", attitude, reference, "ref_attitude_rad", Bound::attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_w_LB_B; },
+      Q{"ref_w_LB_B", "_rad_s", vector, reference, "ref_rates_rad_s", Bound::rates, "rates_rad_s"});
+  visit(
+      [](auto& r) -> auto& { return r.axis_L; },
+      Q{"axis_L", "", direction, rotating, "axis_rad", Bound::attitude, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.ref_axis_L; },
+      Q{"ref_axis_L", "", direction, reference, "ref_axis_rad", Bound::attitude, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_axis_rad; },
+      Q{"drift_axis", "_rad", number, drift, "drift_axis_rad", Bound::drift_axis, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_axis_bound_rad; },
+      Q{"drift_axis_bound", "_rad", number, error, "drift_axis_bound_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_azimuth_rad; },
+      Q{"drift_azimuth", "_rad", angle, drift, "drift_azimuth_rad", Bound::drift_azimuth, "drift_azimuth_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_tilt_rad; },
+      Q{"drift_tilt", "_rad", number, drift, "drift_tilt_rad", Bound::drift_tilt, "drift_axis_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_attitude_rad; },
+      Q{"drift_attitude", "_rad", number, drift, "drift_attitude_rad", Bound::drift_attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_attitude_bound_rad; },
+      Q{"drift_attitude_bound", "_rad", number, error, "drift_attitude_bound_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_spin_rad; },
+      Q{"drift_spin", "_rad", angle, drift, "drift_spin_rad", Bound::drift_attitude, "drift_attitude_rad"});
+  visit(
+      [](auto& r) -> auto& { return r.drift_reliable; }, Q{"drift_reliable", "", flag, error, "drift_reliable"});
+}
+
+using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
+
+/// The same as an array.
+inline constexpr auto kDriftQuantities = [] {
+  constexpr std::size_t kCount = [] {
+    std::size_t count = 0;
+    for_each_drift_quantity([&](auto, const RowQuantity&) { ++count; });
+    return count;
+  }();
+  std::array<DriftQuantity, kCount> all{};
+  std::size_t i = 0;
+  for_each_drift_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = valued<DriftRow, ExtendedDriftRow>(quantity, member); });
+  return all;
+}();
+
+}  // namespace earthtop

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table itself.
+#include "results/figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "earthtop/results/headline.hpp"
+#include "earthtop/results/provenance.hpp"
+#include "earthtop/results/results.hpp"
+#include "scenario/quantities.hpp"
+#include "text/json.hpp"
+
+namespace earthtop {
+namespace figure_table {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using R = const RunResult&;
+using I = std::size_t;
+
+// Values that take more than a member of the result.
+
+const Json kLeftOut = Json(Json::value_t::discarded);
+
+template <class T>
+Json json_from(const T& value) {
+  return value;
+}
+template <class T>
+Json json_from(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+/// A value of the last row whose drift can be trusted; null where there is none.
+template <class T>
+Json reliable(R r, T DriftRow::*member) {
+  const DriftRow* row = last_reliable_row(r);
+  return row ? Json(row->*member) : Json();
+}
+
+/// The largest size of a value over the rows that have it.
+template <class T>
+std::optional<double> largest(R r, T DriftRow::*member) {
+  std::optional<double> most;
+  for (const DriftRow& row : r.rows)
+    if (const std::optional<double> value = row.*member) most = std::max(most.value_or(0), std::abs(*value));
+  return most;
+}
+
+/// The mean of all rows' axes, which is where a precessing or nutating axis goes round.
+std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
+  std::array<double, 3> mean{};
+  const auto count = static_cast<double>(r.rows.size());
+  for (const DriftRow& row : r.rows)
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += (row.*axis)[i] / count;
+  return mean;
+}
+
+std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
+std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
+
+Json relative_tolerance(const IntegrationReport& report) {
+  return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
+}
+/// The status of an integration that ended before its time.
+Json trouble(const IntegrationReport& report) {
+  return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
+}
+
+bool have_sensitivities(R r) { return r.sensitivities->unavailable.empty(); }
+Json why_unavailable(R r) { return have_sensitivities(r) ? kLeftOut : Json(r.sensitivities->unavailable); }
+const InputSensitivity& sensitivity(R r, I i) { return r.sensitivities->inputs[i]; }
+
+/// The input whose error makes most of the drift's error; null where no input has one.
+Json largest_error_from(R r) {
+  const auto& inputs = r.sensitivities->inputs;
+  const auto most = std::max_element(inputs.begin(), inputs.end(),
+                                     [](const auto& a, const auto& b) { return a.axis_error_rad < b.axis_error_rad; });
+  return most->axis_error_rad > 0 ? Json(most->name) : Json();
+}
+
+/// Everything that could turn a top is modelled or left out.
+Json effects_list(const Scene& scene, bool modelled) {
+  const Scenario& scenario = scene.scenario();
+  const EffectsSpec& effects = scenario.effects;
+  const AppliedTorquesSpec& applied = effects.applied;
+  const Site& site = scene.site();
+  Json names = Json::array();
+  const auto list = [&](const char* name, bool on) {
+    if (on == modelled) names.push_back(name);
+  };
+  list("gravity", true);
+  list("coriolis", effects.coriolis);
+  list("centrifugal", effects.centrifugal);
+  list("transverse", effects.transverse);
+  list("platform_motion", scenario.platform.has_value());
+  list("gravity_gradient", applied.gravity_gradient.has_value());
+  list("tide", effects.tide.has_value());
+  list("polar_motion", site.pole.x_arcsec != 0 || site.pole.y_arcsec != 0);
+  list("length_of_day", scenario.excess_length_of_day_ms != 0);
+  list("deflection_of_vertical", site.deflection.north_arcsec != 0 || site.deflection.east_arcsec != 0);
+  list("viscous_torque", applied.viscous_N_m_s != 0);
+  list("quadratic_torque", applied.quadratic_N_m_s2 != 0);
+  list("air_drag", applied.air_drag.has_value());
+  list("coulomb_torque", applied.coulomb_N_m != 0);
+  list("gimbal", applied.gimbal.has_value());
+  list("axis_precession", false);
+  list("elasticity", false);
+  return names;
+}
+
+Json libraries() {
+  Json versions = Json::object();
+  for (const auto& [name, version] : build_info().libraries) versions[name] = version;
+  return versions;
+}
+
+// Rows of the table.
+
+template <class Get>
+Json value_of(R r, I i) {
+  if constexpr (std::is_invocable_v<Get, R, I>)
+    return json_from(Get{}(r, i));
+  else
+    return json_from(Get{}(r));
+}
+
+/// A figure that is compared, or a word. @param get  its value from the result, and where it is in a list from the element's
+/// number
+template <class Get>
+constexpr SummaryMember compared(std::string_view path, FigureKind kind, FigureScope scope, KnownFrom known, Get,
+                                 MemberForm form = MemberForm::value) {
+  return {path, form, kind, scope, known, "", value_of<Get>, nullptr, false, false};
+}
+/// A member that is not compared. @param why  ends the sentence "It is not compared because ..."
+template <class Get>
+constexpr SummaryMember told(std::string_view path, KnownFrom known, std::string_view why, Get,
+                             MemberForm form = MemberForm::value) {
+  return {path, form, FigureKind::not_compared, FigureScope::any, known, why, value_of<Get>, nullptr, false, false};
+}
+template <class Get>
+constexpr SummaryMember work(std::string_view path, Get) {
+  return {path, MemberForm::value, FigureKind::cost, FigureScope::any, KnownFrom::rows, "", value_of<Get>, nullptr, false,
+          false};
+}
+/// @param count  1 where there is such an object, or how many elements the list has; none where the result has no such member
+template <class Count>
+constexpr SummaryMember holder(std::string_view path, MemberForm form, Count, bool left_out = false) {
+  return {path,
+          form,
+          FigureKind::not_compared,
+          FigureScope::any,
+          KnownFrom::end,
+          "it holds others",
+          nullptr,
+          [](R r) -> std::optional<std::size_t> { return Count{}(r); },
+          left_out,
+          false};
+}
+constexpr SummaryMember object(std::string_view path) {
+  return holder(path, MemberForm::object, [](R) { return 1; });
+}
+/// @param is_there  whether the result has it; otherwise it is null
+template <class IsThere>
+constexpr SummaryMember object_or_null(std::string_view path, IsThere) {
+  return holder(path, MemberForm::object, [](R r) { return IsThere{}(r) ? std::optional(1) : std::nullopt; });
+}
+/// The same; otherwise the document lacks it.
+template <class IsThere>
+constexpr SummaryMember object_or_nothing(std::string_view path, IsThere) {
+  return holder(
+      path, MemberForm::object, [](R r) { return IsThere{}(r) ? std::optional(1) : std::nullopt; }, true);
+}
+template <class Count>
+constexpr SummaryMember list(std::string_view path, Count count, bool left_out = false) {
+  return holder(path, MemberForm::list, count, left_out);
+}
+constexpr SummaryMember of_rows(SummaryMember member) {
+  member.of_rows = true;
+  return member;
+}
+
+constexpr std::string_view kLabel = "it names what is beside it", kOfScenario = "the scenario says it, whose keys are compared",
+                           kWords = "it says in words what figures say", kIsRow = "it is a row's, and the rows are compared",
+                           kRowCount = "rows that are missing or too many are findings of their own",
+                           kDigits = "it repeats a figure that is compared", kOrigin = "it says where the result comes from",
+                           kHeadline = "it holds a column or a figure, which are compared, against the scenario's number",
+                           kSelected = "the effects modelled are compared",
+                           kEffort = "it is the work that the search for a tolerance took";
+
+constexpr auto kMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  using MemberForm::document, MemberForm::vector, MemberForm::words;
+  // A figure is known at the end where no row between release and end is needed for it.
+  constexpr KnownFrom kAtEnd = KnownFrom::end, kFromRows = KnownFrom::rows;
+  return std::array{
+      told("$schema", kFromRows, kLabel, [](R) { return "earthtop-summary-1.json"; }),
+      told("name", kAtEnd, kLabel, [](R r) { return r.scene.scenario().name; }),
+      told("title", kAtEnd, kLabel, [](R r) { return r.scene.scenario().title; }),
+      object("outcome"),
+      compared("outcome.status", outcome, any, kAtEnd, [](R r) { return to_string(r.status); }),
+      compared("outcome.reached_s", input, any, kAtEnd, [](R r) { return r.reached_s; }),
+      told("outcome.rows", kFromRows, kRowCount, [](R r) { return r.rows.size(); }),
+      object("matching_rule"),
+      told("matching_rule.rates_relative_to", kAtEnd, kOfScenario,
+           [](R r) { return to_word(r.scene.scenario().release.rates_relative_to); }),
+      told("matching_rule.statement", kAtEnd, kOfScenario, [](R r) { return matching_rule(r.scene.scenario()); }),
+
+      of_rows(object("drift")),
+      compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; }),
+      compared("drift.axis_max_rad", drift_axis, rows, kFromRows, [](R r) { return r.drift.axis_max_rad; }),
+      compared("drift.axis_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.axis_bound_rad; }),
+      compared("drift.attitude_final_rad", drift_attitude, end, kAtEnd, [](R r) { return r.drift.attitude_final_rad; }),
+      compared("drift.attitude_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.attitude_bound_rad; }),
+      compared("drift.spin_final_rad", drift_spin, end, kAtEnd, [](R r) { return r.drift.spin_final_rad; }),
+      compared("drift.azimuth_final_rad", drift_azimuth, end, kAtEnd, [](R r) { return r.drift.azimuth_final_rad; }),
+      compared("drift.tilt_final_rad", drift_tilt, end, kAtEnd, [](R r) { return r.drift.tilt_final_rad; }),
+      compared("drift.azimuth_max_rad", drift_azimuth, rows, kFromRows,
+               [](R r) { return largest(r, &DriftRow::drift_azimuth_rad); }),
+      compared("drift.tilt_max_rad", drift_tilt, rows, kFromRows, [](R r) { return largest(r, &DriftRow::drift_tilt_rad); }),
+      compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
+               [](R r) { return r.drift.axis_final_over_earth_angle; }),
+      compared("drift.verdict", outcome, any, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
+      compared("drift.verdict_from_s", error, any, kFromRows, [](R r) { return r.verdict.from_s; }),
+      told("drift.verdict_reason", kFromRows, kWords, [](R r) { return r.verdict.reason; }),
+      object("drift.reliable"),
+      compared("drift.reliable.until_s", error, any, kFromRows, [](R r) { return r.verdict.reliable_until_s; }),
+      told("drift.reliable.at_s", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::t_s); }),
+      told("drift.reliable.axis_rad", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::drift_axis_rad); }),
+      told("drift.reliable.axis_bound_rad", kFromRows, kIsRow,
+           [](R r) { return reliable(r, &DriftRow::drift_axis_bound_rad); }),
+      told("drift.reliable.attitude_rad", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::drift_attitude_rad); }),
+      told("drift.reliable.attitude_bound_rad", kFromRows, kIsRow,
+           [](R r) { return reliable(r, &DriftRow::drift_attitude_bound_rad); }),
+      object_or_null("drift.secular", [](R r) { return r.drift.secular.has_value(); }),
+      compared("drift.secular.azimuth_rate_rad_s", azimuth_rate, rows, kFromRows,
+               [](R r) { return r.drift.secular->azimuth_rate_rad_s; }),
+      compared("drift.secular.azimuth_rate_standard_error_rad_s", azimuth_rate, rows, kFromRows,
+               [](R r) { return r.drift.secular->azimuth_rate_standard_error_rad_s; }),
+      compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, rows, kFromRows,
+               [](R r) { return r.drift.secular->mean_precession_rate_change_rad_s; }),
+      object_or_null("drift.oscillation", [](R r) { return r.drift.secular.has_value(); }),
+      compared("drift.oscillation.azimuth_rad", drift_azimuth, rows, kFromRows,
+               [](R r) { return r.drift.secular->azimuth_oscillation_rad; }),
+      compared("drift.threshold_rad", input, any, kFromRows, [](R r) { return r.scene.scenario().threshold_rad; }),
+      compared("drift.threshold_time_s", threshold_time, any, kAtEnd, [](R r) { return r.drift.threshold_time_s; }),
+      compared("drift.threshold_time_bound_s", error, any, kAtEnd, [](R r) { return r.drift.threshold_time_bound_s; }),
+      compared("drift.threshold_crossing", word, any, kAtEnd,
+               [](R r) { return r.drift.threshold_crossing ? Json(to_string(*r.drift.threshold_crossing)) : Json(); }),
+      object_or_nothing("drift.digits", [](R r) { return drift_digits(r).has_value(); }),
+      told("drift.digits.axis_final_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->axis_final_rad; }),
+      told("drift.digits.axis_max_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->axis_max_rad; }),
+      told("drift.digits.attitude_final_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->attitude_final_rad; }),
+      told("drift.digits.spin_final_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->spin_final_rad; }),
+
+      // Body axis 3 in the laboratory (East, North, Up).
+      of_rows(object_or_null("motion", [](R r) { return !r.rows.empty(); })),
+      compared(
+          "motion.axis_final_L", attitude, end, kAtEnd, [](R r) { return r.rows.back().axis_L; }, vector),
+      compared(
+          "motion.reference_axis_final_L", attitude, end, kAtEnd, [](R r) { return r.rows.back().ref_axis_L; }, vector),
+      compared(
+          "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::axis_L); }, vector),
+      compared(
+          "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::ref_axis_L); },
+          vector),
+      of_rows(object("growth_of_disturbances")),
+      compared("growth_of_disturbances.lyapunov_exponent_1_s", time, any, kAtEnd,
+               [](R r) { return r.verdict.lyapunov_exponent_1_s; }),
+      compared("growth_of_disturbances.round_off_grown_s", error, any, kAtEnd, [](R r) { return r.verdict.round_off_grown_s; }),
+      compared("growth_of_disturbances.earth_grown_s", time, any, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
+      // When dry friction brought a motion to rest.
+      list("stops", [](R r) { return r.stops.size(); }),
+      compared("stops.*.prediction", word, any, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); }),
+      compared("stops.*.t_s", time, any, kFromRows, [](R r, I i) { return r.stops[i].t_s; }),
+      compared("stops.*.bound_s", error, any, kFromRows, [](R r, I i) { return r.stops[i].bound_s; }),
+      object_or_null("headline", [](R r) { return r.scene.scenario().headline.has_value(); }),
+      told("headline.quantity", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->quantity; }),
+      told("headline.at_s", kFromRows, kHeadline, [](R r) { return check_headline(r)->at_s; }),
+      told("headline.stated", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->value; }),
+      told("headline.tolerance", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->tolerance; }),
+      told("headline.computed", kFromRows, kHeadline, [](R r) { return check_headline(r)->computed; }),
+      told("headline.difference", kFromRows, kHeadline, [](R r) { return check_headline(r)->difference; }),
+      told("headline.met", kFromRows, kHeadline, [](R r) { return check_headline(r)->met; }),
+      told("headline.origin", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->origin; }),
+
+      object("solution"),
+      work("solution.reason", [](R r) { return r.solution.reason; }),
+      work("solution.observer", [](R r) { return to_string(r.solution.observer); }),
+      work("solution.model", [](R r) { return to_string(r.solution.form); }),
+      work("solution.method", [](R r) { return to_string(r.solution.method); }),
+      work("solution.precision", [](R r) { return r.solution.precision; }),
+      work("solution.relative_tolerance", [](R r) { return relative_tolerance(r.solution); }),
+      work("solution.step_s", [](R r) { return r.solution.step_s; }),
+      work("solution.steps_accepted", [](R r) { return r.solution.counters.accepted; }),
+      work("solution.steps_rejected", [](R r) { return r.solution.counters.rejected; }),
+      work("solution.right_hand_side_evaluations", [](R r) { return r.solution.counters.evaluations; }),
+      work("solution.status", [](R r) { return trouble(r.solution); }),
+      object("certificate"),
+      work("certificate.reason", [](R r) { return r.certificate.reason; }),
+      work("certificate.observer", [](R r) { return to_string(r.certificate.observer); }),
+      work("certificate.model", [](R r) { return to_string(r.certificate.form); }),
+      work("certificate.method", [](R r) { return to_string(r.certificate.method); }),
+      work("certificate.precision", [](R r) { return r.certificate.precision; }),
+      work("certificate.relative_tolerance", [](R r) { return relative_tolerance(r.certificate); }),
+      work("certificate.step_s", [](R r) { return r.certificate.step_s; }),
+      work("certificate.steps_accepted", [](R r) { return r.certificate.counters.accepted; }),
+      work("certificate.steps_rejected", [](R r) { return r.certificate.counters.rejected; }),
+      work("certificate.right_hand_side_evaluations", [](R r) { return r.certificate.counters.evaluations; }),
+      work("certificate.status", [](R r) { return trouble(r.certificate); }),
+      of_rows(compared("attitude_bound_rad", error, rows, kAtEnd, [](R r) { return r.attitude_bound_rad; })),
+      list("invariants", [](R r) { return r.invariants.size(); }),
+      told("invariants.*.name", kFromRows, kLabel, [](R r, I i) { return r.invariants[i].name; }),
+      told("invariants.*.unit", kFromRows, kLabel, [](R r, I i) { return r.invariants[i].unit; }),
+      compared("invariants.*.initial", input, any, kFromRows, [](R r, I i) { return r.invariants[i].initial; }),
+      compared("invariants.*.largest_change", conserved, rows, kFromRows,
+               [](R r, I i) { return r.invariants[i].largest_change; }),
+      compared("invariants.*.scale", derived, rows, kFromRows, [](R r, I i) { return r.invariants[i].scale; }),
+      list("theory", [](R r) { return r.theory.size(); }),
+      told("theory.*.name", kFromRows, kLabel, [](R r, I i) { return r.theory[i].name; }),
+      told("theory.*.statement", kFromRows, kLabel, [](R r, I i) { return r.theory[i].statement; }),
+      told("theory.*.unit", kFromRows, kLabel, [](R r, I i) { return r.theory[i].unit; }),
+      compared("theory.*.predicted", input, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
+      compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
+
+      object_or_nothing("sensitivities", [](R r) { return r.sensitivities.has_value(); }),
+      compared("sensitivities.at_s", input, end, kAtEnd, [](R r) { return r.sensitivities->at_s; }),
+      compared("sensitivities.unavailable", word, end, kAtEnd, [](R r) { return why_unavailable(r); }),
+      told("sensitivities.per", kAtEnd, kLabel,
+           [](R r) { return have_sensitivities(r) ? Json("one unit of the input, as its name says") : kLeftOut; }),
+      list(
+          "sensitivities.inputs",
+          [](R r) { return have_sensitivities(r) ? std::optional(r.sensitivities->inputs.size()) : std::nullopt; }, true),
+      compared("sensitivities.inputs.*.name", word, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).name; }),
+      compared("sensitivities.inputs.*.value", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).value; }),
+      compared("sensitivities.inputs.*.d_axis_rad", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).axis_rad; }),
+      compared("sensitivities.inputs.*.d_attitude_rad", derived, end, kAtEnd,
+               [](R r, I i) { return sensitivity(r, i).attitude_rad; }),
+      compared("sensitivities.inputs.*.d_tilt_rad", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).tilt_rad; }),
+      compared("sensitivities.inputs.*.d_azimuth_rad", derived, end, kAtEnd,
+               [](R r, I i) { return sensitivity(r, i).azimuth_rad; }),
+      compared("sensitivities.inputs.*.axis_error_rad", derived, end, kAtEnd,
+               [](R r, I i) { return sensitivity(r, i).axis_error_rad; }),
+      // The last reliable drift of the axis with what is known of its errors: from the inputs (a standard error, inputs
+      // independent) and from the numerics (a bound).
+      object_or_nothing("uncertainty", [](R r) { return r.sensitivities && r.scene.scenario().uncertainty; }),
+      compared("uncertainty.unavailable", word, end, kAtEnd, [](R r) { return why_unavailable(r); }),
+      compared("uncertainty.axis_rad", derived, end, kAtEnd,
+               [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_rad) : kLeftOut; }),
+      compared("uncertainty.from_inputs_rad", derived, end, kAtEnd,
+               [](R r) { return have_sensitivities(r) ? Json(r.sensitivities->axis_error_rad) : kLeftOut; }),
+      compared("uncertainty.from_numerics_rad", error, end, kAtEnd,
+               [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_bound_rad) : kLeftOut; }),
+      compared("uncertainty.largest_from", word, end, kAtEnd,
+               [](R r) { return have_sensitivities(r) ? largest_error_from(r) : kLeftOut; }),
+      object_or_nothing("ledger", [](R r) { return r.ledger.has_value(); }),
+      compared("ledger.observer", word, any, kFromRows, [](R r) { return to_string(r.ledger->observer); }),
+      compared("ledger.tau_phys_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_phys; }),
+      compared("ledger.tau_cor_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_cor; }),
+      compared("ledger.tau_trans_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_trans; }),
+      compared("ledger.tau_cent_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_cent; }),
+      compared("ledger.dL_dt_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.dL_dt; }),
+      compared("ledger.residual_max_N_m", error, rows, kFromRows, [](R r) { return r.ledger->largest.residual; }),
+      compared("ledger.residual_over_largest_torque", error, rows, kFromRows,
+               [](R r) { return r.ledger->largest.relative_residual(); }),
+
+      object("effects"),
+      compared(
+          "effects.modelled", word, any, kAtEnd, [](R r) { return effects_list(r.modelled, true); }, words),
+      told(
+          "effects.left_out", kAtEnd, kSelected, [](R r) { return effects_list(r.modelled, false); }, words),
+      // The effects chosen for a scene that left them open, and the error reached where one was asked for.
+      object_or_nothing("selection", [](R r) { return r.selection.has_value(); }),
+      compared("selection.accuracy_rad", input, any, kAtEnd, [](R r) { return r.selection->accuracy_rad; }),
+      told(
+          "selection.switched_on", kAtEnd, kSelected, [](R r) { return r.selection->switched_on; }, words),
+      told(
+          "selection.left_out", kAtEnd, kSelected, [](R r) { return r.selection->left_out; }, words),
+      compared("selection.left_out_drift_rad", derived, any, kAtEnd, [](R r) { return r.selection->left_out_drift_rad; }),
+      object_or_nothing("accuracy", [](R r) { return r.accuracy.has_value(); }),
+      compared("accuracy.asked_rad", input, any, kAtEnd, [](R r) { return r.accuracy->asked_rad; }),
+      compared("accuracy.reached_rad", error, any, kAtEnd, [](R r) { return r.accuracy->reached_rad; }),
+      compared("accuracy.reached", word, any, kAtEnd, [](R r) { return r.accuracy->reached(); }),
+      told("accuracy.attempts", kAtEnd, kEffort, [](R r) { return r.accuracy->attempts; }),
+      told(
+          "notes", kFromRows, kWords, [](R r) { return r.notes; }, words),
+      told(
+          "scenario", kAtEnd, "its keys are compared one by one, before any figure",
+          [](R r) { return json_of(canonical_json(r.scene.scenario())); }, document),
+      object("provenance"),
+      told("provenance.program", kAtEnd, kOrigin, [](R) { return "earthtop"; }),
+      told("provenance.version", kAtEnd, kOrigin, [](R) { return build_info().version; }),
+      told("provenance.commit", kAtEnd, kOrigin, [](R) { return build_info().commit; }),
+      told("provenance.compiler", kAtEnd, kOrigin, [](R) { return build_info().compiler; }),
+      told("provenance.flags", kAtEnd, kOrigin, [](R) { return build_info().flags; }),
+      told(
+          "provenance.libraries", kAtEnd, kOrigin, [](R) { return libraries(); }, document),
+      told("provenance.scenario_sha256", kAtEnd, kOfScenario, [](R r) { return r.scene.sha256(); }),
+      list("provenance.constants", [](R r) { return constants_used(r.scene).size(); }),
+      told("provenance.constants.*.name", kAtEnd, kOfScenario, [](R r, I i) { return constants_used(r.scene)[i].name; }),
+      told("provenance.constants.*.value", kAtEnd, kOfScenario, [](R r, I i) { return constants_used(r.scene)[i].value; }),
+      told("provenance.constants.*.unit", kAtEnd, kOfScenario, [](R r, I i) { return constants_used(r.scene)[i].unit; }),
+      told("provenance.constants.*.source", kAtEnd, kOfScenario, [](R r, I i) { return constants_used(r.scene)[i].source; }),
+  };
+}();
+
+constexpr bool each_is_compared_or_says_why_not() {
+  for (const SummaryMember& member : kMembers)
+    if ((member.kind == FigureKind::not_compared) != !member.why_not.empty()) return false;
+  return true;
+}
+static_assert(each_is_compared_or_says_why_not(), "a figure is compared, or says why it is not");
+
+constexpr bool headlines_are_figures() {
+  std::string_view names = scenario::kSummaryFigures;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find('|'));
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+    bool found = false;
+    for (const SummaryMember& member : kMembers)
+      found = found || (member.path == name && member.form == MemberForm::value && member.kind > FigureKind::outcome);
+    if (!found) return false;
+  }
+  return true;
+}
+static_assert(headlines_are_figures(), "a headline may be about a number of the summary that is compared");
+
+}  // namespace
+}  // namespace figure_table
+
+std::span<const SummaryMember> summary_members() { return figure_table::kMembers; }
+
+}  // namespace earthtop

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The unit that a name ends with, as all names of the program do: "drift.axis_final_rad" -> "rad".
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+namespace earthtop {
+
+/// @returns the unit as it is printed; empty for a pure number
+inline std::string_view unit_of_name(std::string_view name) {
+  using Ending = std::pair<std::string_view, std::string_view>;
+  for (const auto& [ending, unit] :
+       {Ending("_rad_s", "rad/s"), Ending("_m_s2", "m/s^2"), Ending("_N_m", "N m"), Ending("_rad", "rad"),
+        Ending("_deg", "deg"), Ending("_s", "s"), Ending("_m", "m"), Ending("_hz", "Hz")})
+    if (name.ends_with(ending)) return unit;
+  return "";
+}
+
+}  // namespace earthtop

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Nothing that a run writes is silently not compared: every member of a summary is in the table of figures, which says how it
+/// is compared or why it is not, and the comparison does what the table says.
+#include "results/figures.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "compare/results_copy.hpp"
+#include "results/columns.hpp"
+#include "results/made_up_run.hpp"
+#include "support/json.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace earthtop {
+namespace {
+
+using namespace testing;  // of earthtop: results_copy.hpp
+using Json = nlohmann::ordered_json;
+
+/// Calls `visit` with the path and the value of every number, word, flag and null of a summary, elements of lists by their
+/// names as a comparison calls them.
+template <class Value, class Visit>
+void for_each_leaf(Value& at, const std::string& path, const Visit& visit) {
+  const std::string start = path.empty() ? "" : path + ".";
+  if (at.is_array())
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for_each_leaf(at[i],
+                    start + (at[i].is_object() && at[i].contains("name") ? at[i]["name"].template get<std::string>()
+                                                                         : fmt::format("{}", i)),
+                    visit);
+  else if (at.is_object())
+    for (auto& [key, value] : at.items()) for_each_leaf(value, start + key, visit);
+  else
+    visit(path, at);
+}
+
+bool is_compared(const SummaryMember& member) {
+  return member.kind != FigureKind::not_compared && member.kind != FigureKind::cost;
+}
+
+void expect_table_covers(const RunResult& result) {
+  Json summary = parse_ordered_json(summary_json(result));
+  int leaves = 0;
+  for_each_leaf(summary, "", [&](const std::string& path, const Json& value) {
+    ++leaves;
+    const SummaryMember* member = find_member(path);
+    ASSERT_TRUE(member) << path << " is in the summary, but not in the table of figures";
+    if (value.is_null()) return;  // of an object that this result lacks
+    EXPECT_TRUE(member->form != MemberForm::object && member->form != MemberForm::list) << path;
+    EXPECT_TRUE(is_compared(*member) || member->kind == FigureKind::cost || !member->why_not.empty()) << path;
+    EXPECT_FALSE(value.is_number() && is_compared(*member) && member->kind <= FigureKind::outcome)
+        << path << " is a number, compared as a word";
+  });
+  EXPECT_GT(leaves, 80);
+}
+
+/// The first moments of a scenario: which members its summary has does not hang on how long it is.
+void expect_table_covers(const fs::path& file) {
+  SCOPED_TRACE(file.filename().string());
+  const std::vector<std::pair<std::string, std::string>> brief = {{"/motion/duration_s", "0.05"},
+                                                                  {"/motion/output_step_s", "0.01"}};
+  expect_table_covers(run(parse_scenario(read_scenario_source(file.string()), brief)));
+}
+
+TEST(SummaryTable, CoversEverySummary) {
+  int files = 0;
+  for (const char* folder : {EARTHTOP_SCENARIOS, EARTHTOP_SCENARIOS "/hard"})
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() != ".json") continue;
+      ++files;
+      expect_table_covers(entry.path());
+    }
+  EXPECT_GT(files, 60);
+  expect_table_covers(test::made_up_run());
+  expect_table_covers(test::made_up_full_run());
+}
+
+TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
+  std::set<const SummaryMember*> written;
+  RunResult full = test::made_up_full_run(), other = full;
+  other.solution.status = other.certificate.status = RunStatus::step_limit;
+  other.sensitivities->unavailable = "a reason";
+  other.scenario.precision = Precision::bits113;
+  other.extended_rows.resize(other.rows.size());
+  for (const RunResult& result : {full, other}) {
+    Json summary = parse_ordered_json(summary_json(result));
+    for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
+  }
+  for (const SummaryMember& member : summary_members())
+    EXPECT_TRUE(written.contains(&member) || member.form == MemberForm::object || member.form == MemberForm::list)
+        << member.path;
+}
+
+// A study takes a part of the summary, which is what stands there in the whole.
+TEST(SummaryTable, APartIsThatOfTheWhole) {
+  const RunResult result = test::made_up_full_run();
+  Json summary = parse_ordered_json(summary_json(result));
+  for (const std::string path : {"name",
+                                 "drift",
+                                 "drift.axis_max_rad",
+                                 "drift.secular",
+                                 "drift.secular.azimuth_rate_rad_s",
+                                 "motion.axis_final_L",
+                                 "motion.axis_final_L.2",
+                                 "stops.1.t_s",
+                                 "invariants.0.largest_change",
+                                 "invariants.1.largest_change",
+                                 "effects.modelled",
+                                 "effects.modelled.1",
+                                 "sensitivities.inputs.3",
+                                 "sensitivities.inputs.3.d_tilt_rad",
+                                 "scenario.site.latitude_deg",
+                                 "provenance.constants.0.value",
+                                 "attitude_bound_rad",
+                                 "drift.nothing",
+                                 "drift.axis_max_rad.below",
+                                 "accuracy.reached"}) {
+    const Json* at = &summary;
+    for (std::string rest = path; at && !rest.empty();) {
+      const std::string step = rest.substr(0, rest.find('.'));
+      rest.erase(0, step.size() + 1);
+      if (at->is_array())
+        at = std::stoul(step) < at->size() ? &(*at)[std::stoul(step)] : nullptr;
+      else
+        at = at->contains(step) ? &(*at)[step] : nullptr;
+    }
+    EXPECT_EQ(summary_part(result, path), at ? *at : Json()) << path;
+  }
+}
+
+TEST(SummaryTable, WithoutARowBeyondTheReleaseItHasNoNumbersOfRows) {
+  RunResult result = test::made_up_full_run();
+  result.rows.resize(1);
+  Json summary = parse_ordered_json(summary_json(result));
+  for (const char* section : {"drift", "motion", "growth_of_disturbances", "attitude_bound_rad"})
+    for_each_leaf(summary[section], section,
+                  [](const std::string& path, const Json& value) { EXPECT_FALSE(value.is_number()) << path; });
+  EXPECT_TRUE(summary["accuracy"]["asked_rad"].is_number());
+  EXPECT_TRUE(summary_part(result, "drift.axis_final_rad").is_null());
+}
+
+/// Both written to files and held against each other by their bits.
+PairReport compared_bitwise(const fs::path& before, const fs::path& now) {
+  return compare_results(before, now, with_profile(Profile::bitwise)).pairs.at(0);
+}
+
+// Every number that the table says is compared is changed in a copy, and the comparison must complain of each by its name, and
+// of nothing else.
+TEST(SummaryTable, TheComparisonDoesWhatItSays) {
+  const TemporaryDirectory directory;
+  const fs::path before = directory.path() / "before", now = directory.path() / "now";
+  const RunResult result = test::made_up_full_run();
+  write_results(result, before, false);
+  write_results(result, now, false);
+  ASSERT_TRUE(compared_bitwise(before, now).passed());
+  Json summary = parse_ordered_json(read_text(now / "summary.json"));
+  std::set<std::string> changed, in_words;
+  for_each_leaf(summary, "", [&](const std::string& path, Json& value) {
+    const SummaryMember& member = *find_member(path);
+    if (!is_compared(member) || path.ends_with(".name")) return;  // a name is part of the paths beside it
+    if (value.is_number()) {
+      value = 1.5 * value.get<double>() + 1;
+      changed.insert(path);
+    } else if (path != "outcome.status" && path != "drift.verdict") {  // which decide what else is looked at
+      value = "another";
+      changed.insert(path);
+    } else {
+      in_words.insert(path);
+    }
+  });
+  EXPECT_GT(changed.size(), 90u);
+  EXPECT_EQ(in_words.size(), 2u);
+  write_text(now / "summary.json", text_of(summary));
+  std::set<std::string> found;
+  for (const QuantityVerdict& verdict : compared_bitwise(before, now).quantities)
+    if (!verdict.passed) found.insert(verdict.name);
+  EXPECT_EQ(found, changed);
+  for (const std::string& path : in_words) {
+    Json one = parse_ordered_json(read_text(before / "summary.json"));
+    one[Json::json_pointer("/" + path.substr(0, path.find('.')))][path.substr(path.find('.') + 1)] = "another";
+    write_text(now / "summary.json", text_of(one));
+    EXPECT_FALSE(compared_bitwise(before, now).passed()) << path;
+  }
+}
+
+// A number in one cell of every column of both files.
+TEST(Columns, EachIsCompared) {
+  const TemporaryDirectory directory;
+  const fs::path before = directory.path() / "before", now = directory.path() / "now";
+  const RunResult result = test::made_up_full_run();
+  write_results(result, before, false);
+  write_results(result, now, false);
+  std::map<std::string, std::size_t> columns;
+  for (const std::string file : {"trajectory.csv", "torques.csv"}) {
+    const Csv original(before / file);
+    for (const std::string& column : original.header) {
+      if (column == "t_s") continue;
+      ++columns[file];
+      Csv csv = original;
+      csv.set(5, column, column == "drift_reliable" ? 0 : 1.5 * csv.get(5, column) + 0.25);
+      write_text(now / file, csv.text());
+      const PairReport pair = compared_bitwise(before, now);
+      EXPECT_TRUE(std::any_of(pair.quantities.begin(), pair.quantities.end(),
+                              [](const QuantityVerdict& verdict) { return !verdict.passed; }))
+          << file << " " << column;
+    }
+    write_text(now / file, original.text());
+  }
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size());
+  EXPECT_EQ(columns["torques.csv"], 3 * torque_quantities().size());
+}
+
+}  // namespace
+}  // namespace earthtop
