@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scenario's results must satisfy.
+// The criteria that a scenario's results must satisfy.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -23,7 +23,8 @@
 
 namespace earthtop {
 
-/// Which of [F]'s three torques act (switched off means: left out of dL'/dt in the laboratory), and what acts beside gravity.
+/// The effects that act: [F]'s three torques (one that is switched off is left out of dL'/dt in the laboratory), and what acts
+/// beside gravity.
 struct EffectsSpec {
   bool coriolis = true;
   bool centrifugal = true;
@@ -33,7 +34,7 @@ struct EffectsSpec {
   bool automatic = false;  ///< what has no parameter of its own is chosen by the drift error asked for
   bool operator==(const EffectsSpec&) const = default;
   bool all_on() const { return coriolis && centrifugal && transverse; }
-  /// Whether gravity and all three of [F]'s torques act, and nothing else.
+  /// Returns whether gravity and all three of [F]'s torques act, and nothing else.
   bool plain() const { return all_on() && !applied.any() && !tide; }
 };
 
@@ -109,8 +110,8 @@ struct ScenarioSource {
 /// file, a directory or a FIFO; ReadError.
 ScenarioSource read_scenario_source(const std::string& path);
 
-/// What was found in a scenario's text, sorted by position; at most 20 errors, then one that says how many more. Those of
-/// an override stand first, at line 0.
+/// The findings in a scenario's text, sorted by position: at most 20 errors, then one that says how many more there are. Those
+/// about an override stand first, at line 0.
 struct ScenarioReport {
   std::optional<Scenario> scenario;  ///< nothing where there are errors
   std::size_t error_count = 0;       ///< all of them, also those beyond the twentieth
