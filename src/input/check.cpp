@@ -14,7 +14,7 @@
 namespace earthtop::input {
 namespace {
 
-/// What stands there, for messages: short values are shown.
+/// A node as messages show it: short values stand there as they are.
 std::string shown(const Node& node) {
   switch (node.kind) {
     case JsonKind::number: return fmt::format("{}", node.number);

@@ -17,7 +17,7 @@ void check_structure(Node& root, Findings& findings, const FieldTable& table);
 /// @throws ScenarioError where reading stopped; what else is wrong is in the findings, and the tree is whole
 Node read_checked(std::string_view& text, const std::string& file, const FieldTable& table, Findings& findings);
 
-/// Whether a text may name a scenario or a study: [a-z0-9][a-z0-9-]{0,63}.
+/// Returns whether a text may name a scenario or a study: [a-z0-9][a-z0-9-]{0,63}.
 bool is_name(std::string_view text);
 
 }  // namespace earthtop::input

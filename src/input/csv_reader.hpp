@@ -29,7 +29,7 @@ class CsvReader {
   /// The column's place in the header; the header's size where there is none of this name.
   std::size_t find(std::string_view column) const;
 
-  /// Which columns' numbers are wanted from now on, in which order.
+  /// Says which columns' numbers are wanted from now on, and in which order.
   void want(std::vector<std::size_t> columns);
 
   /// The next line's numbers. @returns false at the end
@@ -42,7 +42,7 @@ class CsvReader {
   /// The part of the file that has been read, by its length when it was opened.
   double share_read() const { return size_ > 0 ? static_cast<double>(read_) / static_cast<double>(size_) : 0; }
   std::uint64_t line() const { return line_; }  ///< counted from 1
-  /// Where the cell stands in its line (bytes), counted from 1.
+  /// The cell's place in its line (bytes), counted from 1.
   std::size_t column(std::size_t wanted) const { return static_cast<std::size_t>(text(wanted).data() - whole_.data()) + 1; }
 
  private:

@@ -45,7 +45,7 @@ struct Field {
   std::string_view doc;
   bool required = false;         ///< wherever its parent stands; rules with more than one key are the decoder's
   std::string_view reason = "";  ///< why the range ends where it ends, for those who passed it
-  /// What an object says first of a key that it does not have.
+  /// A refusal of a key that the object does not have begins with this.
   std::string_view unknown = "unknown key";
   bool describes_only = false;  ///< whether nothing that is computed depends on it, nor on what lies below it
 
@@ -66,10 +66,10 @@ struct FieldTable {
 };
 
 std::vector<std::string_view> split_words(std::string_view words);
-/// Whether `word` is one of `words`.
+/// Returns whether `word` is one of `words`, which '|' separates.
 bool lists(std::string_view words, std::string_view word);
 
-/// What is allowed, for messages: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
+/// The values that a field allows, as messages say it: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
 std::string allowed_values(const Field& field);
 
 /// "from -90 to 90", "above 0 and at most 1e6", "of at least 0"; empty where every finite number is in the range.

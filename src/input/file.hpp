@@ -10,7 +10,7 @@
 
 namespace earthtop::input {
 
-/// What a file should have been, for messages.
+/// The kind of file that was wanted, as messages call it.
 struct FileUse {
   std::string_view noun;           ///< "scenario file"
   bool or_standard_input = false;  ///< whether '-' might be given instead

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Everything that is wrong with a scenario, collected before anything is thrown.
+/// Everything that is wrong with a document, collected before anything is thrown.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,7 @@ class Findings {
   void expect(std::string pointer) { expected_.insert(std::move(pointer)); }
   bool expected(const std::string& pointer) const { return expected_.contains(pointer); }
 
-  /// What is not wrong, but looks like a mistake.
+  /// Notes a value that is not wrong, but looks like a mistake.
   void warn(Place place, std::string pointer, std::string message);
 
   /// Sorted by position, with lines and columns (1-based, in bytes) counted in `text`; what comes from --set stands first,

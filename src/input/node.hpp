@@ -12,7 +12,7 @@ namespace earthtop::input {
 /// `refused` stands where the text had a number that is none (1e999, NaN): it has been complained about already.
 enum class JsonKind { null, boolean, number, string, array, object, refused };
 
-/// Where a key or a value stands: byte offset in the file, or "not in the file, but from --set".
+/// The place at which a key or a value stands: byte offset in the file, or "not in the file, but from --set".
 struct Place {
   std::size_t offset = 0;
   bool from_set = false;

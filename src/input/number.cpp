@@ -8,7 +8,8 @@
 namespace earthtop::input {
 namespace {
 
-/// Whether a number out of a double's range is large: the decimal place of its first digit that is not 0, plus its exponent.
+/// Returns whether a number out of a double's range is too large, not too small: the decimal place of its first digit other
+/// than 0, plus its exponent, says so.
 bool is_large(std::string_view digits) {
   const auto e = digits.find_first_of("eE");
   const std::string_view mantissa = digits.substr(0, e);

@@ -19,7 +19,7 @@ std::optional<std::vector<std::string>> tokens_of(std::string_view pointer);
 /// The index that a token is of an array of this size, nothing where it is none.
 std::optional<std::size_t> array_index(std::string_view token, std::size_t size);
 
-/// What a key that an object does not have is told: what is allowed there, and what was probably meant.
+/// The answer to a key that an object does not have: which keys are allowed there, and which one was probably meant.
 struct UnknownKey {
   std::string message;
   std::optional<std::string_view> meant;  ///< a key of the same object
@@ -27,7 +27,7 @@ struct UnknownKey {
 /// @param pattern  of the object
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern);
 
-/// What a pointer leads to in a file of the table's kind, whatever its other keys are.
+/// The field or number that a pointer leads to in a file of the table's kind, whatever the file's other keys are.
 struct PointerTarget {
   const Field* field = nullptr;      ///< the last one on the way; elements of a vector, a matrix or a list of numbers have its
   bool is_number = false;            ///< a field that is a number, or one number of a field that has several

@@ -48,58 +48,46 @@ const Node* Section::value(std::string_view key, Node& fallback) const {
   return &fallback;
 }
 
+template <class Get>
+auto Section::read(std::string_view key, Get get) const {
+  Node fallback;
+  const Node* node = value(key, fallback);
+  return node ? std::optional(get(*node)) : std::nullopt;
+}
+
 std::optional<double> Section::number(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  return node ? std::optional(node->number) : std::nullopt;
+  return read(key, [](const Node& node) { return node.number; });
 }
-
 std::optional<bool> Section::flag(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  return node ? std::optional(node->boolean) : std::nullopt;
+  return read(key, [](const Node& node) { return node.boolean; });
 }
-
 std::optional<std::string> Section::word(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  return node ? std::optional(node->text) : std::nullopt;
+  return read(key, [](const Node& node) { return node.text; });
 }
-
 std::optional<std::vector<double>> Section::numbers(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  if (!node) return std::nullopt;
-  std::vector<double> list;
-  for (const Node& child : node->children) list.push_back(child.number);
-  return list;
+  return read(key, [](const Node& node) {
+    std::vector<double> list;
+    for (const Node& child : node.children) list.push_back(child.number);
+    return list;
+  });
 }
-
 std::optional<std::vector<std::string>> Section::changes(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  if (!node) return std::nullopt;
-  std::vector<std::string> list;
-  for (const Node& child : node->children) list.push_back(child.text);
-  return list;
+  return read(key, [](const Node& node) {
+    std::vector<std::string> list;
+    for (const Node& child : node.children) list.push_back(child.text);
+    return list;
+  });
+}
+std::optional<std::array<double, 3>> Section::vector(std::string_view key) const { return read(key, three_numbers); }
+std::optional<std::array<std::array<double, 3>, 3>> Section::matrix(std::string_view key) const {
+  return read(key, [](const Node& node) {
+    return std::array{three_numbers(node.children[0]), three_numbers(node.children[1]), three_numbers(node.children[2])};
+  });
 }
 
 const Node* Section::any(std::string_view key) const {
   const Node* child = node_ && !refused_ ? node_->find(key) : nullptr;
   return child && !child->refused ? child : nullptr;
-}
-
-std::optional<std::array<double, 3>> Section::vector(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  return node ? std::optional(three_numbers(*node)) : std::nullopt;
-}
-
-std::optional<std::array<std::array<double, 3>, 3>> Section::matrix(std::string_view key) const {
-  Node fallback;
-  const Node* node = value(key, fallback);
-  if (!node) return std::nullopt;
-  return {{three_numbers(node->children[0]), three_numbers(node->children[1]), three_numbers(node->children[2])}};
 }
 
 void Section::refuse(std::string_view key, std::string message) const {

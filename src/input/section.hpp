@@ -27,7 +27,7 @@ class Section {
   bool has(std::string_view key) const { return node_ && node_->find(key); }
   bool is_object(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::object; }
   bool is_word(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::string; }
-  /// Whether the key must stand wherever this object does.
+  /// Returns whether the key must stand wherever this object does.
   bool is_required(std::string_view key) const;
   std::size_t size(std::string_view key) const;  ///< elements of a list; 0 where it has been refused
 
@@ -47,7 +47,7 @@ class Section {
   void warn(std::string_view key, std::string message) const;
   /// Complains about a key that does not stand there, at the object; not where a misspelled key probably meant it.
   void missing(std::string_view key, std::string message) const;
-  /// As `missing` if the key is not there. @returns whether it is there
+  /// Complains as `missing` does where the key is not there. @returns whether it is there
   bool require(std::string_view key) const;
 
   const std::string& pointer() const { return pointer_; }
@@ -62,6 +62,8 @@ class Section {
         pattern_(std::move(pattern)),
         findings_(&findings),
         table_(&table) {}
+  template <class Get>
+  auto read(std::string_view key, Get get) const;
   /// The node of a key, or of its default; null where there is neither or it has been refused.
   const Node* value(std::string_view key, Node& fallback) const;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kTableHeader = "t_s,angle_rad";
 constexpr std::size_t kFewestRows = 4;  // of a not-a-knot spline
-/// As for the rates of the other motions.
+/// The limit is that of the rates of the other motions (rad/s, rad/s^2).
 constexpr double kFastestTurn = 1e9;
 
 /// The whole of a cell as a finite number that a double can hold.

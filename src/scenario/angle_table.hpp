@@ -10,7 +10,7 @@
 
 namespace earthtop::scenario {
 
-/// What is wrong with a table, and in which line (1-based).
+/// The first fault of a table and the line in which it stands (1-based).
 struct TableFault {
   std::size_t line = 0;
   std::string message;

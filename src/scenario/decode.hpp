@@ -25,7 +25,7 @@ void decode_motion(const Section& motion, Scenario& scenario);
 /// @param source  says where a table is looked for, and whether   @param duration_s  what it must cover
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
-/// Which torques act, and where the Earth's pole and the plumb line are.
+/// Decodes which torques act, and where the Earth's pole and the plumb line are.
 /// @param scenario  its site and rate must be known; effects, site and rate are written
 void decode_effects(const Section& root, Scenario& scenario);
 
@@ -38,7 +38,7 @@ std::vector<CriterionSpec> decode_criteria(const Section& root);
 inline constexpr double kMostRows = 2'000'000;
 double output_row_count(double duration_s, double output_step_s);
 
-/// Whether a row stands at this time, within 1e-9 of the step.
+/// Returns whether a row stands at this time, within 1e-9 of the step.
 bool is_output_time(double t_s, double duration_s, double output_step_s);
 
 }  // namespace earthtop::scenario

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which torques act, and what they need of the rest of the scene.
+// The effects that act, and the rules by which they fit the rest of the scene.
 #include <fmt/core.h>
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace earthtop::scenario {
 namespace {
 
-/// What is looked up by the date needs one.
+/// An effect that is looked up by the date needs a date.
 void require_start(const Section& effects, std::string_view key, const Section& motion) {
   if (!motion.has("start_utc"))
     effects.refuse(key, "is looked up by the date; give /motion/start_utc, or the values themselves");

@@ -92,7 +92,7 @@ void decode_step(const Section& numerics, Scenario& scenario) {
                                 steps, limit, scenario.duration_s / limit));
 }
 
-/// What the scenario's precision allows: tolerances above its round-off, the methods that are built for it.
+/// Checks that the tolerance is above the precision's round-off and that the method is built for it.
 void check_precision(const Section& numerics, Scenario& scenario) {
   IntegrationOptions& options = scenario.numerics;
   const Precision precision = scenario.precision;

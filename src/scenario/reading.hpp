@@ -17,10 +17,10 @@ class Reading {
   static constexpr bool kWrites = false;
   explicit Reading(const input::Section& section) : section_(section) {}
 
-  /// Whether nothing that was asked for is missing or has been refused.
+  /// Returns whether nothing that was asked for is missing or has been refused.
   bool complete() const { return complete_ && section_.present(); }
 
-  /// Whether the variant with this key is the one at hand. @param held  what the members say, for those who write
+  /// Returns whether the variant with this key is the one at hand. @param held  what the members say, for those who write
   bool takes(std::string_view key, bool /*held*/) const { return section_.has(key); }
   bool is_object(std::string_view key) const { return section_.is_object(key); }
   bool is_word(std::string_view key) const { return section_.is_word(key); }
@@ -50,16 +50,15 @@ class Reading {
   void named(std::string_view key, E& member) {
     std::string word;
     this->key(key, word);
-    if (word.empty()) return;
-    int i = 0;
-    while (to_string(static_cast<E>(i)) != word) ++i;
-    member = static_cast<E>(i);
+    constexpr int kMostValues = 64;  // enumerators count from 0; none has as many
+    for (int i = 0; i < kMostValues; ++i)
+      if (to_string(static_cast<E>(i)) == word) member = static_cast<E>(i);
   }
   template <class E>
   void named(std::string_view key, std::optional<E>& member) {
     if (section_.word(key)) named(key, member.emplace());
   }
-  /// What stands for a whole object: true, or one of its words.
+  /// Writes what stands for a whole object, true or one of its words; there is nothing to read.
   void yes(std::string_view) {}
   void literal(std::string_view, std::string_view) {}
 

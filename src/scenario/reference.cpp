@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using input::Field, input::FieldKind, input::split_words;
 
-/// Whether a key may stand beside those of `given`, so that its default may be written there.
+/// Returns whether a key may stand beside those of `given`, so that its default may be written there.
 bool belongs(std::string_view key, const Json& given) {
   if (key == "precession") return !given.contains("angular_velocity_body_rad_s");
   if (key == "azimuth_deg" || key == "spin_angle_deg") return !given.contains("quaternion_LB");
@@ -65,7 +65,7 @@ Json annotated(const Json& given, std::string_view pattern) {
   return filled;
 }
 
-/// As dump(2), but for lists of numbers, which stay on one line.
+/// Writes JSON as dump(2) does, but keeps a list of numbers on one line.
 void lay_out(std::string& text, const Json& json, std::size_t depth) {
   const bool is_flat = std::none_of(json.begin(), json.end(), [](const Json& j) { return j.is_structured(); });
   if (!json.is_structured() || json.empty()) {

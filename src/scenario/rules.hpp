@@ -107,7 +107,8 @@ inline constexpr std::array kCompositions = {Composition::automatic, Composition
                                              Composition::aba864,    Composition::aba1064, Composition::rkn6,
                                              Composition::kahan_li8};
 
-/// What a method's step comes from: given as step_s, or found from relative_tolerance; where both are optional, from either.
+/// The key from which a method's step comes: it is given as step_s, or found from relative_tolerance; where both are optional,
+/// either of them serves.
 struct StepRule {
   Need step_s, relative_tolerance;
 };
@@ -121,7 +122,7 @@ constexpr StepRule step_rule(Method method) {
   }
 }
 
-/// What a criterion of a kind must and may say besides kind, set, why and slow.
+/// The keys that a criterion of a kind must and may have besides kind, set, why and slow.
 struct CriterionRule {
   std::string_view word;
   CriterionKind value;

@@ -21,13 +21,13 @@ Json none_of(std::string_view keys) {
   return {{"not", {{"anyOf", any}}}};
 }
 Json exactly_one(std::string_view a, std::string_view b) { return {{"oneOf", Json::array({required(a), required(b)})}}; }
-/// Whether a key stands there with a value that obeys the schema.
+/// The rule that a key stands there with a value that obeys the schema.
 Json has(std::string_view key, Json schema) {
   Json rule = required(key);
   rule["properties"][std::string(key)] = std::move(schema);
   return rule;
 }
-/// Where `key` is `word`, `then` holds.
+/// The rule that `then` holds where `key` is `word`, and `otherwise` elsewhere.
 Json when(std::string_view key, std::string_view word, Json then, Json otherwise = true) {
   return {{"if", has(key, {{"const", word}})}, {"then", std::move(then)}, {"else", std::move(otherwise)}};
 }
@@ -81,7 +81,7 @@ Json release_rule() {
            {{"quaternion_LB", none_of("azimuth_deg|spin_angle_deg")}, {"angular_velocity_body_rad_s", none_of("precession")}}}};
 }
 
-/// Of Moon and Sun, or of given amplitude.
+/// A tide is that of Moon and Sun, or one of given amplitude.
 Json tide_rule() {
   Json harmonic = required("frequency_hz");
   harmonic.update(none_of("gravimetric_factor|tilt_factor"));
@@ -104,13 +104,13 @@ Json numerics_rule() {
   return rule;
 }
 
-/// Of another method than splitting there is nothing to choose.
+/// Only the method splitting has compositions to choose from.
 Json composition_rule() {
   return when("method", to_string(Method::splitting), Json::object(),
               {{"properties", {{"composition", {{"enum", Json::array({to_string(Composition::automatic)})}}}}}});
 }
 
-/// What the precision allows, as in `decode_precision`; double where none is given.
+/// The methods and tolerances that the precision allows, as in `check_precision`; it is double where none is given.
 Json precision_rule() {
   const auto allowed = [](Precision precision) -> Json {
     Json methods = Json::array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a scenario's results must satisfy, known independently of any run: `earthtop verify` judges it.
+/// The criteria that a scenario's results must satisfy, known independently of any run; `earthtop verify` judges them.
 #pragma once
 
 #include <optional>

@@ -22,7 +22,8 @@
 
 namespace earthtop {
 
-/// Which of [F]'s three torques act (switched off means: left out of dL'/dt in the laboratory), and what acts beside gravity.
+/// The effects that act: [F]'s three torques (one that is switched off is left out of dL'/dt in the laboratory), and what acts
+/// beside gravity.
 struct EffectsSpec {
   bool coriolis = true;
   bool centrifugal = true;
@@ -32,7 +33,7 @@ struct EffectsSpec {
   bool automatic = false;  ///< what has no parameter of its own is chosen by the drift error asked for
   bool operator==(const EffectsSpec&) const = default;
   bool all_on() const { return coriolis && centrifugal && transverse; }
-  /// Whether gravity and all three of [F]'s torques act, and nothing else.
+  /// Returns whether gravity and all three of [F]'s torques act, and nothing else.
   bool plain() const { return all_on() && !applied.any() && !tide; }
 };
 
