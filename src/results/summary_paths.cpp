@@ -40,9 +40,11 @@ Scenario any_scenario(int kind) {
   scenario.body = any_body(kind);
   scenario.release = any_release(kind);
   scenario.duration_s = scenario.output_step_s = 1;
+  scenario.title = scenario.purpose = "a text";
   scenario.headline = HeadlineSpec{"drift_axis_rad", 0.0, 0, 1, ""};
-  if (kind == 0) scenario.gravity_anomaly_m_s2 = 1;
+  scenario.criteria = {{CriterionKind::value, "drift_axis_rad", {"/motion/duration_s=1"}, {0}, 0.0, 0.0, 0.0, "", true}};
   scenario.excess_length_of_day_ms = 1;
+  if (kind == 0) scenario.gravity_anomaly_m_s2 = 1;
   scenario.site.pole = {1, 1};
   scenario.site.deflection = {1, 1};
   scenario.start_utc = "2026-01-01T00:00:00Z";

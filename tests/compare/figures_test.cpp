@@ -84,7 +84,7 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   RunResult full = test::made_up_full_run(), other = full;
   other.solution.status = other.certificate.status = RunStatus::step_limit;
   other.sensitivities->unavailable = "a reason";
-  other.scenario.precision = Precision::bits113;
+  other.scene = testing::changed(other.scene, [](Scenario& s) { s.precision = Precision::bits113; });
   other.extended_rows.resize(other.rows.size());
   for (const RunResult& result : {full, other}) {
     Json summary = parse_ordered_json(summary_json(result));

@@ -82,7 +82,7 @@ inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
 /// The same with everything that a result may have, and no number of its summary null.
 inline RunResult made_up_full_run() {
   RunResult result = made_up_run_with_ledger(11);
-  Scenario& scenario = result.scenario;
+  Scenario scenario = result.scene.scenario();
   scenario.headline = HeadlineSpec{"drift_axis_rad", 60, 1e-3, 1e-3, "made up"};
   scenario.threshold_rad = 1e-3;
   scenario.accuracy_rad = 1e-9;
@@ -90,7 +90,7 @@ inline RunResult made_up_full_run() {
   scenario.uncertainty.emplace().fill(1e-3);
   scenario.effects.tide.emplace().given = true;
   scenario.effects.applied = {1e-6, 1e-8, 1e-5, AirDragSpec{}, GravityGradientSpec{GradientField::given, 1e-3}, GimbalSpec{}};
-  result.modelled = scenario;
+  result.scene = result.modelled = resolve(std::move(scenario));
   for (std::size_t i = 0; i < result.rows.size(); ++i)
     for (std::size_t k = 0; k < kAppliedShares.size(); ++k)
       result.ledger->entries[i].share_A[k] = {static_cast<double>(20 + 3 * k), static_cast<double>(i + 1), 0.5};
