@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "budget/candidates.hpp"
+#include "budget/effects.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
 
@@ -65,11 +65,11 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
 }
 
 /// @param later, drift_later  by what displacements and drifts grow from where the motion was followed to, to the end
-EffectEntry entry_of(const Candidate& candidate, const Sized& sized, const NaturalUnits& units, double later,
-                     double drift_later) {
+EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized& sized, const NaturalUnits& units,
+                     double later, double drift_later) {
   EffectEntry entry;
-  entry.name = candidate.name;
-  entry.modelled = candidate.modelled;
+  entry.name = candidate.effect->name;
+  entry.modelled = candidate.effect->is_modelled(scene);
   entry.assumed = candidate.assumed;
   entry.in_difference = candidate.in_difference;
   entry.reason = candidate.reason;
@@ -203,9 +203,14 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
   const double later = budget.followed_s > 0 ? scene.scenario().duration_s / budget.followed_s : 1;
   const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(seconds.drift, "drift"));
   budget.earth_drift_rad *= drift_later;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    budget.effects.push_back(entry_of(candidates[i], sized[i], problem.units, later, drift_later));
-  for (EffectEntry& entry : effects_of_unknown_size(scene)) budget.effects.push_back(std::move(entry));
+  std::size_t next = 0;  // of the candidates, which have the catalogue's order
+  for (const Effect& effect : all_effects()) {
+    if (!effect.is_in_budget(scene)) continue;
+    const bool is_sized = next < candidates.size() && candidates[next].effect == &effect;
+    budget.effects.push_back(is_sized ? entry_of(scene, candidates[next], sized[next], problem.units, later, drift_later)
+                                      : unsized_entry(effect, scene));
+    if (is_sized) ++next;
+  }
   budget.warnings = warnings_of(budget.effects);
   if (status != RunStatus::completed)
     budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "budget/candidates.hpp"
+#include "budget/effects.hpp"
 #include "drift/stability.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
@@ -20,12 +20,6 @@ constexpr double kRegularPhase = 300;
 constexpr double kLongestPhase = 3e5;  // rad, of any other motion: some ten seconds of computing; beyond, nothing is known
 constexpr double kSafety = 3;
 constexpr double kShare = 0.2;  // of the accuracy asked for: what each effect left out may cost of it
-
-void switch_on(Scenario& scenario, std::string_view name) {
-  if (name == "gravity_gradient") scenario.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::normal, 0};
-  if (name == "tide") scenario.effects.tide = TideSpec{};
-  if (name == "polar_motion") scenario.site.pole = secular_pole(julian_epoch_year(*parse_utc(*scenario.start_utc)));
-}
 
 /// The part of the duration that says enough; none where the motion is too long to follow.
 std::optional<double> followed_share(const Scene& scene) {
@@ -83,11 +77,11 @@ Selection select_effects(Scene& scene, const Watch& watch) {
     selection.left_out_drift_rad = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (changes[i] <= kShare * selection.accuracy_rad) {
-        selection.left_out.push_back(candidates[i].name);
+        selection.left_out.emplace_back(candidates[i].effect->name);
         selection.left_out_drift_rad += changes[i];
       } else {
-        switch_on(chosen, candidates[i].name);
-        selection.switched_on.push_back(candidates[i].name);
+        candidates[i].effect->switch_on(chosen);
+        selection.switched_on.emplace_back(candidates[i].effect->name);
         changed = true;
       }
     }

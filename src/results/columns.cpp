@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/columns.hpp"
 
+#include "budget/effects.hpp"
+
 namespace earthtop {
 namespace {
 
 template <class Member>
 constexpr TorqueQuantity torque(std::string_view stem, std::string_view measure, Member member,
-                                bool (*present)(const EffectsSpec&) = nullptr, RowPart part = RowPart::torque) {
+                                bool (*present)(const Scene&) = nullptr, RowPart part = RowPart::torque) {
   return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, "_N_m", MeasureKind::vector, part, measure}, member), present};
 }
 
@@ -20,16 +22,16 @@ constexpr TorqueQuantity kTorques[] = {
         "residual", "residual_N_m", [](const auto& r) { return r.residual_A; }, nullptr, RowPart::error),
     torque(
         "tau_tide", "tau_tide_N_m", [](const auto& r) { return r.share_A[0]; },
-        [](const EffectsSpec& effects) { return effects.tide.has_value(); }),
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[0]); }),
     torque(
         "tau_gradient", "tau_gradient_N_m", [](const auto& r) { return r.share_A[1]; },
-        [](const EffectsSpec& effects) { return effects.applied.gravity_gradient.has_value(); }),
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[1]); }),
     torque(
         "tau_friction", "tau_friction_N_m", [](const auto& r) { return r.share_A[2]; },
-        [](const EffectsSpec& effects) { return effects.applied.friction(); }),
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[2]); }),
     torque(
         "tau_gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
-        [](const EffectsSpec& effects) { return effects.applied.gimbal.has_value(); }),
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
 };
 
 constexpr bool shares_are_in_order() {

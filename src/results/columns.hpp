@@ -30,7 +30,7 @@ const std::vector<Column>& trajectory_columns();
 
 /// A torque of the ledger, in its observer's axes (N m).
 struct TorqueQuantity : ValuedQuantity<LedgerRow<double>, LedgerRow<float128>> {
-  bool (*present)(const EffectsSpec&);  ///< whether a scene has it: a share of the physical torques only where its effect acts
+  bool (*present)(const Scene&);  ///< whether a scene has it: a share of the physical torques only where its effect acts
 };
 
 /// The quantities of torques.csv after the time, in the file's order.

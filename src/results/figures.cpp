@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "budget/effects.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
@@ -81,36 +82,6 @@ Json largest_error_from(R r) {
   const auto most = std::max_element(inputs.begin(), inputs.end(),
                                      [](const auto& a, const auto& b) { return a.axis_error_rad < b.axis_error_rad; });
   return most->axis_error_rad > 0 ? Json(most->name) : Json();
-}
-
-/// Everything that could turn a top is modelled or left out.
-Json effects_list(const Scene& scene, bool modelled) {
-  const Scenario& scenario = scene.scenario();
-  const EffectsSpec& effects = scenario.effects;
-  const AppliedTorquesSpec& applied = effects.applied;
-  const Site& site = scene.site();
-  Json names = Json::array();
-  const auto list = [&](const char* name, bool on) {
-    if (on == modelled) names.push_back(name);
-  };
-  list("gravity", true);
-  list("coriolis", effects.coriolis);
-  list("centrifugal", effects.centrifugal);
-  list("transverse", effects.transverse);
-  list("platform_motion", scenario.platform.has_value());
-  list("gravity_gradient", applied.gravity_gradient.has_value());
-  list("tide", effects.tide.has_value());
-  list("polar_motion", site.pole.x_arcsec != 0 || site.pole.y_arcsec != 0);
-  list("length_of_day", scenario.excess_length_of_day_ms != 0);
-  list("deflection_of_vertical", site.deflection.north_arcsec != 0 || site.deflection.east_arcsec != 0);
-  list("viscous_torque", applied.viscous_N_m_s != 0);
-  list("quadratic_torque", applied.quadratic_N_m_s2 != 0);
-  list("air_drag", applied.air_drag.has_value());
-  list("coulomb_torque", applied.coulomb_N_m != 0);
-  list("gimbal", applied.gimbal.has_value());
-  list("axis_precession", false);
-  list("elasticity", false);
-  return names;
 }
 
 Json libraries() {
@@ -371,9 +342,9 @@ constexpr auto kMembers = [] {
 
       object("effects"),
       compared(
-          "effects.modelled", word, any, kAtEnd, [](R r) { return effects_list(r.modelled, true); }, words),
+          "effects.modelled", word, any, kAtEnd, [](R r) { return Json(effect_names(r.modelled, true)); }, words),
       told(
-          "effects.left_out", kAtEnd, kSelected, [](R r) { return effects_list(r.modelled, false); }, words),
+          "effects.left_out", kAtEnd, kSelected, [](R r) { return Json(effect_names(r.modelled, false)); }, words),
       // The effects chosen for a scene that left them open, and the error reached where one was asked for.
       object_or_nothing("selection", [](R r) { return r.selection.has_value(); }),
       compared("selection.accuracy_rad", input, any, kAtEnd, [](R r) { return r.selection->accuracy_rad; }),

@@ -12,10 +12,10 @@ namespace earthtop {
 namespace {
 
 /// The torques that a scene has columns of.
-std::vector<const TorqueQuantity*> torques_of(const EffectsSpec& effects) {
+std::vector<const TorqueQuantity*> torques_of(const Scene& scene) {
   std::vector<const TorqueQuantity*> torques;
   for (const TorqueQuantity& torque : torque_quantities())
-    if (!torque.present || torque.present(effects)) torques.push_back(&torque);
+    if (!torque.present || torque.present(scene)) torques.push_back(&torque);
   return torques;
 }
 
@@ -30,7 +30,7 @@ std::string header_of(const std::vector<const TorqueQuantity*>& torques) {
 
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
   const std::size_t rows = result.ledger ? std::min(result.ledger->entries.size(), result.rows.size()) : 0;
-  const std::vector<const TorqueQuantity*> torques = torques_of(result.modelled.scenario().effects);
+  const std::vector<const TorqueQuantity*> torques = torques_of(result.modelled);
   const auto append_row = [&](std::string& text, std::size_t row) {
     append_number(text, result.rows[row].t_s);
     const LedgerReport& ledger = *result.ledger;

@@ -144,9 +144,9 @@ TEST(Budget, FrictionIsSizedAsARunWithoutItShows) {
       expect_sized(entry_of(budget, name), difference(s, without));
       EXPECT_TRUE(entry_of(budget, name).modelled);
     };
-    expect_that_of("viscous_torque_N_m_s", [](auto& a) { a.viscous_N_m_s = 0; });
-    expect_that_of("quadratic_torque_N_m_s2", [](auto& a) { a.quadratic_N_m_s2 = 0; });
-    expect_that_of("coulomb_torque_N_m", [](auto& a) { a.coulomb_N_m = 0; });
+    expect_that_of("viscous_torque", [](auto& a) { a.viscous_N_m_s = 0; });
+    expect_that_of("quadratic_torque", [](auto& a) { a.quadratic_N_m_s2 = 0; });
+    expect_that_of("coulomb_torque", [](auto& a) { a.coulomb_N_m = 0; });
     expect_that_of("air_drag", [](auto& a) { a.air_drag.reset(); });
   }
 }

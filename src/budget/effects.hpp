@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The catalogue of effects: everything that could turn a top, one row each. The lists of summary.json, the budget, the choice
+/// of "auto" and the report take names, keys, state and size from it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "earthtop/budget/budget.hpp"
+#include "earthtop/drift/sensitivity.hpp"
+#include "scene/problem.hpp"
+
+namespace earthtop {
+
+inline constexpr std::string_view kAxisPrecession = "axis_precession";
+
+struct Effect;
+
+/// An effect with a size, as an input of the variational equations.
+struct Candidate {
+  const Effect* effect = nullptr;
+  bool assumed = false;       ///< its size is a usual one, not this scene's
+  bool in_difference = true;  ///< as in EffectEntry
+  std::string reason;         ///< why it is modelled or left out
+  ProblemDerivative input;    ///< scaled so that responses are of order 1
+  double size = 1;            ///< of the effect in units of the input
+  /// Size of its torque on the rotating motion for one unit of the input (natural units).
+  std::function<double(const FollowedStep&)> torque;
+};
+
+/// Where an effect is listed.
+enum class Listing {
+  both,                        ///< in summary.json and in the budget
+  summary,                     ///< in summary.json alone
+  summary_and_where_modelled,  ///< in summary.json; in the budget only of a scene that models it
+  budget_where_modelled        ///< in the budget of a scene that models it
+};
+
+struct Effect {
+  std::string_view name;
+  std::string_view key;  ///< JSON pointer of the scenario's key that gives it; empty where no scenario can give or omit it
+  bool (*is_modelled)(const Scene&);
+  Listing listing = Listing::both;
+  /// Its size in a scene, whether it is modelled there or not; none where nothing says how large it is.
+  std::optional<Candidate> (*size)(const Scene&) = nullptr;
+  /// Models it without a parameter of its own, as "auto" does; null for an effect that "auto" does not choose.
+  void (*switch_on)(Scenario&) = nullptr;
+  bool needs_date = false;      ///< whether it can be switched on only where the scenario says when the top is released
+  bool is_zero = false;         ///< whether its torque is always zero
+  std::string_view share = "";  ///< the one of kAppliedShares that the ledger counts its torque in; empty for none
+  /// Reasons for an entry without a size.
+  std::string_view modelled_unsized = "", left_out_unsized = "";
+
+  bool is_in_budget(const Scene& scene) const {
+    return listing == Listing::both || (listing != Listing::summary && is_modelled(scene));
+  }
+};
+
+std::span<const Effect> all_effects();
+
+/// The effects of a scene's budget whose size is known, from the scene or in nature, in the catalogue's order.
+/// @param scene  must outlive the candidates
+std::vector<Candidate> effect_candidates(const Scene& scene);
+
+/// The effects that "auto" may switch on and that the scene does not model yet.
+std::vector<Candidate> selectable_effects(const Scene& scene);
+
+/// The budget's entry of an effect whose size is not known.
+EffectEntry unsized_entry(const Effect& effect, const Scene& scene);
+
+/// Whether a scene models an effect whose torque the ledger counts in this one of kAppliedShares.
+bool has_share(const Scene& scene, std::string_view share);
+
+/// The names that summary.json lists as modelled, or as left out.
+std::vector<std::string_view> effect_names(const Scene& scene, bool modelled);
+
+}  // namespace earthtop
