@@ -92,7 +92,7 @@ Json numerics_json(const Scenario& scenario) {
                {"precision", std::string(to_string(scenario.precision))}};
   if (options.step_s)
     json["step_s"] = *options.step_s;
-  else if (options.method != Method::closed_form)
+  else if (!is_exact(options.method))
     json["relative_tolerance"] = options.relative_tolerance;
   if (options.composition != Composition::automatic) json["composition"] = std::string(to_string(options.composition));
   return json;

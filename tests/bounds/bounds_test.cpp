@@ -4,7 +4,6 @@
 
 #include "bounds/coverage.hpp"
 #include "bounds/strata.hpp"
-#include "scenario/rules.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -31,7 +30,7 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
 /// Where rows and second integration err to the same side, and nearly by as much, their distance says little of either error.
 /// That is a matter of chance for any method that a user may name: 8 scenes of each stratum, every method among them.
 TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
-  std::array<int, scenario::kMethods.size()> scenes_of{};
+  std::array<int, kMethodCount> scenes_of{};
   int tight = 0, scenes = 0;
   for (const Stratum& stratum : strata())
     for (std::uint64_t i = 2000; i < 2008; ++i) {
@@ -43,8 +42,8 @@ TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
       ++scenes_of.at(static_cast<std::size_t>(coverage.method));
     }
   EXPECT_GE(tight, scenes * 9 / 10);
-  for (const Method method : scenario::kMethods)
-    EXPECT_GE(scenes_of.at(static_cast<std::size_t>(method)), method == Method::automatic ? 0 : 2) << to_string(method);
+  for (const MethodRow& row : kMethodRows)
+    EXPECT_GE(scenes_of.at(static_cast<std::size_t>(row.method)), row.method == Method::automatic ? 0 : 2) << row.word;
 }
 
 /// Methods that err to the same side as the second integration would if that one ran at a looser tolerance: three were beyond

@@ -2,40 +2,16 @@
 /// How to integrate: the observer, the method and its tolerances.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "earthtop/integrate/method.hpp"
 
 namespace earthtop {
 
 /// In whose axes the state lives: the rotating laboratory ([F]'s torques), the body (Euler), or inertial space.
 enum class Observer { laboratory, body, inertial };
-
-/// The scalar of a run: double, long double or float128.
-enum class Precision { bits53, bits64, bits113 };
-
-/// automatic picks one of the others; dopri5, rkf78, bulirsch_stoer (odeint's), extrapolation, taylor and dop853 control their
-/// step; abm8, gauss (collocation, implicit and symmetric) and splitting (a composition of exact flows) have a fixed one;
-/// long_horizon composes exact flows of a symmetric top, in steps that its tolerance (rad, of the axis) decides; closed_form
-/// takes none, for the scenes that have one (exact_motion.hpp). Not all are built for every precision: see
-/// `is_built`.
-enum class Method {
-  automatic,
-  dopri5,
-  rkf78,
-  bulirsch_stoer,
-  extrapolation,
-  abm8,
-  taylor,
-  dop853,
-  gauss,
-  splitting,
-  long_horizon,
-  closed_form
-};
-
-inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
 
 /// In which variables: `general` is every body's attitude and rates, `reduced` a symmetric top's axis and angular momentum,
 /// without the spin; automatic is reduced where the observer is the laboratory and the model allows it.
@@ -46,14 +22,8 @@ enum class ModelForm { automatic, general, reduced };
 enum class Composition { automatic, aba82, aba84, aba864, aba1064, rkn6, kahan_li8 };
 
 std::string_view to_string(Observer observer);
-std::string_view to_string(Method method);
 std::string_view to_string(ModelForm form);
 std::string_view to_string(Composition composition);
-std::string_view to_string(Precision precision);
-
-/// Automatic, rkf78, extrapolation, taylor and closed_form in every precision, bulirsch_stoer in double and long double, the
-/// others in double.
-bool is_built(Method method, Precision precision);
 
 /// The least relative tolerance: some 45 eps, the rounding of one step's sums. Less no controlled step can meet.
 double least_tolerance(Precision precision);
@@ -80,12 +50,12 @@ struct IntegrationOptions {
   std::optional<KickSteps> kick_steps;  ///< long_horizon looks for none of its own then
 };
 
-/// Whether an integration with these options takes the reduced form of a model that has one. `splitting` knows no other, and
-/// splits in inertial axes too.
+/// Whether an integration with these options takes the reduced form of a model that has one. Exact flows are composed in no
+/// other, and in inertial axes too.
 inline bool takes_reduced_form(bool reducible, const IntegrationOptions& options) {
-  if (options.method == Method::closed_form) return false;
+  if (is_exact(options.method)) return false;
   if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
+  const bool splits = row_of(options.method).composes && options.observer == Observer::inertial;
   return (options.observer == Observer::laboratory || splits) && reducible;
 }
 
