@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "earthtop/model/body.hpp"
+#include "scenario/rules.hpp"
 
 namespace earthtop::testing {
 namespace {
