@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::compare {
 

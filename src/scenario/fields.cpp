@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "earthtop/integrate/method.hpp"
 #include "scenario/quantities.hpp"
 
 namespace earthtop::scenario {
