@@ -12,24 +12,29 @@ struct Equations {
   Observer observer;
   ModelForm form;
 };
-constexpr Equations kReduced{Observer::laboratory, ModelForm::reduced};
-constexpr Equations kBody{Observer::body, ModelForm::general};
-constexpr Equations kLaboratory{Observer::laboratory, ModelForm::general};
-constexpr Equations kOwn{Observer::laboratory, ModelForm::automatic};
+std::vector<Equations> equations_of(const MethodRow& row) {
+  constexpr Equations kReduced{Observer::laboratory, ModelForm::reduced}, kBody{Observer::body, ModelForm::general};
+  constexpr Equations kLaboratory{Observer::laboratory, ModelForm::general}, kOwn{Observer::laboratory, ModelForm::automatic};
+  switch (row.equations) {
+    case MethodEquations::own: return {kOwn};
+    case MethodEquations::reduced: return {kReduced};
+    case MethodEquations::body: return {kBody};
+    case MethodEquations::reduced_and_body: break;
+    case MethodEquations::reduced_body_and_laboratory: return {kReduced, kBody, kLaboratory};
+  }
+  return {kReduced, kBody};
+}
 
-/// The tolerances to be tried, from coarse to as fine as the scalar type allows. The error of a Taylor series is far below its
-/// tolerance; the tolerance of the long-horizon method is the error itself.
-std::vector<double> tolerances(Method method, Precision precision) {
-  if (method == Method::closed_form) return {default_tolerance(precision)};  // it uses no tolerance
+/// The tolerances to be tried, from coarse to as fine as the scalar type allows.
+std::vector<double> tolerances(const MethodRow& row, Precision precision) {
+  if (is_exact(row.method)) return {default_tolerance(precision)};  // it uses no tolerance
   switch (precision) {
     case Precision::bits53: break;
     case Precision::bits64: return {1e-14, 1e-17};
     case Precision::bits113: return {1e-20, 1e-26};
   }
-  if (method == Method::taylor) return {1e-2, 1e-3, 1e-5, 1e-8, 1e-11, 1e-14};
-  if (method == Method::long_horizon) return {1e-6, 1e-8, 1e-10, 1e-12};
-  if (method == Method::dopri5) return {1e-5, 1e-8, 1e-10};
-  return {1e-5, 1e-8, 1e-11, 1e-14};
+  const auto& all = row.bench_tolerances;
+  return {all.begin(), std::find(all.begin(), all.end(), 0.0)};
 }
 
 class Contenders {
@@ -40,55 +45,58 @@ class Contenders {
   }
 
   std::vector<Contender> all() {
-    add(Method::closed_form, {kOwn});
-    add(Method::long_horizon, {kOwn});
-    add(Method::taylor, {kReduced, kBody});
-    if (reducible_)
-      for (const Composition composition :
-           {Composition::automatic, Composition::aba864, Composition::aba1064, Composition::kahan_li8})
-        add(Method::splitting, {kReduced}, composition);
-    for (const Method method : {Method::dop853, Method::rkf78}) add(method, {kReduced, kBody, kLaboratory});
-    for (const Method method : {Method::gauss, Method::extrapolation, Method::bulirsch_stoer, Method::dopri5})
-      add(method, {kReduced, kBody});
-    add_adams();
+    for (const Method method : methods_by(&MethodRow::place_in_bench)) {
+      const MethodRow& row = row_of(method);
+      if (method == Method::automatic || as_asked_.method_refusal(method)) continue;
+      if (row.relative_tolerance == Need::none && !is_exact(method))
+        add_fixed_steps(row);
+      else
+        add(row);
+    }
     add_peers();
     mark_automatic();
     return std::move(contenders_);
   }
 
  private:
-  void add(Method method, std::initializer_list<Equations> forms, Composition composition = Composition::automatic) {
-    if (as_asked_.method_refusal(method)) return;
-    for (const Equations& equations : forms) {
-      if (equations.form == ModelForm::reduced && !reducible_) continue;
-      for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
-        if (!is_built(method, precision)) continue;
-        if (precision != Precision::bits53 && equations.observer == Observer::laboratory &&
-            equations.form == ModelForm::general)
-          continue;
-        for (const double tolerance : tolerances(method, precision)) {
-          IntegrationOptions options;
-          options.method = method;
-          options.observer = equations.observer;
-          options.form = equations.form;
-          options.composition = composition;
-          options.relative_tolerance = tolerance;
-          contenders_.push_back({workload_, options, precision});
+  void add(const MethodRow& row) {
+    std::vector<Composition> compositions = {Composition::automatic};
+    if (row.composes)
+      compositions.insert(compositions.end(), {Composition::aba864, Composition::aba1064, Composition::kahan_li8});
+    for (const Composition composition : compositions)
+      for (const Equations& equations : equations_of(row)) {
+        if (equations.form == ModelForm::reduced && !reducible_) continue;
+        for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
+          if (!is_built(row.method, precision)) continue;
+          if (precision != Precision::bits53 && equations.observer == Observer::laboratory &&
+              equations.form == ModelForm::general)
+            continue;
+          for (const double tolerance : tolerances(row, precision)) {
+            IntegrationOptions options = options_of(row, equations);
+            options.composition = composition;
+            options.relative_tolerance = tolerance;
+            contenders_.push_back({workload_, options, precision});
+          }
         }
       }
-    }
   }
 
-  /// Adams's method has a fixed step: some hundredths of a radian of the fastest motion.
-  void add_adams() {
-    for (const double radians : {0.1, 0.05, 0.02}) {
-      IntegrationOptions options;
-      options.method = Method::abm8;
-      options.observer = Observer::body;
-      options.form = ModelForm::general;
-      options.step_s = radians / scene_.fastest_rate_rad_s();
-      contenders_.push_back({workload_, options, Precision::bits53});
-    }
+  /// A method whose step has to be given takes some hundredths of a radian of the fastest motion.
+  void add_fixed_steps(const MethodRow& row) {
+    for (const Equations& equations : equations_of(row))
+      for (const double radians : {0.1, 0.05, 0.02}) {
+        IntegrationOptions options = options_of(row, equations);
+        options.step_s = radians / scene_.fastest_rate_rad_s();
+        contenders_.push_back({workload_, options, Precision::bits53});
+      }
+  }
+
+  static IntegrationOptions options_of(const MethodRow& row, const Equations& equations) {
+    IntegrationOptions options;
+    options.method = row.method;
+    options.observer = equations.observer;
+    options.form = equations.form;
+    return options;
   }
 
   void add_peers() {
@@ -117,7 +125,7 @@ class Contenders {
     const Scene scene = resolve(std::move(scenario));
     Contender automatic{workload_, scene.choice().options, scene.scenario().precision};
     IntegrationOptions& options = automatic.options;
-    const bool own = options.method == Method::closed_form || options.method == Method::long_horizon;
+    const bool own = row_of(options.method).equations == MethodEquations::own;
     if (own)
       options.form = ModelForm::automatic;
     else
@@ -127,7 +135,7 @@ class Contenders {
       return !other.peer && other.precision == automatic.precision && other.options.method == options.method &&
              other.options.form == options.form && other.options.observer == options.observer &&
              other.options.composition == options.composition && other.options.step_s == options.step_s &&
-             (options.method == Method::closed_form || other.options.relative_tolerance == options.relative_tolerance);
+             (is_exact(options.method) || other.options.relative_tolerance == options.relative_tolerance);
     };
     const auto same = std::find_if(contenders_.begin(), contenders_.end(), is_same);
     if (same != contenders_.end())

@@ -23,7 +23,7 @@ Json errors_json(const BenchErrors& errors) {
 Json entry_json(const BenchEntry& entry, bool on_front) {
   const Contender& contender = entry.contender;
   const bool completed = entry.status == RunStatus::completed, tried = entry.repetitions > 0;
-  const bool reads_tolerance = contender.peer || (contender.options.method != Method::closed_form && !contender.options.step_s);
+  const bool reads_tolerance = contender.peer || (!is_exact(contender.options.method) && !contender.options.step_s);
   return {{"method", method_name(contender)},
           {"peer", contender.peer.has_value()},
           {"equations", equations_name(contender)},
@@ -88,7 +88,7 @@ std::string csv_field(std::string_view text) { return fmt::format("\"{}\"", text
 void append_line(std::string& csv, const BenchEntry& entry, bool on_front) {
   const Contender& contender = entry.contender;
   csv += fmt::format("{},{},{},", method_name(contender), csv_field(equations_name(contender)), to_string(contender.precision));
-  if (contender.peer || (contender.options.method != Method::closed_form && !contender.options.step_s))
+  if (contender.peer || (!is_exact(contender.options.method) && !contender.options.step_s))
     append_number(csv, contender.options.relative_tolerance);
   csv += ',';
   if (contender.options.step_s) append_number(csv, *contender.options.step_s);

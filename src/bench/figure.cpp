@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "earthtop/bench/comparison.hpp"
@@ -15,6 +16,15 @@ struct Look {
   Marker marker;
 };
 
+constexpr std::array<std::string_view, 7> kColors = {"blue", "vermillion", "green", "purple", "orange", "sky", "grey"};
+constexpr std::array<std::string_view, 5> kMarkers = {"none", "circle", "square", "triangle", "diamond"};
+
+/// The value of an enumeration whose names these are, in its order.
+template <class Enum, std::size_t n>
+Enum named(std::string_view word, const std::array<std::string_view, n>& names) {
+  return static_cast<Enum>(std::find(names.begin(), names.end() - 1, word) - names.begin());
+}
+
 /// Colour and marker of a contender, the same in every picture; grey for other libraries.
 Look look_of(const Contender& contender) {
   if (contender.peer) {
@@ -25,21 +35,10 @@ Look look_of(const Contender& contender) {
       case Peer::arkode_erk: return {LineColor::grey, Marker::diamond};
     }
   }
-  switch (contender.options.method) {
-    case Method::automatic: break;
-    case Method::taylor: return {LineColor::blue, Marker::circle};
-    case Method::long_horizon: return {LineColor::vermillion, Marker::circle};
-    case Method::closed_form: return {LineColor::green, Marker::circle};
-    case Method::splitting: return {LineColor::purple, Marker::circle};
-    case Method::rkf78: return {LineColor::orange, Marker::square};
-    case Method::dop853: return {LineColor::sky, Marker::square};
-    case Method::gauss: return {LineColor::green, Marker::triangle};
-    case Method::extrapolation: return {LineColor::vermillion, Marker::triangle};
-    case Method::bulirsch_stoer: return {LineColor::purple, Marker::triangle};
-    case Method::dopri5: return {LineColor::orange, Marker::diamond};
-    case Method::abm8: return {LineColor::sky, Marker::diamond};
-  }
-  return {LineColor::grey, Marker::none};
+  const std::string_view look = row_of(contender.options.method).look;
+  const std::size_t space = std::min(look.find(' '), look.size());
+  return {named<LineColor>(look.substr(0, space), kColors),
+          named<Marker>(look.substr(std::min(space + 1, look.size())), kMarkers)};
 }
 
 LineStyle style_of(const Contender& contender) {

@@ -18,7 +18,7 @@ std::string_view to_string(Workload workload) {
 std::string method_name(const Contender& contender) {
   if (contender.peer) return std::string(to_string(*contender.peer));
   std::string name(to_string(contender.options.method));
-  if (contender.options.method == Method::splitting) {
+  if (row_of(contender.options.method).composes) {
     const Composition composition = contender.options.composition;
     name += ' ';
     name += to_string(composition == Composition::automatic ? Composition::rkn6 : composition);
@@ -29,13 +29,13 @@ std::string method_name(const Contender& contender) {
 std::string equations_name(const Contender& contender) {
   const IntegrationOptions& options = contender.options;
   if (contender.peer) return contender.workload == Workload::drift ? "difference of two" : "general, body";
-  if (options.method == Method::closed_form || options.method == Method::long_horizon) return "its own";
+  if (row_of(options.method).equations == MethodEquations::own) return "its own";
   return fmt::format("{}, {}", to_string(options.form), to_string(options.observer));
 }
 
 std::string setting_name(const Contender& contender) {
   const IntegrationOptions& options = contender.options;
-  if (!contender.peer && options.method == Method::closed_form) return "-";
+  if (!contender.peer && is_exact(options.method)) return "-";
   if (options.step_s) return fmt::format("step {:.3g} s", *options.step_s);
   return fmt::format("{:.0e}", options.relative_tolerance);
 }

@@ -14,7 +14,7 @@
 #include "compare/scenario_changes.hpp"
 #include "compare/stores.hpp"
 #include "earthtop/error.hpp"
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {

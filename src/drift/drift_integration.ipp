@@ -51,8 +51,7 @@ DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const Integ
   const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
   // Both motions may turn at the fastest rate, and the angle between them must change by less than half a turn between two
   // looks. The steps of the other methods are short enough anyway.
-  const T largest_step =
-      options.method == Method::extrapolation || options.method == Method::dop853 ? T(1.5) / problem.fastest_rate : T(0);
+  const T largest_step = row_of(options.method).cost.is_watched ? T(1.5) / problem.fastest_rate : T(0);
   return integrate_system(system, x, problem, options, watch, largest_step);
 }
 

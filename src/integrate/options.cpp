@@ -34,24 +34,6 @@ std::string_view to_string(Composition composition) {
   return "unknown";
 }
 
-std::string_view to_string(Method method) {
-  switch (method) {
-    case Method::automatic: return "auto";
-    case Method::dopri5: return "dopri5";
-    case Method::rkf78: return "rkf78";
-    case Method::bulirsch_stoer: return "bulirsch_stoer";
-    case Method::extrapolation: return "extrapolation";
-    case Method::abm8: return "abm8";
-    case Method::taylor: return "taylor";
-    case Method::dop853: return "dop853";
-    case Method::gauss: return "gauss";
-    case Method::splitting: return "splitting";
-    case Method::long_horizon: return "long_horizon";
-    case Method::closed_form: return "closed_form";
-  }
-  return "unknown";
-}
-
 std::string_view to_string(Precision precision) {
   switch (precision) {
     case Precision::bits53: return "double";
@@ -59,24 +41,6 @@ std::string_view to_string(Precision precision) {
     case Precision::bits113: return "float128";
   }
   return "unknown";
-}
-
-bool is_built(Method method, Precision precision) {
-  switch (method) {
-    case Method::automatic:
-    case Method::rkf78:
-    case Method::extrapolation:
-    case Method::taylor:
-    case Method::closed_form: return true;
-    case Method::bulirsch_stoer: return precision != Precision::bits113;
-    case Method::dopri5:
-    case Method::abm8:
-    case Method::dop853:
-    case Method::gauss:
-    case Method::splitting:
-    case Method::long_horizon: return precision == Precision::bits53;
-  }
-  return false;
 }
 
 double least_tolerance(Precision precision) {

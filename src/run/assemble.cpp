@@ -144,11 +144,10 @@ template <class T>
 void describe(const DriftProblem<T>& problem, const IntegrationOptions& options, const DriftTrajectory<T>& trajectory,
               Precision precision, IntegrationReport& report) {
   report.observer = options.observer;
-  const bool closed_form = options.method == Method::closed_form;
   report.form = takes_reduced_form(problem.model, options) ? ModelForm::reduced : ModelForm::general;
   report.method = options.method;
   report.precision = to_string(precision);
-  if (!closed_form) report.relative_tolerance = options.relative_tolerance;
+  if (!is_exact(options.method)) report.relative_tolerance = options.relative_tolerance;
   report.step_s = trajectory.step_s;
   report.counters = trajectory.counters;
   report.status = trajectory.status;

@@ -28,10 +28,9 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
 /// it finds by trial; in a short run it may follow it.
 IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions options) {
   constexpr double kShortRun = 1e6;  // steps
-  const bool long_horizon = options.method == Method::long_horizon;
-  if (!options.stops_beyond_estimate || !(long_horizon || options.method == Method::closed_form)) return options;
+  if (!options.stops_beyond_estimate || row_of(options.method).equations != MethodEquations::own) return options;
   Work work = scene.cost(options).work;
-  if (long_horizon) work.steps = std::max(work.steps, kShortRun);
+  if (!is_exact(options.method)) work.steps = std::max(work.steps, kShortRun);
   options.step_limit = std::min(options.step_limit, limit_of(work).steps);
   return options;
 }
@@ -52,7 +51,7 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   made.solution.reason = scene.choice().reason;
   DriftProblem<T> problem = scene.problem<T>();
   make_second(problem, made.first);
-  if (made.other_options.method == Method::long_horizon) made.other_options.kick_steps = made.first.kick_steps;
+  if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
   made.other_options = within_estimate(scene, made.other_options);
   made.second =
       integrate_timed(problem, made.other_options, precision, parts.next(seconds.bound, "error bound"), made.certificate);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/real.hpp"
 #include "scene/input_derivatives.hpp"
 

@@ -54,21 +54,21 @@ namespace {
 template <class Property>
 std::string methods_that(Property property) {
   std::string words;
-  for (const Method method : kMethods)
-    if (property(method)) words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", to_string(method));
+  for (const MethodRow& row : kMethodRows)
+    if (property(row)) words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", row.word);
   return words;
 }
 
 /// A fixed step that is given, where the method takes one.
 void decode_step(const Section& numerics, Scenario& scenario) {
   const Method method = scenario.numerics.method;
-  const StepRule rule = step_rule(method);
+  const MethodRow& rule = row_of(method);
   if (rule.step_s == Need::none) {
     scenario.numerics.step_s.reset();
     if (!numerics.has("step_s")) return;
     return numerics.refuse_key(
         "step_s", fmt::format("\"{}\" chooses its own steps from relative_tolerance; step_s belongs to {}", to_string(method),
-                              methods_that([](Method m) { return step_rule(m).step_s != Need::none; })));
+                              methods_that([](const MethodRow& row) { return row.step_s != Need::none; })));
   }
   if (rule.step_s == Need::required) {
     if (numerics.has("relative_tolerance"))
@@ -106,7 +106,7 @@ void check_precision(const Section& numerics, Scenario& scenario) {
                     "the step, decides the error",
                     options.relative_tolerance, least, least, to_string(precision)));
   if (is_built(options.method, precision)) return;
-  const std::string built = methods_that([&](Method m) { return is_built(m, precision); });
+  const std::string built = methods_that([&](const MethodRow& row) { return is_built(row.method, precision); });
   numerics.refuse(
       "method", fmt::format("\"{}\" is not built for {}; must be {}", to_string(options.method), to_string(precision), built));
   options.method = Method::automatic;
@@ -121,13 +121,15 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
   const auto method = numerics.word("method");
   check_precision(numerics, scenario);
   if (!method || to_string(options.method) != *method) return options.step_s.reset();
-  if (options.composition != Composition::automatic && options.method != Method::splitting)
-    numerics.refuse_key("composition", fmt::format("\"{}\" composes nothing; it belongs to \"splitting\"", *method));
-  if (options.method == Method::closed_form) {
+  if (options.composition != Composition::automatic && !row_of(options.method).composes)
+    numerics.refuse_key("composition", fmt::format("\"{}\" composes nothing; it belongs to {}", *method,
+                                                   methods_that([](const MethodRow& row) { return row.composes; })));
+  if (is_exact(options.method)) {
     options.step_s.reset();
     for (const std::string_view key : {"relative_tolerance", "step_s"})
       if (numerics.has(key))
-        numerics.refuse_key(key, "\"closed_form\" takes no steps and has no tolerance; leave it out, or take another method");
+        numerics.refuse_key(
+            key, fmt::format("\"{}\" takes no steps and has no tolerance; leave it out, or take another method", *method));
     return;
   }
   decode_step(numerics, scenario);

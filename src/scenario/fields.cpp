@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "earthtop/integrate/method.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
@@ -179,8 +180,7 @@ constexpr Field kFields[] = {
     {"/effects/gimbal/damping_N_m_s", number, "N m s", from(0, 1e9), "", "0", "of its turn about Up"},
 
     {"/numerics", object, "", any(), "", "{}", "how to integrate"},
-    {"/numerics/method", word, "", any(),
-     "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|long_horizon|closed_form", "\"auto\"",
+    {"/numerics/method", word, "", any(), kMethodWords, "\"auto\"",
      "integration method; closed_form: none, of the scenes that have a closed form"},
     {"/numerics/observer", word, "", any(), "laboratory|body|inertial", "\"laboratory\"", "whose equations are integrated"},
     {"/numerics/model", word, "", any(), "auto|general", "\"auto\"",

@@ -216,7 +216,7 @@ void numerics_keys(Codec& codec, S& scenario) {
   codec.named("observer", options.observer);
   codec.named("model", options.form);
   codec.named("precision", scenario.precision);
-  if (!Codec::kWrites || (!options.step_s && options.method != Method::closed_form))
+  if (!Codec::kWrites || (!options.step_s && !is_exact(options.method)))
     codec.key("relative_tolerance", options.relative_tolerance);
   codec.key("step_s", options.step_s);
   if (!Codec::kWrites || options.composition != Composition::automatic) codec.named("composition", options.composition);

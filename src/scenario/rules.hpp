@@ -66,7 +66,7 @@ struct WordsOf {
   static constexpr std::string_view text{kLetters.data(), kSize};
 };
 
-enum class Need { required, optional, none };
+using earthtop::Need;
 
 struct ShapeRule {
   std::string_view word;
@@ -99,28 +99,9 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
 
-/// All methods and precisions; which go together says `is_built`.
-inline constexpr std::array kMethods = {Method::automatic,     Method::dopri5, Method::rkf78,       Method::bulirsch_stoer,
-                                        Method::extrapolation, Method::abm8,   Method::dop853,      Method::gauss,
-                                        Method::splitting,     Method::taylor, Method::closed_form, Method::long_horizon};
 inline constexpr std::array kCompositions = {Composition::automatic, Composition::aba82,   Composition::aba84,
                                              Composition::aba864,    Composition::aba1064, Composition::rkn6,
                                              Composition::kahan_li8};
-
-/// The key from which a method's step comes: it is given as step_s, or found from relative_tolerance; where both are optional,
-/// either of them serves.
-struct StepRule {
-  Need step_s, relative_tolerance;
-};
-constexpr StepRule step_rule(Method method) {
-  switch (method) {
-    case Method::closed_form: return {Need::none, Need::none};
-    case Method::abm8: return {Need::required, Need::none};
-    case Method::gauss:
-    case Method::splitting: return {Need::optional, Need::optional};
-    default: return {Need::none, Need::optional};
-  }
-}
 
 /// The keys that a criterion of a kind must and may have besides kind, set, why and slow.
 struct CriterionRule {

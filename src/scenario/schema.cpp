@@ -94,29 +94,31 @@ Json tide_rule() {
 Json numerics_rule() {
   Json fixed_step = required("step_s");
   fixed_step.update(none_of("relative_tolerance"));
-  Json rule = when("method", "closed_form", none_of("step_s|relative_tolerance"), none_of("step_s"));
-  for (const Method method : kMethods) {
-    const Need step = step_rule(method).step_s;
-    if (step == Need::none) continue;
+  Json rule = none_of("step_s");
+  for (const MethodRow& row : kMethodRows)
+    if (is_exact(row.method)) rule = when("method", row.word, none_of("step_s|relative_tolerance"), rule);
+  for (const MethodRow& row : kMethodRows) {
+    if (row.step_s == Need::none) continue;
     const Json one_of_two = {{"not", required("step_s|relative_tolerance")}};
-    rule = when("method", to_string(method), step == Need::required ? fixed_step : one_of_two, rule);
+    rule = when("method", row.word, row.step_s == Need::required ? fixed_step : one_of_two, rule);
   }
   return rule;
 }
 
-/// Only the method splitting has compositions to choose from.
+/// Only a method that composes flows has compositions to choose from.
 Json composition_rule() {
-  return when("method", to_string(Method::splitting), Json::object(),
-              {{"properties", {{"composition", {{"enum", Json::array({to_string(Composition::automatic)})}}}}}});
+  Json rule = {{"properties", {{"composition", {{"enum", Json::array({to_string(Composition::automatic)})}}}}}};
+  for (const MethodRow& row : kMethodRows)
+    if (row.composes) rule = when("method", row.word, Json::object(), rule);
+  return rule;
 }
 
 /// The methods and tolerances that the precision allows, as in `check_precision`; it is double where none is given.
 Json precision_rule() {
   const auto allowed = [](Precision precision) -> Json {
     Json methods = Json::array();
-    for (const std::string_view word : split_words(fields().find("/numerics/method")->words))
-      for (const Method method : kMethods)
-        if (to_string(method) == word && is_built(method, precision)) methods.push_back(word);
+    for (const Method method : methods_by(&MethodRow::place_in_menus))
+      if (is_built(method, precision)) methods.push_back(to_string(method));
     return {
         {"properties", {{"method", {{"enum", methods}}}, {"relative_tolerance", {{"minimum", least_tolerance(precision)}}}}}};
   };

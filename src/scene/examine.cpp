@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene has to say of a scenario's text: whether there is a start, whether effects and method fit, what the run costs.
+// A scene judges the text of its scenario: whether there is a start, whether effects and method fit, what the run costs.
 #include "scene/examine.hpp"
 
 #include <fmt/core.h>
@@ -54,7 +54,7 @@ void check_gimbal(const Section& effects, const Scene& scene) {
                                          std::abs(leaving)));
 }
 
-/// What the effects need of the release, of the platform and of one another.
+/// Effects need something of the release, of the platform and of one another.
 void check_effects(const Section& effects, const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const AppliedTorquesSpec& applied = scenario.effects.applied;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one integration costs whose options are known, before any of it is done.
+// The cost of one integration whose options are known, before any of it is done.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What "auto" means for a scene.
+// The method that "auto" stands for in a scene.
 #include <algorithm>
 
 #include "scene/parts.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which method fits which scene.
+#include <fmt/core.h>
+
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
@@ -8,12 +10,12 @@
 namespace earthtop {
 namespace {
 
+std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); }
+
 /// The methods that know the motion between the torques' kicks, or its series, know it for [F]'s three torques and a pivot at
 /// rest.
-std::optional<std::string> need_plain_scene(Method method, const Scene& scene) {
-  std::string what = "\"";
-  what += to_string(method);
-  what += "\" ";
+std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
+  const std::string what = quoted(word) + ' ';
   if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
   if (!scene.scenario().effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
@@ -22,8 +24,8 @@ std::optional<std::string> need_plain_scene(Method method, const Scene& scene) {
   return std::nullopt;
 }
 
-std::optional<std::string> need_closed_form(const Scene& scene) {
-  if (auto reason = need_plain_scene(Method::closed_form, scene)) return reason;
+std::optional<std::string> need_closed_form(std::string_view word, const Scene& scene) {
+  if (auto reason = need_plain_scene(word, scene)) return reason;
   switch (scene.closed_form_kind()) {
     case ExactKind::free_body:
     case ExactKind::symmetric_top:
@@ -40,14 +42,15 @@ std::optional<std::string> need_closed_form(const Scene& scene) {
 
 /// The free motion of a symmetric top is a turn about its angular momentum, that of any other body takes elliptic functions;
 /// and it is split in axes that do not turn with the body.
-std::optional<std::string> need_splittable_scene(const Scene& scene) {
-  if (auto reason = need_plain_scene(Method::splitting, scene)) return reason;
+std::optional<std::string> need_splittable_scene(std::string_view word, const Scene& scene) {
+  if (auto reason = need_plain_scene(word, scene)) return reason;
+  const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() < 0)
-    return "\"splitting\" is made for symmetric tops, with their centre of mass on the axis; take \"auto\"";
+    return what + "is made for symmetric tops, with their centre of mass on the axis; take \"auto\"";
   if (scene.scenario().numerics.form == ModelForm::general)
-    return "\"splitting\" has no general model; leave /numerics/model at \"auto\"";
+    return what + "has no general model; leave /numerics/model at \"auto\"";
   if (scene.scenario().numerics.observer == Observer::body)
-    return "\"splitting\" has no body axes; take the observer \"laboratory\" or \"inertial\"";
+    return what + "has no body axes; take the observer \"laboratory\" or \"inertial\"";
   return std::nullopt;
 }
 
@@ -60,17 +63,19 @@ bool spins_fast(const Scene& scene) {
 
 /// The method has the variables of a symmetric top's closed form, in laboratory axes. It finds a small drift from that at
 /// amplified rates of the Earth, as a cubic in the rate; for a slow top the drift is not cubic in the rate.
-std::optional<std::string> need_fast_symmetric_top(const Scene& scene) {
-  if (auto reason = need_plain_scene(Method::long_horizon, scene)) return reason;
+std::optional<std::string> need_fast_symmetric_top(std::string_view word, const Scene& scene) {
+  if (auto reason = need_plain_scene(word, scene)) return reason;
+  const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() != 2)
-    return "\"long_horizon\" is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
+    return what +
+           "is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
            "centre of mass on the axis); take \"auto\"";
   if (scene.scenario().numerics.observer != Observer::laboratory || scene.scenario().numerics.form != ModelForm::automatic)
-    return "\"long_horizon\" has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
+    return what + "has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
   if (!spins_fast(scene))
-    return "\"long_horizon\" is made for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
-           "take "
-           "\"auto\", or a faster spin";
+    return what +
+           "is made for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
+           "take \"auto\", or a faster spin";
   return std::nullopt;
 }
 
@@ -90,24 +95,21 @@ double closed_form_turn_rate_rad_s(const Scene& scene) {
 }
 
 std::optional<std::string> refuse_method(Method method, const Scene& scene) {
-  if (scene.scenario().effects.applied.coulomb_N_m != 0 && method != Method::automatic && method != Method::rkf78 &&
-      method != Method::extrapolation)
-    return "with dry friction a motion comes to rest within a step, which only \"rkf78\" and \"extrapolation\" find; take one "
-           "of "
-           "them, or \"auto\"";
-  switch (method) {
-    case Method::automatic:
-    case Method::dopri5:
-    case Method::rkf78:
-    case Method::bulirsch_stoer:
-    case Method::extrapolation:
-    case Method::abm8:
-    case Method::dop853:
-    case Method::gauss: break;
-    case Method::splitting: return need_splittable_scene(scene);
-    case Method::taylor: return need_plain_scene(method, scene);
-    case Method::long_horizon: return need_fast_symmetric_top(scene);
-    case Method::closed_form: return need_closed_form(scene);
+  const MethodRow& row = row_of(method);
+  if (scene.scenario().effects.applied.coulomb_N_m != 0 && !row.finds_stops) {
+    std::string finders;
+    for (const MethodRow& other : kMethodRows)
+      if (other.finds_stops && other.method != Method::automatic)
+        finders += (finders.empty() ? "" : " and ") + quoted(other.word);
+    return fmt::format(
+        "with dry friction a motion comes to rest within a step, which only {} find; take one of them, or \"auto\"", finders);
+  }
+  switch (row.fit) {
+    case MethodFit::any: break;
+    case MethodFit::plain: return need_plain_scene(row.word, scene);
+    case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
+    case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);
+    case MethodFit::closed_form: return need_closed_form(row.word, scene);
   }
   return std::nullopt;
 }

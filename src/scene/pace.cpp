@@ -41,7 +41,7 @@ struct Released {
   }
 };
 
-/// Of a pendulum that falls from upright, by this torque.
+/// The rate of a pendulum that this torque lets fall from upright (rad/s).
 double falling_rate(double torque, double moment) { return 2 * std::sqrt(torque / moment); }
 
 double gradient_torque(const Scene& scene, const Released& top) {
@@ -53,7 +53,7 @@ double gradient_torque(const Scene& scene, const Released& top) {
   return strength * (top.largest() - top.least());
 }
 
-/// What friction of torque c |w|^(n + 1) does to a rate w that it alone brings down, in a body of moment I: dw/dt = -r w^(n+1).
+/// Friction of torque c |w|^(n + 1) alone brings a rate w down, in a body of moment I: dw/dt = -r w^(n+1), r = c / I.
 struct Braking {
   double r, n;
 
@@ -138,7 +138,7 @@ class Friction {
                  stiff = braking.r * real::pow(held, braking.n);
     damp("/effects/air_drag", (1 + braking.n) * stiff * time_);
     if (stiff > 0) halts_ += kSigns * swing * time_ * std::min(1.0, stiff / swing);
-    // Of a body that is not symmetric the rate about axis 3 changes its sign, where the drag has no higher derivatives.
+    // The rate about axis 3 of a body that is not symmetric changes its sign, and there the drag has no higher derivatives.
     if (top_.axis != 2 && stiffest_.damping > 1) halts_ += kSigns * rest * time_;
     turned_ = std::min(turned_, rest * time_ + braking.turned(w3, time_));
   }
@@ -157,7 +157,7 @@ class Friction {
   StiffFriction stiffest_;
 };
 
-/// What acts on a body and how fast that moves it.
+/// The torques and the carrier that act on a body, and how fast they move it.
 struct Driven {
   Released top;
   PlatformDemand platform;
@@ -242,7 +242,7 @@ Paced paced(const Scene& scene) {
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.settled_rad = swinging * (time - friction.swung_s());
-  // What is only rounding is no reason to refuse a scene.
+  // A scene is not refused for looks that only rounding asks for.
   constexpr double kMostLooks = 1e9;
   pace.looks_rad =
       std::max(scene.fastest_rate_rad_s() * time, std::min(kMostLooks, looks_at_rounding(scene) * pace.turning_rad));

@@ -42,7 +42,7 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);
 /// its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);
 
-// method_choice.cpp: what "auto" means, from what one integration costs with the options of each method.
+// method_choice.cpp: the method that "auto" stands for, from what one integration costs with the options of each method.
 MethodChoice choose_method(const Scene& scene);
 
 // run_estimate.cpp: what the run costs with the method that was chosen.

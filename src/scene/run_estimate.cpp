@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a whole run costs, before any of it is done, and which scenes are too dear.
+// The cost of a whole run, before any of it is done, and the refusal of scenes that are too dear.
 #include <fmt/core.h>
 
 #include <algorithm>

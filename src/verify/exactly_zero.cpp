@@ -2,7 +2,6 @@
 // Numbers that must be exactly 0, in all their bits.
 #include <cmath>
 
-#include "scenario/rules.hpp"
 #include "verify/judge.hpp"
 
 namespace earthtop::verify_detail {
@@ -28,16 +27,16 @@ int nonzero_reference_tilts(const DriftRow& row) {
 /// The scene with every method, and in every observer's equations, that the scene and its precision allow.
 std::vector<Scene> by_all_methods(const Scenario& scenario) {
   std::vector<Scene> scenes;
-  for (const Method method : scenario::kMethods)
+  for (const MethodRow& row : kMethodRows)
     for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
       for (const ModelForm form : {ModelForm::automatic, ModelForm::general}) {
         Scenario varied = scenario;
-        varied.numerics.method = method;
+        varied.numerics.method = row.method;
         varied.numerics.observer = observer;
         varied.numerics.form = form;
-        if (scenario::step_rule(method).step_s == scenario::Need::required) varied.numerics.step_s = varied.output_step_s / 50;
+        if (row.step_s == Need::required) varied.numerics.step_s = varied.output_step_s / 50;
         Scene scene = resolve(std::move(varied));
-        if (is_built(method, scenario.precision) && !scene.method_refusal()) scenes.push_back(std::move(scene));
+        if (is_built(row.method, scenario.precision) && !scene.method_refusal()) scenes.push_back(std::move(scene));
       }
   return scenes;
 }

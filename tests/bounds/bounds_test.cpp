@@ -4,7 +4,6 @@
 
 #include "bounds/coverage.hpp"
 #include "bounds/strata.hpp"
-#include "scenario/rules.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -32,7 +31,7 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
 /// either error. For methods that a user names, this happens by chance; so 8 scenes of each stratum are tried, with every
 /// method among them.
 TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
-  std::array<int, scenario::kMethods.size()> scenes_of{};
+  std::array<int, kMethodCount> scenes_of{};
   int tight = 0, scenes = 0;
   for (const Stratum& stratum : strata())
     for (std::uint64_t i = 2000; i < 2008; ++i) {
@@ -44,8 +43,8 @@ TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
       ++scenes_of.at(static_cast<std::size_t>(coverage.method));
     }
   EXPECT_GE(tight, scenes * 9 / 10);
-  for (const Method method : scenario::kMethods)
-    EXPECT_GE(scenes_of.at(static_cast<std::size_t>(method)), method == Method::automatic ? 0 : 2) << to_string(method);
+  for (const MethodRow& row : kMethodRows)
+    EXPECT_GE(scenes_of.at(static_cast<std::size_t>(row.method)), row.method == Method::automatic ? 0 : 2) << row.word;
 }
 
 /// Cases in which the method errs in the same direction as a second integration with a looser tolerance would; in three of them

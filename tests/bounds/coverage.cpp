@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::testing {
 namespace {

@@ -269,12 +269,13 @@ constexpr Stratum kStrata[] = {
 };
 
 /// A random one of the methods that a user may name for this scene.
-Method any_method(const Scenario& scene, Random& random) {
-  std::array<Method, scenario::kMethods.size()> allowed;
+Method any_method(const Scenario& scenario, Random& random) {
+  std::array<Method, kMethodCount> allowed;
   std::size_t count = 0;
-  for (const Method method : scenario::kMethods)
-    if (method != Method::automatic && is_built(method, scene.precision) && !Scene(scene).method_refusal(method))
-      allowed[count++] = method;
+  const Scene scene(scenario);
+  for (const MethodRow& row : kMethodRows)
+    if (row.method != Method::automatic && is_built(row.method, scenario.precision) && !scene.method_refusal(row.method))
+      allowed[count++] = row.method;
   return allowed.at(static_cast<std::size_t>(random.uniform(0, static_cast<double>(count))));
 }
 
@@ -296,8 +297,8 @@ Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, doubl
   if (s.numerics.method == Method::splitting)
     s.numerics.composition =
         scenario::kCompositions.at(static_cast<std::size_t>(random.uniform(0, double{scenario::kCompositions.size()})));
-  const auto rule = scenario::step_rule(s.numerics.method);
-  if (rule.step_s == scenario::Need::required || (rule.step_s == scenario::Need::optional && random.coin()))
+  const auto rule = row_of(s.numerics.method);
+  if (rule.step_s == Need::required || (rule.step_s == Need::optional && random.coin()))
     s.numerics.step_s = random.log_uniform(0.01, 0.15) / Scene(s).fastest_rate_rad_s();
   const double least = s.precision == Precision::bits53 ? 1e-13 : 10 * least_tolerance(s.precision);
   s.numerics.relative_tolerance = s.numerics.step_s ? default_tolerance(s.precision) : random.log_uniform(least, 1e-6);

@@ -11,6 +11,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {

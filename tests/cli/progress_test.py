@@ -135,7 +135,7 @@ def main():
         check("verify", ["verify"])
         for name in sorted(os.listdir(SCENARIOS)):
             if name.endswith(".json"):
-                check(name, ["run", scene(name[:-5], "some-" + name[:-5], motion__output_step_s=0.001), "--out", "some"])
+                check(name, ["run", scene(name[:-5], "some-" + name[:-5], motion__output_step_s=0.001), "--out", "some", "--force"])
     silent = [("--quiet", ["--quiet"], {}), ("NO_COLOR", [], {"NO_COLOR": "1"}), ("--json", ["--json"], {}),
               ("TERM=dumb", [], {"TERM": "dumb"})]
     for name, extra, environment in silent if ALL else silent[:2]:

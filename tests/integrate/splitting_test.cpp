@@ -9,6 +9,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/reduced_top.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "integrate/compositions.hpp"
 #include "support/scenes.hpp"
 

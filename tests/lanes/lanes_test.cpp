@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "lanes/lane_bits.hpp"
 #include "support/scenes.hpp"
 

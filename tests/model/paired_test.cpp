@@ -4,6 +4,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/applied_motion.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "frames/random_cases.hpp"
 #include "support/scenes.hpp"
 

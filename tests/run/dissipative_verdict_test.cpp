@@ -8,6 +8,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "run/verdict.hpp"
 #include "support/effect_scenes.hpp"
 

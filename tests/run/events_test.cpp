@@ -10,6 +10,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
 

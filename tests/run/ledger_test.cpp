@@ -7,6 +7,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "frames/random_cases.hpp"
 #include "model/ledger_sizes.hpp"
 #include "support/scenes.hpp"

@@ -2,6 +2,7 @@
 /// One motion integrated by itself is the rotating motion of a run.
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 

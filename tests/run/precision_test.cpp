@@ -6,6 +6,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
 

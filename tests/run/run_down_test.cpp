@@ -7,6 +7,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {

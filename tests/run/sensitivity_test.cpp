@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "run/sensitivities.hpp"
 #include "support/scenes.hpp"
 

@@ -8,6 +8,7 @@
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::testing {
 

@@ -8,6 +8,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::testing {
 

@@ -6,6 +6,7 @@
 #include "bounds/strata.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::testing {
 namespace {

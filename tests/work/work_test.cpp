@@ -8,6 +8,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "run/assemble.hpp"
 #include "work/promises.hpp"
 

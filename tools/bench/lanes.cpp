@@ -20,6 +20,7 @@
 #include "earthtop/drift/drift_lanes.hpp"
 #include "earthtop/integrate/motion_lanes.hpp"
 #include "earthtop/run_batch.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace {
 

@@ -14,6 +14,7 @@
 
 #include "earthtop/bench/bench.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace {
 

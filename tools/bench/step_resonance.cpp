@@ -13,6 +13,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/plot/plot.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "integrate/compositions.hpp"
 
 namespace {

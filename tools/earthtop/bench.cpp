@@ -157,10 +157,7 @@ int bench_verb(const BenchArguments& arguments) {
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const Method method :
-       {Method::automatic, Method::closed_form, Method::long_horizon, Method::taylor, Method::splitting, Method::dop853,
-        Method::rkf78, Method::gauss, Method::extrapolation, Method::bulirsch_stoer, Method::dopri5, Method::abm8})
-    names.emplace_back(to_string(method));
+  for (const Method method : methods_by(&MethodRow::place_in_bench)) names.emplace_back(to_string(method));
   for (const Peer peer : peers_built()) names.emplace_back(to_string(peer));
   return names;
 }

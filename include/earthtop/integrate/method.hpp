@@ -69,7 +69,7 @@ struct MethodRow {
   bool composes = false;     ///< takes a composition of exact flows
   MethodEquations equations = MethodEquations::reduced_and_body;
   std::array<double, 6> bench_tolerances = {1e-5, 1e-8, 1e-11, 1e-14};  ///< in double; 0 ends them
-  int place_in_menus = 0, place_in_bench = 0;                            ///< where the word stands among all words
+  int place_in_menus = 0, place_in_bench = 0;                           ///< where the word stands among all words
   std::string_view look = "";                                           ///< colour and marker in pictures
   MethodCost cost = {};
   std::string_view worth = "";  ///< what a user would lose without it
@@ -90,7 +90,12 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 2,
      .place_in_bench = 10,
      .look = "orange diamond",
-     .cost = {.radians = 0.25, .at = 1e-8, .order_inverse = 1.0 / 5, .evaluations = 6, .stable_phase = 2.5, .stable_evaluations = 8},
+     .cost = {.radians = 0.25,
+              .at = 1e-8,
+              .order_inverse = 1.0 / 5,
+              .evaluations = 6,
+              .stable_phase = 2.5,
+              .stable_evaluations = 8},
      .worth = "the method that MATLAB's ode45 and SciPy's RK45 take by default: their results can be made again, and its cost "
               "compared"},
     {.method = Method::rkf78,
@@ -110,11 +115,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 4,
      .place_in_bench = 9,
      .look = "purple triangle",
-     .cost = {.radians = 2,
-              .order_inverse = 1.0 / 16,
-              .evaluations = 53,
-              .stable_phase = 3,
-              .stable_evaluations = 15},
+     .cost = {.radians = 2, .order_inverse = 1.0 / 16, .evaluations = 53, .stable_phase = 3, .stable_evaluations = 15},
      .worth = "Boost.Odeint's own extrapolation: another program's code of the same idea as extrapolation, to hold it against"},
     {.method = Method::extrapolation,
      .word = "extrapolation",
@@ -133,7 +134,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_near_round_off = 0.2,
               .evaluations_a_row = 40,
               .is_watched = true},
-     .worth = "an order that follows the tolerance: 34 digits in any scene, and the second integration that every bound rests on"},
+     .worth =
+         "an order that follows the tolerance: 34 digits in any scene, and the second integration that every bound rests on"},
     {.method = Method::abm8,
      .word = "abm8",
      .step_s = Need::required,
@@ -171,8 +173,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .stable_phase = 1.2,  // beyond which its fixed-point iteration does not converge
               .stable_evaluations = 50,
               .tries_its_step = true},
-     .worth = "the only symmetric method for every scene: with a fixed step, energies do not drift over long times, platform "
-              "and friction included"},
+     .worth = "the only symmetric method for scenes that no exact flow is made for: with a fixed step its error in the energy "
+              "does not grow with the time"},
     {.method = Method::splitting,
      .word = "splitting",
      .step_s = Need::optional,
@@ -183,8 +185,9 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 4,
      .look = "purple circle",
      .cost = {.radians = 0.8, .order_inverse = 1.0 / 7, .most_radians = 2, .evaluations = 14},
-     .worth = "the symplectic method: a fixed step that keeps a symmetric top's Jacobi integral for ever, by published "
-              "compositions that can be compared"},
+     .worth =
+         "the symplectic method of a symmetric top: with a fixed step its error in the Jacobi integral does not grow with the "
+         "time; published compositions can be compared"},
     {.method = Method::taylor,
      .word = "taylor",
      .most_digits = Precision::bits113,
@@ -238,5 +241,25 @@ constexpr std::array<Method, kMethodCount> methods_by(int MethodRow::*place) {
   for (const MethodRow& row : kMethodRows) methods[static_cast<std::size_t>(row.*place)] = row.method;
   return methods;
 }
+
+namespace method_detail {
+constexpr std::size_t words_size() {
+  std::size_t size = kMethodCount - 1;
+  for (const MethodRow& row : kMethodRows) size += row.word.size();
+  return size;
+}
+inline constexpr std::array<char, words_size()> kWords = [] {
+  std::array<char, words_size()> text = {};
+  std::size_t at = 0;
+  for (const Method method : methods_by(&MethodRow::place_in_menus)) {
+    if (at > 0) text[at++] = '|';
+    for (const char c : to_string(method)) text[at++] = c;
+  }
+  return text;
+}();
+}  // namespace method_detail
+
+/// All words in the order of menus, with bars between them.
+inline constexpr std::string_view kMethodWords(method_detail::kWords.data(), method_detail::kWords.size());
 
 }  // namespace earthtop

@@ -2,41 +2,17 @@
 /// How to integrate: the observer, the method and its tolerances.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "earthtop/integrate/method.hpp"
 
 namespace earthtop {
 
 /// The observer in whose axes the equations are integrated: in the rotating laboratory (with [F]'s non-inertial torques), in
 /// the body (Euler's equations), or in inertial space.
 enum class Observer { laboratory, body, inertial };
-
-/// The floating-point type of a run, named by the bits of its significand: double, long double or float128.
-enum class Precision { bits53, bits64, bits113 };
-
-/// The method of integration. `automatic` picks one of the others. The methods dopri5, rkf78, bulirsch_stoer (all three from
-/// Boost.Odeint), extrapolation, taylor and dop853 control their step. The step of abm8, gauss (Gauss collocation, implicit and
-/// symmetric) and splitting (a composition of exact flows) is fixed. long_horizon composes exact flows of a symmetric top, in
-/// steps that it chooses by its tolerance (rad, of the axis). closed_form evaluates a formula instead of taking steps, for the
-/// scenes that have one (exact_motion.hpp). Not every method is built for every precision: see `is_built`.
-enum class Method {
-  automatic,
-  dopri5,
-  rkf78,
-  bulirsch_stoer,
-  extrapolation,
-  abm8,
-  taylor,
-  dop853,
-  gauss,
-  splitting,
-  long_horizon,
-  closed_form
-};
-
-inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
 
 /// The variables that are integrated: `general` means attitude and rates, for any body; `reduced` means the axis and the
 /// transverse rate of a symmetric top, without its spin. `automatic` is decided by `takes_reduced_form`.
@@ -47,14 +23,8 @@ enum class ModelForm { automatic, general, reduced };
 enum class Composition { automatic, aba82, aba84, aba864, aba1064, rkn6, kahan_li8 };
 
 std::string_view to_string(Observer observer);
-std::string_view to_string(Method method);
 std::string_view to_string(ModelForm form);
 std::string_view to_string(Composition composition);
-std::string_view to_string(Precision precision);
-
-/// Whether a method is built for a precision: automatic, rkf78, extrapolation, taylor and closed_form for every one,
-/// bulirsch_stoer for double and long double, the others for double only.
-bool is_built(Method method, Precision precision);
 
 /// The smallest sensible relative tolerance: about 45 times the precision's epsilon, which is the rounding of the sums in one
 /// step. No step control can meet a smaller one.
@@ -85,12 +55,12 @@ struct IntegrationOptions {
   bool operator==(const IntegrationOptions&) const = default;
 };
 
-/// Whether an integration with these options takes the reduced form of a model that has one. `splitting` knows no other, and
-/// splits in inertial axes too.
+/// Whether an integration with these options takes the reduced form of a model that has one. Exact flows are composed in no
+/// other, and in inertial axes too.
 inline bool takes_reduced_form(bool reducible, const IntegrationOptions& options) {
-  if (options.method == Method::closed_form) return false;
+  if (is_exact(options.method)) return false;
   if (options.form != ModelForm::automatic) return options.form == ModelForm::reduced;
-  const bool splits = options.method == Method::splitting && options.observer == Observer::inertial;
+  const bool splits = row_of(options.method).composes && options.observer == Observer::inertial;
   return (options.observer == Observer::laboratory || splits) && reducible;
 }
 
