@@ -11,7 +11,7 @@
 
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/sensitivity.hpp"
-#include "scene/problem.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 

@@ -14,6 +14,8 @@
 
 namespace earthtop {
 
+class Scene;
+
 /// The column of times, the first one in every file.
 inline constexpr std::string_view kTimeColumn = "t_s";
 
