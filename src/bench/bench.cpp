@@ -67,14 +67,14 @@ void prepare_peer(const Contender& contender, const Scene& scene, const std::vec
     problem.times_s = times_s;
     return problem;
   };
-  const Peer peer = *contender.peer;
+  const Peer& peer = *contender.peer;
   const double tolerance = contender.options.relative_tolerance;
   const MotionProblem<double> rotating = problem_of(scene);
   if (contender.workload != Workload::drift)
-    return prepare([=](const Watch& watch) { return integrate_with_peer(peer, rotating, tolerance, watch); }, most_seconds,
-                   racer);
+    return prepare([=, &peer](const Watch& watch) { return integrate_with_peer(peer, rotating, tolerance, watch); },
+                   most_seconds, racer);
   prepare(
-      [=, reference = problem_of(scene.without_rotation())](const Watch& watch) {
+      [=, &peer, reference = problem_of(scene.without_rotation())](const Watch& watch) {
         const auto first = integrate_with_peer(peer, rotating, tolerance, watch);
         return subtract(first, integrate_with_peer(peer, reference, tolerance, watch));
       },

@@ -101,13 +101,13 @@ class Contenders {
 
   void add_peers() {
     if (!scene_.is_plain()) return;
-    for (const Peer peer : peers_built())
+    for (const Peer& peer : peers_built())
       for (const double tolerance : {1e-5, 1e-8, 1e-11, 1e-13}) {
         IntegrationOptions options;
         options.observer = Observer::body;
         options.form = ModelForm::general;
         options.relative_tolerance = tolerance;
-        contenders_.push_back({workload_, options, Precision::bits53, peer});
+        contenders_.push_back({workload_, options, Precision::bits53, &peer});
       }
   }
 

@@ -25,7 +25,7 @@ Json entry_json(const BenchEntry& entry, bool on_front) {
   const bool completed = entry.status == RunStatus::completed, tried = entry.repetitions > 0;
   const bool reads_tolerance = contender.peer || (!is_exact(contender.options.method) && !contender.options.step_s);
   return {{"method", method_name(contender)},
-          {"peer", contender.peer.has_value()},
+          {"peer", contender.peer != nullptr},
           {"equations", equations_name(contender)},
           {"precision", to_string(contender.precision)},
           {"relative_tolerance", reads_tolerance ? Json(contender.options.relative_tolerance) : Json(nullptr)},

@@ -27,14 +27,7 @@ Enum named(std::string_view word, const std::array<std::string_view, n>& names) 
 
 /// Colour and marker of a contender, the same in every picture; grey for other libraries.
 Look look_of(const Contender& contender) {
-  if (contender.peer) {
-    switch (*contender.peer) {
-      case Peer::gsl_rk8pd: return {LineColor::grey, Marker::circle};
-      case Peer::gsl_msadams: return {LineColor::grey, Marker::square};
-      case Peer::cvode_adams: return {LineColor::grey, Marker::triangle};
-      case Peer::arkode_erk: return {LineColor::grey, Marker::diamond};
-    }
-  }
+  if (contender.peer) return {LineColor::grey, named<Marker>(contender.peer->marker, kMarkers)};
   const std::string_view look = row_of(contender.options.method).look;
   const std::size_t space = std::min(look.find(' '), look.size());
   return {named<LineColor>(look.substr(0, space), kColors),
@@ -47,7 +40,7 @@ LineStyle style_of(const Contender& contender) {
 }
 
 std::string label_of(const Contender& contender) {
-  return std::string(contender.peer ? to_string(*contender.peer) : to_string(contender.options.method));
+  return std::string(contender.peer ? contender.peer->word : to_string(contender.options.method));
 }
 
 struct Point {

@@ -15,14 +15,11 @@ int rates(double, const double* x, double* dxdt, void* system) {
   return static_cast<PeerSystem*>(system)->rates(x, dxdt) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-}  // namespace
-
-MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                            const Watch& watch) {
+MotionTrajectory<double> integrate(const gsl_odeiv2_step_type* type, const MotionProblem<double>& problem, double tolerance,
+                                   const Watch& watch) {
   const ReturnedGslErrors returned;
   PeerSystem top(problem, watch);
   gsl_odeiv2_system system{rates, nullptr, PeerSystem::kSize, &top};
-  const gsl_odeiv2_step_type* type = peer == Peer::gsl_msadams ? gsl_odeiv2_step_msadams : gsl_odeiv2_step_rk8pd;
   const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
       gsl_odeiv2_driver_alloc_standard_new(&system, type, top.first_step(), tolerance, tolerance, 1, 0),
       gsl_odeiv2_driver_free);
@@ -36,6 +33,16 @@ MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<doubl
   trajectory.counters.accepted = static_cast<std::int64_t>(driver->e->count);
   trajectory.counters.rejected = static_cast<std::int64_t>(driver->e->failed_steps);
   return trajectory;
+}
+
+}  // namespace
+
+MotionTrajectory<double> integrate_with_gsl_rk8pd(const MotionProblem<double>& problem, double tolerance, const Watch& watch) {
+  return integrate(gsl_odeiv2_step_rk8pd, problem, tolerance, watch);
+}
+MotionTrajectory<double> integrate_with_gsl_msadams(const MotionProblem<double>& problem, double tolerance,
+                                                    const Watch& watch) {
+  return integrate(gsl_odeiv2_step_msadams, problem, tolerance, watch);
 }
 
 }  // namespace earthtop

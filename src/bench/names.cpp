@@ -16,7 +16,7 @@ std::string_view to_string(Workload workload) {
 }
 
 std::string method_name(const Contender& contender) {
-  if (contender.peer) return std::string(to_string(*contender.peer));
+  if (contender.peer) return std::string(contender.peer->word);
   std::string name(to_string(contender.options.method));
   if (row_of(contender.options.method).composes) {
     const Composition composition = contender.options.composition;

@@ -74,8 +74,8 @@ class PeerSystem {
   std::int64_t evaluations_ = 0;
 };
 
-MotionTrajectory<double> integrate_with_gsl(Peer peer, const MotionProblem<double>& problem, double tolerance,
-                                            const Watch& watch);
+MotionTrajectory<double> integrate_with_gsl_rk8pd(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
+MotionTrajectory<double> integrate_with_gsl_msadams(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
 MotionTrajectory<double> integrate_with_cvode(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
 MotionTrajectory<double> integrate_with_arkode(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
 std::string sundials_version();

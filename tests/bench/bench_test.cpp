@@ -193,10 +193,10 @@ TEST(Bench, PeersComputeTheSameMotion) {
   for (const RatesRelativeTo rule : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
     scene.release.rates_relative_to = rule;
     std::vector<Contender> contenders;
-    for (const Peer peer : peers_built())
+    for (const Peer& peer : peers_built())
       for (const Workload workload : {Workload::motion, Workload::drift})
         for (const double tolerance : {1e-7, 1e-11}) {
-          Contender c{workload, {}, Precision::bits53, peer};
+          Contender c{workload, {}, Precision::bits53, &peer};
           c.options.relative_tolerance = tolerance;
           contenders.push_back(c);
         }
@@ -217,7 +217,7 @@ TEST(Bench, PeersComputeTheSameMotion) {
   }
   Scenario on_a_turntable = scene;
   on_a_turntable.platform = PlatformSpec{};
-  EXPECT_THROW(bench(on_a_turntable, std::vector<Contender>{{Workload::motion, {}, Precision::bits53, Peer::gsl_rk8pd}},
+  EXPECT_THROW(bench(on_a_turntable, std::vector<Contender>{{Workload::motion, {}, Precision::bits53, &peers_built().front()}},
                      quick_options()),
                std::invalid_argument);
 }

@@ -101,7 +101,7 @@ std::vector<Contender> contenders_of(const Scene& scene, const BenchArguments& a
   std::vector<Contender> all = standard_contenders(scene, workload_of(arguments));
   if (arguments.methods.empty()) return all;
   const auto is_asked = [&](const Contender& contender) {
-    const std::string name(contender.peer ? to_string(*contender.peer) : to_string(contender.options.method));
+    const std::string name(contender.peer ? contender.peer->word : to_string(contender.options.method));
     const auto has = [&](const std::string& method) {
       return std::find(arguments.methods.begin(), arguments.methods.end(), method) != arguments.methods.end();
     };
@@ -158,7 +158,7 @@ int bench_verb(const BenchArguments& arguments) {
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const Method method : methods_by(&MethodRow::place_in_bench)) names.emplace_back(to_string(method));
-  for (const Peer peer : peers_built()) names.emplace_back(to_string(peer));
+  for (const Peer& peer : peers_built()) names.emplace_back(peer.word);
   return names;
 }
 

@@ -27,8 +27,8 @@ struct Contender {
   Workload workload = Workload::drift;
   IntegrationOptions options;
   Precision precision = Precision::bits53;
-  std::optional<Peer> peer = std::nullopt;  ///< another library's method; only the tolerance of the options is used
-  bool is_auto = false;                     ///< whether this is what `auto` chooses for this scene
+  const Peer* peer = nullptr;  ///< another library's method; only the tolerance of the options is used
+  bool is_auto = false;        ///< whether this is what `auto` chooses for this scene
 };
 /// E.g. "rkf78", "splitting aba864", "gsl_rk8pd".
 std::string method_name(const Contender& contender);

@@ -6,22 +6,26 @@
 /// motions.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "earthtop/integrate/motion_integration.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
 
-/// GSL's Prince-Dormand 8(9) and its Adams method of varying order; SUNDIALS' Adams method (CVODE) and Fehlberg's 7(8)
-/// (ARKODE).
-enum class Peer { gsl_rk8pd, gsl_msadams, cvode_adams, arkode_erk };
-std::string_view to_string(Peer peer);
+/// One integrator of another library.
+struct Peer {
+  std::string_view word;
+  std::string_view marker;  ///< in pictures, where all peers are grey
+  /// As `integrate_with_peer`, for a plain scene.
+  MotionTrajectory<double> (*integrate)(const MotionProblem<double>& problem, double tolerance, const Watch& watch);
+};
 
-/// The peers that this program contains; those of SUNDIALS if its headers and libraries were found at configuration.
-std::vector<Peer> peers_built();
+/// The peers that this program contains: GSL's Prince-Dormand 8(9) and its Adams method of varying order; also SUNDIALS' Adams
+/// method (CVODE) and Fehlberg's 7(8) (ARKODE) if its headers and libraries were found at configuration.
+std::span<const Peer> peers_built();
 
 /// E.g. "GSL 2.7.1 odeiv2, SUNDIALS 6.4.1 CVODE and ARKODE".
 std::string peers_description();
@@ -29,8 +33,8 @@ std::string peers_description();
 /// The rotating motion at the output times; Runge-Kutta methods end steps exactly at these times.
 /// @param problem  a plain scene: no platform, all torques   @param tolerance  relative and absolute, in natural units
 /// @param watch  may stop the integration, with RunStatus::interrupted
-/// @throws std::invalid_argument for a scene that is not plain, and for a peer that is not compiled in
-MotionTrajectory<double> integrate_with_peer(Peer peer, const MotionProblem<double>& problem, double tolerance,
+/// @throws std::invalid_argument for a scene that is not plain
+MotionTrajectory<double> integrate_with_peer(const Peer& peer, const MotionProblem<double>& problem, double tolerance,
                                              const Watch& watch = {});
 
 }  // namespace earthtop
