@@ -131,8 +131,10 @@ bool is_known_at_the_end(std::string_view path) {
 }
 
 Json summary_part(const RunResult& result, std::string_view path) {
-  const Json document =
-      document_of(result, [&](const SummaryMember& member) { return relation(path, member.path) != Relation::apart; });
+  // Most members already differ in their first letter.
+  const Json document = document_of(result, [&](const SummaryMember& member) {
+    return !path.empty() && member.path.front() == path.front() && relation(path, member.path) != Relation::apart;
+  });
   const Json* at = &document;
   while (!path.empty()) {
     const std::string_view step = take_step(path);
