@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Examines a scenario whose text has been read already, for those who change its values many times.
+/// Examines a scenario whose text has been read already, for callers that change its values many times.
 #pragma once
 
 #include <vector>
