@@ -156,7 +156,7 @@ InputDerivatives input_derivatives(const Scene& scene) {
 }
 
 std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s) {
-  constexpr double kAffordablePhase = 2e6;  // rad, which takes minutes; one minute of a toy top is 1.5e4 rad and takes two seconds
+  constexpr double kAffordablePhase = 2e6;  // rad, some minutes of computing; a minute of a toy top has 1.5e4 rad
   if (scene.scenario().effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
   if (scene.rotation_rate_rad_s() == 0) return "the Earth does not turn: there is no drift";
   if (time_s == 0) return "no row of the drift is reliable";
@@ -168,8 +168,8 @@ std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s
 }
 
 double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
-  // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation; measured
-  // on a toy top, on a body with three different moments and on a gyrocompass.
+  // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
+  // measured on a toy top, on a body with three different moments and on a gyrocompass.
   constexpr double kAgainstOne = 4;
   const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
   return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *

@@ -13,7 +13,8 @@ struct InputDerivatives {
   std::array<double, kInputNames.size()> values;  ///< values of the inputs
   std::array<double, kInputNames.size()> scales;  ///< size of each input, or of the quantity it is compared with
 };
-/// Computes central differences, in 113 bits, of the formulas from the inputs to the numbers of the equations, with no integration.
+/// Computes central differences, in 113 bits, of the formulas that lead from the inputs to the numbers of the equations.
+/// Nothing is integrated.
 InputDerivatives input_derivatives(const Scene& scene);
 
 /// The tolerance at which a run integrates the drift's derivatives.

@@ -184,9 +184,9 @@ double reduced_rate(const Scene& scene, const Released& top) {
   return top.momentum / I1 + falling_rate(scene.gravity_torque_N_m(), I1) + std::abs(scene.rotation_rate_rad_s());
 }
 
-/// Returns the extra sampling caused by rounding for a wheel in a gimbal, in radians per radian of the motion, as measured. Where
-/// such a wheel hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical leaves only
-/// rounding errors, and a fine error control takes these for step errors and shortens its steps.
+/// Returns the extra sampling caused by rounding for a wheel in a gimbal, in radians per radian of the motion, as measured.
+/// Where such a wheel hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical leaves
+/// only rounding errors, and a fine error control takes these for step errors and shortens its steps.
 double looks_at_rounding(const Scene& scene) {
   if (!scene.scenario().effects.applied.gimbal || scene.rotation_rate_rad_s() == 0) return 0;
   constexpr double kDegree = std::numbers::pi / 180, kFelt = 1e-4, kFew = 6, kMost = 1000;

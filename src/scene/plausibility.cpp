@@ -52,7 +52,7 @@ void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
                           *gravity, least, most));
 }
 
-/// Warns of grams or millimetres given for SI units: they show as an impossible density or an improbable distance from the pivot.
+/// Warns of grams or millimetres in place of SI units, which show as an impossible density or distance from the pivot.
 void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s) {
   const BodySpec& spec = scene.scenario().body;
   const Body<double>& body = scene.body<double>();
@@ -74,7 +74,7 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s)
                                       "kg/m^3); are these millimetres, or another unit than kg m^2?",
                                       body.mass, radius, density));
   }
-  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // long arms are usual only for a pendulum, which has no spin
+  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // only a pendulum, which has no spin, may be long
     section.warn(section.has("solids") ? "solids" : "center_of_mass_m",
                  fmt::format("the centre of mass is {:.3g} m from the pivot, {:.3g} times the radius of gyration; are these "
                              "millimetres?",
