@@ -21,7 +21,7 @@ bool is_large(std::string_view digits) {
   if (e != std::string_view::npos) {
     for (const char c : digits.substr(e + 1)) {
       if (c == '-') negative = true;
-      if (c >= '0' && c <= '9') exponent = std::min(exponent * 10 + (c - '0'), 1'000'000'000'000LL);  // larger than any mantissa's length
+      if (c >= '0' && c <= '9') exponent = std::min(exponent * 10 + (c - '0'), 1'000'000'000'000LL);  // beyond any mantissa
     }
   }
   return place + (negative ? -exponent : exponent) > 0;

@@ -19,7 +19,8 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Returns the number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string alignment).
+/// Returns the least number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string
+/// alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::array<std::array<std::size_t, kLongestWord + 1>, kLongestWord + 1> d;
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;

@@ -18,9 +18,9 @@ constexpr double kLostAngle = 1e-6;    // rad: rounding that has grown to this t
 constexpr double kRoundings = 8;       // rounding error of the scene's own numbers, in units in the last place
 constexpr double kGrownAngle = 0.1;    // rad: the growth of a larger disturbance is not linear
 constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its release counts as steady
-constexpr double kLoose = 1e-2;  // rad: above this bound the motion is lost, if disturbances grow
-constexpr double kResolved = 3;  // a drift larger than this many times its bound is more than noise
-constexpr double kStill = 1e-3;  // an axis whose drift is a smaller share of the attitude's stands still
+constexpr double kLoose = 1e-2;        // rad: above this bound the motion is lost, if disturbances grow
+constexpr double kResolved = 3;        // a drift larger than this many times its bound is more than noise
+constexpr double kStill = 1e-3;        // an axis whose drift is a smaller share of the attitude's stands still
 
 double epsilon_of(Precision precision) {
   switch (precision) {

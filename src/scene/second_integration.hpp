@@ -13,11 +13,11 @@ namespace earthtop {
 /// long as both runs, does `extrapolation` check itself.
 ///
 /// The tolerance is a thousandth of the first one, or the least one that the precision allows, so that the distance is the
-/// error of the rows. At one tolerance the errors of two methods may differ by a factor of a hundred; at a tenth, a hundredth or
-/// ten times the tolerance both errors could therefore be equal in size and sign. In double the least tolerance is 1e-13, where
-/// the second integration has as much rounding error as step error. In long double, rkf78 at the least tolerance would cost a
-/// third more than all the rest, so it checks `extrapolation` at ten times the tolerance. The same holds with dry friction,
-/// whose torque jumps where a motion reverses: there the least steps are short enough already.
+/// error of the rows. At one tolerance the errors of two methods may differ by a factor of a hundred; at a tenth, a hundredth
+/// or ten times the tolerance both errors could therefore be equal in size and sign. In double the least tolerance is 1e-13,
+/// where the second integration has as much rounding error as step error. In long double, rkf78 at the least tolerance would
+/// cost a third more than all the rest, so it checks `extrapolation` at ten times the tolerance. The same holds with dry
+/// friction, whose torque jumps where a motion reverses: there the least steps are short enough already.
 ///
 /// closed_form has no error that an integration could detect: the error that it states is far smaller. What remains is the
 /// effect of the scene's rounding on the motion. The same closed form of the nudged scene shows this effect at the cost of the
