@@ -14,11 +14,11 @@ namespace earthtop {
 /// The outcome of one scenario of a batch: a result, or the reason why there is none.
 struct BatchOutcome {
   std::optional<RunResult> result;
-  std::string refusal;  ///< the message of the ScenarioError, if there is no result
+  std::string refusal;  ///< message of the ScenarioError, if there is no result
 };
 
-/// Runs scenarios. The outcome of each depends on that scenario alone, not on its neighbours or on how many there are. After
-/// the watch has asked to stop, the unfinished outcomes have RunStatus::interrupted.
+/// Runs many scenes and returns their outcomes in the same order. Each outcome depends on its scene alone, not on the other
+/// scenes of the batch. If the watch asks to stop, the unfinished outcomes have RunStatus::interrupted.
 /// @throws ArithmeticError as `run` does
 std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch = {});
 

@@ -15,11 +15,11 @@
 namespace earthtop {
 namespace {
 
-constexpr double kTolerance = 1e-7;     // of the variations: a budget is read to a few digits
-constexpr double kFollowedPhase = 1e5;  // rad of the fastest rate; some ten seconds of computing
+constexpr double kTolerance = 1e-7;     // tolerance of the variations: a few digits of a budget suffice
+constexpr double kFollowedPhase = 1e5;  // phase of the fastest rate (rad); takes some ten seconds
 constexpr double kBeforeFrictionStops = 0.9;
 
-/// How far the motion is followed: to its end, to where its cost ends it, or until dry friction is about to stop it.
+/// Returns how long the motion is followed (s): to its end, up to a limit of cost, or to shortly before dry friction stops it.
 double followed_time(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const double damping_rate = scene.pace().damping / scenario.duration_s;
@@ -31,9 +31,9 @@ double followed_time(const Scene& scene) {
   return time_s;
 }
 
-/// The responses of one candidate, put together from those of the inputs that it stands for.
+/// The responses to one candidate effect, combined from the responses to the inputs that represent it.
 struct Sized {
-  std::optional<Responses> responses;  ///< none where the motion could not be followed
+  std::optional<Responses> responses;  ///< empty if the motion could not be followed
   double torque_release = 0, torque_largest = 0;
 };
 
@@ -64,7 +64,8 @@ std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const Drift
   return sized;
 }
 
-/// @param later, drift_later  by what displacements and drifts grow from where the motion was followed to, to the end
+/// Makes the budget entry of a candidate effect.
+/// @param later, drift_later  factors by which displacements and drifts grow from the time followed to the end of the run
 EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized& sized, const NaturalUnits& units,
                      double later, double drift_later) {
   EffectEntry entry;
@@ -78,13 +79,13 @@ EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized
   entry.torque_largest_N_m = in_newton_metres(size * sized.torque_largest, units);
   if (!sized.responses) return entry;
   if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses->displacement_largest;
-  const double grown = candidate.in_difference ? drift_later : later * drift_later;  // a displacement of the drift
+  const double grown = candidate.in_difference ? drift_later : later * drift_later;  // the drift itself is displaced
   entry.drift_rad = grown * size * sized.responses->drift_largest;
   entry.drift_final_rad = grown * size * sized.responses->drift_final;
   return entry;
 }
 
-/// The scene whose drift is computed for a budget: in double, and the drift alone.
+/// Returns the scene whose drift is computed for a budget: in double precision, without sensitivities and ledger.
 Scene drift_scene(const Scene& scene) {
   Scenario scenario = scene.scenario();
   scenario.sensitivities = false;
@@ -101,15 +102,15 @@ bool has_affordable_drift(const Scene& scene) {
   return scene.estimate().seconds.all() <= kAffordable_s && !scene.method_refusal();
 }
 
-/// The seconds for the drift at the end where the motion is followed for a part of its time.
+/// Returns the time (s) to compute the drift at the end, which is needed if the motion is followed for a part of its time only.
 double drift_seconds(const Scene& scene, double followed_s) {
   if (!(followed_s < scene.scenario().duration_s)) return 0;
   const Scene drift = drift_scene(scene);
   return has_affordable_drift(drift) ? drift.costs()[0].seconds : 0;
 }
 
-/// By what the drift grows from where the motion was followed to, to the end: from the drift itself, where `run` would have it
-/// within a minute; in proportion to the time elsewhere.
+/// Returns the factor by which the drift grows from the time followed to the end. The factor is computed from the drift itself
+/// if a run takes at most a minute; otherwise it is `in_proportion`, the ratio of the times.
 double drift_growth(const Scene& scene, double followed_s, double in_proportion, const Watch& watch) {
   const double duration_s = scene.scenario().duration_s;
   if (!(followed_s > 0) || !(followed_s < duration_s)) return 1;
@@ -122,7 +123,7 @@ double drift_growth(const Scene& scene, double followed_s, double in_proportion,
   return drift.samples[2].measures.axis / drift.samples[1].measures.axis;
 }
 
-/// What a scene that models one effect and omits a larger one should be told.
+/// Returns warnings for a scene that models one effect and omits a larger one.
 std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
   std::vector<std::string> warnings;
   const auto lost = [](const EffectEntry& entry) {
@@ -170,7 +171,7 @@ void add_inputs(const Scene& scene, double time_s, double later, double drift_la
   }
 }
 
-/// What the parts of a budget take on one core.
+/// Times of the parts of a budget on one core (s).
 struct BudgetSeconds {
   double effects = 0, drift = 0, inputs = 0;
   double all() const { return effects + drift + inputs; }
@@ -203,7 +204,7 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
   const double later = budget.followed_s > 0 ? scene.scenario().duration_s / budget.followed_s : 1;
   const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(seconds.drift, "drift"));
   budget.earth_drift_rad *= drift_later;
-  std::size_t next = 0;  // of the candidates, which have the catalogue's order
+  std::size_t next = 0;  // index of the next candidate; candidates are in the catalogue's order
   for (const Effect& effect : all_effects()) {
     if (!effect.is_in_budget(scene)) continue;
     const bool is_sized = next < candidates.size() && candidates[next].effect == &effect;

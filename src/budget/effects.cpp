@@ -14,9 +14,9 @@
 namespace earthtop {
 namespace {
 
-constexpr std::string_view kWithoutDate = "2026-01-01T00:00:00Z";  // for sizes only, where a scene names no date
-constexpr double kUsualExcess_s = 1e-3;                            // of the length of day
-constexpr double kUsualDeflection_arcsec = 10;                     // of the vertical
+constexpr std::string_view kWithoutDate = "2026-01-01T00:00:00Z";  // used only to size effects if the scene gives no date
+constexpr double kUsualExcess_s = 1e-3;                            // typical excess of the length of day
+constexpr double kUsualDeflection_arcsec = 10;                     // typical deflection of the vertical
 
 Vec3<double> seen_from(const FollowedStep& step, const Vec3<double>& u_L) {
   return transposed_times(rotation_matrix(step.q_LB), u_L);
@@ -29,7 +29,7 @@ bool has_pole(const Scene& scene) { return scene.site().pole.x_arcsec != 0 || sc
 bool has_deflection(const Scene& scene) {
   return scene.site().deflection.north_arcsec != 0 || scene.site().deflection.east_arcsec != 0;
 }
-/// Says on which day an effect is sized where the scene names none.
+/// Returns the words that name the day for which an effect is sized, if the scene gives none.
 std::string dated(const Scene& scene) {
   return scene.scenario().start_utc ? "" : fmt::format(", sized as on {}", kWithoutDate);
 }
@@ -56,7 +56,7 @@ Candidate centrifugal(const Scene& scene) {
   return c;
 }
 
-/// A start that is the same in inertial space is, in the laboratory, one at the rate -W.
+/// A release at equal inertial rates differs, in the laboratory, from one at equal laboratory rates by the rate -W.
 Candidate release_matching(const Scene&) {
   Candidate c;
   c.reason = "the two predictions start with the same inertial rates, which differ by the Earth's in the laboratory";
@@ -65,7 +65,7 @@ Candidate release_matching(const Scene&) {
   return c;
 }
 
-/// A change of the Earth's rate in laboratory axes by `share` of it.
+/// Returns the candidate for a change of the Earth's rate vector. @param share_L  the change over the Earth's rate (1)
 Candidate earth_rate_change(const Vec3<double>& share_L, const Scene& scene) {
   Candidate c;
   const Model<double>& m = scene.problem<double>().model;
@@ -121,7 +121,7 @@ Candidate axis_precession(const Scene& scene) {
   return c;
 }
 
-/// A torque in both predictions, in units of its own size at release.
+/// Returns the candidate for a torque that acts in both predictions, in units of its own size at release.
 Candidate torque_in_both(const AppliedTorques<double>& applied, double strength, const Scene& scene) {
   Candidate c;
   c.in_difference = false;
@@ -164,7 +164,7 @@ Candidate tide(const Scene& scene) {
   c.in_difference = false;
   const bool modelled = scene.scenario().effects.tide.has_value();
   c.reason = modelled ? "asked for" : "left out; sized on a rigid Earth" + dated(scene);
-  constexpr double kLongest_s = 86400;  // a day shows its size
+  constexpr double kLongest_s = 86400;  // one day is enough to see the size of the tide
   TideSeries<double> series;
   if (modelled)
     series = scene.problem<double>().model.tide;
@@ -179,8 +179,8 @@ Candidate tide(const Scene& scene) {
   return c;
 }
 
-/// One kind of friction by itself, if the scene gives it. @param part  of the applied torques
-/// @param size_at  the size of its torque for unit coefficients at a rate (natural units)
+/// Returns the candidate for a single kind of friction, if the scene has it. @param part  copies it from the applied torques
+/// @param size_at  gives the size of its torque at a rate (natural units)
 template <class Part, class SizeAt>
 std::optional<Candidate> friction(const Scene& scene, const Part& part, const SizeAt& size_at) {
   const AppliedTorques<double>& all = scene.problem<double>().model.applied;
@@ -212,7 +212,7 @@ std::optional<Candidate> air_drag(const Scene& scene) {
       [](const auto& a, double w) { return a.disc_laminar * real::pow(w, 1.5) + a.disc_turbulent * real::pow(w, 1.8); });
 }
 
-/// A size function as the catalogue holds it. @tparam size  returns a Candidate
+/// Wraps a size function to the type that the catalogue holds. @tparam size  function that returns a Candidate
 template <auto size>
 std::optional<Candidate> sized(const Scene& scene) {
   return size(scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The catalogue of effects: everything that could turn a top, one row each. The lists of summary.json, the budget, the choice
-/// of "auto" and the report take names, keys, state and size from it.
+/// The catalogue of effects lists everything that could turn a top, one row each. The lists in summary.json, the budget, the
+/// choice by "auto" and the report take the effects' names, keys, states and sizes from it.
 #pragma once
 
 #include <functional>
@@ -19,15 +19,15 @@ inline constexpr std::string_view kAxisPrecession = "axis_precession";
 
 struct Effect;
 
-/// An effect with a size, as an input of the variational equations.
+/// An effect of known size, as an input of the variational equations.
 struct Candidate {
   const Effect* effect = nullptr;
-  bool assumed = false;       ///< its size is a usual one, not this scene's
+  bool assumed = false;       ///< its size is a typical one, not given by the scene
   bool in_difference = true;  ///< as in EffectEntry
   std::string reason;         ///< why it is modelled or left out
   ProblemDerivative input;    ///< scaled so that responses are of order 1
-  double size = 1;            ///< of the effect in units of the input
-  /// Size of its torque on the rotating motion for one unit of the input (natural units).
+  double size = 1;            ///< size of the effect in units of the input
+  /// Gives the size of its torque on the motion on the rotating Earth, for one unit of the input (natural units).
   std::function<double(const FollowedStep&)> torque;
 };
 
@@ -41,16 +41,16 @@ enum class Listing {
 
 struct Effect {
   std::string_view name;
-  std::string_view key;  ///< JSON pointer of the scenario's key that gives it; empty where no scenario can give or omit it
+  std::string_view key;  ///< JSON pointer of its scenario key; empty if no scenario can give or omit it
   bool (*is_modelled)(const Scene&);
   Listing listing = Listing::both;
-  /// Its size in a scene, whether it is modelled there or not; none where nothing says how large it is.
+  /// Gives its size in a scene, whether it is modelled there or not; empty where the size is unknown.
   std::optional<Candidate> (*size)(const Scene&) = nullptr;
-  /// Models it without a parameter of its own, as "auto" does; null for an effect that "auto" does not choose.
+  /// Switches it on without a parameter of its own, as "auto" does; null for an effect that "auto" does not choose.
   void (*switch_on)(Scenario&) = nullptr;
-  bool needs_date = false;      ///< whether it can be switched on only where the scenario says when the top is released
+  bool needs_date = false;      ///< whether it can be switched on only if the scenario gives a start date
   bool is_zero = false;         ///< whether its torque is always zero
-  std::string_view share = "";  ///< the one of kAppliedShares that the ledger counts its torque in; empty for none
+  std::string_view share = "";  ///< member of kAppliedShares in which the ledger counts it; empty for none
   /// Reasons for an entry without a size.
   std::string_view modelled_unsized = "", left_out_unsized = "";
 
@@ -61,20 +61,20 @@ struct Effect {
 
 std::span<const Effect> all_effects();
 
-/// The effects of a scene's budget whose size is known, from the scene or in nature, in the catalogue's order.
+/// Returns the effects of a scene's budget whose size is known from the scene or from nature, in the catalogue's order.
 /// @param scene  must outlive the candidates
 std::vector<Candidate> effect_candidates(const Scene& scene);
 
-/// The effects that "auto" may switch on and that the scene does not model yet.
+/// Returns the effects that "auto" may switch on and that the scene does not model yet.
 std::vector<Candidate> selectable_effects(const Scene& scene);
 
-/// The budget's entry of an effect whose size is not known.
+/// Returns the budget entry of an effect whose size is not known.
 EffectEntry unsized_entry(const Effect& effect, const Scene& scene);
 
-/// Whether a scene models an effect whose torque the ledger counts in this one of kAppliedShares.
+/// Returns whether a scene models an effect whose torque the ledger counts in `share`, a member of kAppliedShares.
 bool has_share(const Scene& scene, std::string_view share);
 
-/// The names that summary.json lists as modelled, or as left out.
+/// Returns the names that summary.json lists as modelled, or as left out.
 std::vector<std::string_view> effect_names(const Scene& scene, bool modelled);
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "auto": what a scene needs at the accuracy asked for.
+// The choice "auto": which effects a scene needs at the requested accuracy.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,15 +13,16 @@
 namespace earthtop {
 namespace {
 
-constexpr double kChoiceTolerance = 1e-4;  // of the variations: one digit of a size is enough
-// rad of the fastest rate, of a motion next to one in closed form: an effect of both predictions changes their difference by no
-// more than its displacement of each times the drift, which both grow with the time; one of the Earth's rate with the time.
+constexpr double kChoiceTolerance = 1e-4;  // tolerance of the variations: one digit of a size is enough
+// Phase of the fastest rate (rad) to which a motion close to a closed form is followed. Later times are extrapolated: an effect
+// that acts in both predictions changes their difference by at most its displacement of each times the drift, and both grow in
+// proportion to the time; the change due to an effect on the Earth's rate is itself proportional to the time.
 constexpr double kRegularPhase = 300;
-constexpr double kLongestPhase = 3e5;  // rad, of any other motion: some ten seconds of computing; beyond, nothing is known
+constexpr double kLongestPhase = 3e5;  // the same for any other motion (rad), some ten seconds; longer ones are not followed
 constexpr double kSafety = 3;
-constexpr double kShare = 0.2;  // of the accuracy asked for: what each effect left out may cost of it
+constexpr double kShare = 0.2;  // largest share of the requested accuracy that an effect left out may take
 
-/// The part of the duration that says enough; none where the motion is too long to follow.
+/// Returns the share of the duration that has to be followed; empty if the motion is too long to follow.
 std::optional<double> followed_share(const Scene& scene) {
   const double phase = std::max(scene.fastest_rate_rad_s() * scene.scenario().duration_s, scene.pace().damping);
   const bool regular = is_regular(scene.problem<double>());
@@ -29,7 +30,7 @@ std::optional<double> followed_share(const Scene& scene) {
   return regular ? std::min(1.0, kRegularPhase / phase) : 1;
 }
 
-/// By how much each effect changes the drift, to the safe side; without end where nothing is known.
+/// Returns an upper estimate of each effect's change of the drift (rad); infinite where nothing is known.
 std::vector<double> changes_of(const Scene& scene, const std::vector<Candidate>& candidates, const Watch& watch) {
   std::vector<double> changes(candidates.size(), HUGE_VAL);
   const auto followed = followed_share(scene);
@@ -62,7 +63,7 @@ Selection select_effects(Scene& scene, const Watch& watch) {
   const auto start = std::chrono::steady_clock::now();
   Selection selection;
   selection.accuracy_rad = scene.scenario().accuracy_rad.value_or(0);
-  // What is switched on moves the top to where others may matter: they are asked again.
+  // An effect that is switched on changes the motion, so that other effects may matter: the rest are sized again.
   constexpr double kLastRound = 0.5;
   double done = 0;
   for (bool changed = true; changed && !watch.asks_to_stop();) {

@@ -14,7 +14,7 @@
 namespace earthtop::input {
 namespace {
 
-/// A node as messages show it: short values stand there as they are.
+/// Returns a node's value as messages show it; short values are shown in full.
 std::string shown(const Node& node) {
   switch (node.kind) {
     case JsonKind::number: return fmt::format("{}", node.number);
@@ -149,7 +149,7 @@ class Checker {
     propagate(node);
   }
 
-  /// An array with a refused element is of no use to later rules.
+  /// Marks an array with a refused element as refused, so that later rules skip it.
   static void propagate(Node& array) {
     for (const Node& child : array.children)
       if (child.refused) array.refused = true;

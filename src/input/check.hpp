@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The structure of a document held against its table of fields: unknown keys, types, ranges, words.
+/// Checks the structure of a document against its table of fields: unknown keys, types, ranges, words.
 #pragma once
 
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace earthtop::input {
 
-/// Marks every node with a finding as refused, so that later rules pass it over.
+/// Checks a tree and marks every node with a finding as refused, so that later rules skip it.
 void check_structure(Node& root, Findings& findings, const FieldTable& table);
 
-/// The tree of a file, its structure checked. @param text  loses its byte order mark, if it has one
-/// @throws ScenarioError where reading stopped; what else is wrong is in the findings, and the tree is whole
+/// Reads the tree of a file and checks its structure. @param text  its byte order mark, if any, is removed
+/// @throws ScenarioError where reading stopped; other errors are added to the findings, and the tree is complete
 Node read_checked(std::string_view& text, const std::string& file, const FieldTable& table, Findings& findings);
 
 /// Returns whether a text may name a scenario or a study: [a-z0-9][a-z0-9-]{0,63}.

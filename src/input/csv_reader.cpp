@@ -18,7 +18,7 @@ namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // a file without line ends is none of numbers
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is no table of numbers
 constexpr FileUse kCsvFile = {"CSV file", false};
 
 std::string_view trimmed(std::string_view cell) {
@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view cell) {
   return cell;
 }
 
-/// @returns whether the cell is a number or what stands for one (nan, inf), or empty
+/// Parses a cell. @returns whether it is a number, a word for one (nan, inf), or empty
 bool parse(std::string_view cell, double& number, CellKind& kind) {
   number = std::numeric_limits<double>::quiet_NaN();
   kind = CellKind::empty;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Lines, cells and numbers of CSV text.
+/// Splits CSV text into lines and cells, and reads numbers from cells.
 #pragma once
 
 #include <string_view>
@@ -7,17 +7,17 @@
 
 namespace earthtop::input {
 
-/// Takes the first line off the front of a text. @returns it without its end, LF or CRLF
+/// Removes the first line from a text. @returns the line without its end, LF or CRLF
 std::string_view take_line(std::string_view& text);
 
-/// The cells of a line as they stand there, spaces included; an empty line has one, which is empty.
+/// Splits a line into its cells, spaces included; an empty line has one empty cell.
 void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
 
-/// A cell read as a number from its first character to its last.
+/// The result of reading a whole cell as a number.
 struct CellNumber {
   bool is_number = false;      ///< "nan" and "inf" are numbers here
-  bool fits_a_double = false;  ///< not for 1e999, and not for 1e-400
-  double value = 0;            ///< where it fits
+  bool fits_a_double = false;  ///< false for numbers such as 1e999 and 1e-400
+  double value = 0;            ///< the number, if it fits a double
 };
 CellNumber cell_number(std::string_view cell);
 

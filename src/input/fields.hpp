@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Tables of fields: every key that a kind of file may have, with its kind, unit, range, words, default and meaning. Reading,
-/// checking, suggestions, JSON Schema and manual all go by the table; the table itself stands in the room whose files they are.
+/// checking, suggestions, JSON Schema and manual all use the table. Each module defines the tables of its own files.
 #pragma once
 
 #include <limits>
@@ -15,7 +15,7 @@ enum class FieldKind {
   object,
   object_or_word,
   flag_or_object,  ///< true, false, one of `words`, or an object
-  list,            ///< of objects
+  list,            ///< a list of objects
   text,            ///< any string
   name,            ///< [a-z0-9][a-z0-9-]{0,63}
   word,            ///< one of `words`
@@ -25,7 +25,7 @@ enum class FieldKind {
   matrix3,   ///< three rows of three numbers
   numbers,   ///< one to four numbers
   changes,   ///< "/json/pointer=value", any number of them
-  anything,  ///< whatever JSON there is: its decoder checks it
+  anything,  ///< any JSON, which the decoder checks
 };
 
 struct Range {
@@ -38,16 +38,16 @@ struct Range {
 struct Field {
   std::string_view pointer;  ///< `*` stands for any index of a list
   FieldKind kind;
-  std::string_view unit;      ///< of numbers; empty where there is none
-  Range range;                ///< of a number, or of every number of a vector or matrix
-  std::string_view words;     ///< allowed ones, separated by '|'
-  std::string_view fallback;  ///< default as JSON; empty where there is none, or it is computed
+  std::string_view unit;      ///< unit of the numbers; empty if there is none
+  Range range;                ///< range of a number, or of every number of a vector or matrix
+  std::string_view words;     ///< allowed words, separated by '|'
+  std::string_view fallback;  ///< default as JSON; empty if there is none or it is computed
   std::string_view doc;
-  bool required = false;         ///< wherever its parent stands; rules with more than one key are the decoder's
-  std::string_view reason = "";  ///< why the range ends where it ends, for those who passed it
-  /// A refusal of a key that the object does not have begins with this.
+  bool required = false;         ///< required wherever its parent is given; the decoder checks rules with several keys
+  std::string_view reason = "";  ///< reason for the range's limits, shown if a value is outside
+  /// Beginning of the message for a key that this object does not have.
   std::string_view unknown = "unknown key";
-  bool describes_only = false;  ///< whether nothing that is computed depends on it, nor on what lies below it
+  bool describes_only = false;  ///< whether no result depends on it or on its members
 
   std::string_view key() const { return pointer.substr(pointer.rfind('/') + 1); }
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
@@ -55,24 +55,24 @@ struct Field {
 
 /// The fields of one kind of file.
 struct FieldTable {
-  std::string_view name;  ///< of the format: "study" of earthtop-study-1.json
+  std::string_view name;  ///< name of the format: "study" in earthtop-study-1.json
   std::string_view noun;  ///< what a message calls such a file: "mapping file"
   std::span<const Field> fields;
 
-  /// The field with this pointer pattern, null if there is none.
+  /// Returns the field with this pointer pattern; null if there is none.
   const Field* find(std::string_view pattern) const;
-  /// Keys of an object, in the table's order. @param pattern  of the object, empty for the whole file
+  /// Returns the keys of an object, in the table's order. @param pattern  pattern of the object, empty for the whole file
   std::vector<std::string_view> keys_below(std::string_view pattern) const;
 };
 
 std::vector<std::string_view> split_words(std::string_view words);
-/// Returns whether `word` is one of `words`, which '|' separates.
+/// Returns whether `word` is one of `words`, which are separated by '|'.
 bool lists(std::string_view words, std::string_view word);
 
-/// The values that a field allows, as messages say it: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
+/// Returns the values that a field allows in words: "a number from -90 to 90 (deg)", "\"none\" or ...", "true or false".
 std::string allowed_values(const Field& field);
 
-/// "from -90 to 90", "above 0 and at most 1e6", "of at least 0"; empty where every finite number is in the range.
+/// Returns a range in words: "from -90 to 90", "above 0 and at most 1e6", "of at least 0"; empty if it has all finite numbers.
 std::string range_text(const Range& range);
 
 }  // namespace earthtop::input

@@ -47,7 +47,7 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
 Descriptor open_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) require_regular(status, name, use);
-  // Not blocking, and asked again: a FIFO put there in between would hold the program for ever.
+  // The file is opened without blocking and checked again: a FIFO put there in between would block the program for ever.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   if (file.get() < 0) {
     if (errno == ENOENT)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Files as text, whole: what is no regular file, or too large, is refused before it can hold anything up.
+/// Reads whole files as text. A file that is not regular, or too large, is refused before it can block the program.
 #pragma once
 
 #include <unistd.h>
@@ -10,13 +10,13 @@
 
 namespace earthtop::input {
 
-/// The kind of file that was wanted, as messages call it.
+/// The kind of file to be read, as messages name it.
 struct FileUse {
-  std::string_view noun;           ///< "scenario file"
-  bool or_standard_input = false;  ///< whether '-' might be given instead
+  std::string_view noun;           ///< e.g. "scenario file"
+  bool or_standard_input = false;  ///< whether '-' may be given instead
 };
 
-/// An open file, closed with its owner; the standard streams stay open.
+/// Owns an open file and closes it on destruction; the standard streams stay open.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
@@ -33,19 +33,19 @@ class Descriptor {
   int descriptor_;
 };
 
-/// Opens a file to be read from its beginning on. @param name  of the file, as an error shall call it
+/// Opens a file for reading from its beginning. @param name  name of the file in error messages
 /// @throws ScenarioError, with one diagnostic, for a missing or unreadable file, a directory, a FIFO or a device
 Descriptor open_regular_file(const std::string& path, const std::string& name, const FileUse& use);
 
-/// Waits for up to `size` bytes. @returns how many there were, 0 at the file's end   @throws ReadError
+/// Waits for up to `size` bytes. @returns the number of bytes read, 0 at the file's end   @throws ReadError where reading fails
 std::size_t read_some(const Descriptor& file, const std::string& name, char* bytes, std::size_t size);
 
-/// @param name  of the file, as an error shall call it
+/// Reads a whole file. @param name  name of the file in error messages
 /// @throws ScenarioError, with one diagnostic, for a missing, unreadable or oversized (over 16 MiB) file, a directory, a FIFO
-/// or a device; ReadError.
+/// or a device; ReadError where reading fails
 std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use);
 
-/// Standard input to its end, whatever it is; named "<stdin>" in errors. @throws as read_regular_file
+/// Reads standard input to its end, of any kind; errors name it "<stdin>". @throws as `read_regular_file`
 std::string read_standard_input(const FileUse& use);
 
 }  // namespace earthtop::input

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Everything that is wrong with a document, collected before anything is thrown.
+/// Collects all errors and warnings of a document before an exception is thrown.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,30 @@
 
 namespace earthtop::input {
 
-/// Diagnostics shown; one more says how many were left out.
+/// Number of diagnostics shown; one more says how many were left out.
 inline constexpr std::size_t kMostDiagnostics = 20;
-/// Findings kept for sorting. Rules run through the text from front to back, so the first ones found hold the first ones to
-/// show; a hostile file can have many thousands, which are only counted.
+/// Number of findings kept for sorting. Rules go through the text from front to back, so the findings to be shown are among the
+/// first ones found. A hostile file can have many thousands; further ones are only counted.
 inline constexpr std::size_t kMostKept = 2000;
 
 class Findings {
  public:
   void add(Place place, std::string pointer, std::string message);
-  /// A key given again; both places are named.
+  /// Adds the error that a key is given twice; the message names both places.
   void add_duplicate(Place again, Place first, std::string pointer);
   bool empty() const { return count_ == 0; }
-  std::size_t count() const { return count_; }                 ///< of errors
-  bool full() const { return findings_.size() >= kMostKept; }  ///< further ones are only counted
+  std::size_t count() const { return count_; }                 ///< number of errors
+  bool full() const { return findings_.size() >= kMostKept; }  ///< whether further findings are only counted
 
-  /// A key that an unknown key probably meant: it is not reported as missing as well.
+  /// Notes a key that an unknown key probably meant, so that it is not also reported as missing.
   void expect(std::string pointer) { expected_.insert(std::move(pointer)); }
   bool expected(const std::string& pointer) const { return expected_.contains(pointer); }
 
-  /// Notes a value that is not wrong, but looks like a mistake.
+  /// Adds a warning about a value that is allowed, but looks like a mistake.
   void warn(Place place, std::string pointer, std::string message);
 
-  /// Sorted by position, with lines and columns (1-based, in bytes) counted in `text`; what comes from --set stands first,
-  /// at line 0. At most 20, then one more that says how many were left out.
+  /// Returns the errors sorted by position, with lines and columns (1-based, in bytes) counted in `text`. Errors of --set come
+  /// first, at line 0. There are at most 20, and one more that says how many were left out.
   std::vector<Diagnostic> errors(std::string_view text) const { return report(findings_, count_, "errors", text); }
   std::vector<Diagnostic> warnings(std::string_view text) const {
     return report(warnings_, warnings_.size(), "warnings", text);
@@ -47,7 +47,7 @@ class Findings {
     Place place;
     std::string pointer;
     std::string message;
-    std::optional<Place> first;  // of a duplicate key
+    std::optional<Place> first;  // first place of a duplicate key
   };
   void keep(Finding finding);
   static std::vector<Diagnostic> report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,

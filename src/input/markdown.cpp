@@ -6,7 +6,7 @@
 namespace earthtop::input {
 namespace {
 
-/// A table cell: a bar would end it.
+/// Returns text for a table cell, with bars escaped, because a bar would end the cell.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

@@ -18,7 +18,7 @@ std::string_view name_of(JsonKind kind) {
 
 std::string excerpt(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return std::string(text);
-  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;  // not inside a character
+  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;  // do not cut inside a UTF-8 character
   return std::string(text.substr(0, limit)) + "...";
 }
 

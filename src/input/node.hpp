@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A JSON text as a tree whose every node knows where it stands, so that a complaint can point at it.
+/// JSON text as a tree. Every node knows its place in the text, so that error messages can point to it.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace earthtop::input {
 
-/// `refused` stands where the text had a number that is none (1e999, NaN): it has been complained about already.
+/// The kind of a JSON value. `refused` marks an invalid number (1e999, NaN), which has been reported already.
 enum class JsonKind { null, boolean, number, string, array, object, refused };
 
-/// The place at which a key or a value stands: byte offset in the file, or "not in the file, but from --set".
+/// The place of a key or a value: its byte offset in the file, or the mark that it comes from --set.
 struct Place {
   std::size_t offset = 0;
   bool from_set = false;
@@ -24,10 +24,10 @@ struct Node {
   bool boolean = false;
   double number = 0;
   std::string text;
-  std::string key;  ///< of a member of an object
+  std::string key;  ///< key of the node in its object, if it is a member of one
   Place key_place;
   std::vector<Node> children;  ///< elements of an array, members of an object
-  bool refused = false;        ///< complained about: later rules pass it over
+  bool refused = false;        ///< an error has been reported: later rules skip the node
 
   const Node* find(std::string_view name) const {
     for (const Node& child : children)
@@ -37,16 +37,16 @@ struct Node {
   Node* find(std::string_view name) { return const_cast<Node*>(static_cast<const Node*>(this)->find(name)); }
 };
 
-/// Keys that begin with `_` or `//` are comments.
+/// Returns whether a key is a comment: it begins with `_` or `//`.
 inline bool is_comment(std::string_view key) { return key.starts_with('_') || key.starts_with("//"); }
 
-/// "a number", "an object", ...: for messages.
+/// Returns the name of a kind for messages: "a number", "an object", ...
 std::string_view name_of(JsonKind kind);
 
-/// At most `limit` bytes of a text, cut between UTF-8 characters, with "..." where something was cut: for messages.
+/// Returns at most `limit` bytes of a text for messages, cut between UTF-8 characters, with "..." if something was cut.
 std::string excerpt(std::string_view text, std::size_t limit = 40);
 
-/// A key as one more step of a JSON pointer ("/" in front, ~ and / escaped, cut to a printable length).
+/// Returns a key as a step of a JSON pointer ("/" in front, ~ and / escaped, cut to a printable length).
 std::string pointer_step(std::string_view key);
 
 }  // namespace earthtop::input

@@ -8,8 +8,8 @@
 namespace earthtop::input {
 namespace {
 
-/// Returns whether a number out of a double's range is too large, not too small: the decimal place of its first digit other
-/// than 0, plus its exponent, says so.
+/// Returns whether a number outside a double's range is too large rather than too small, by its exponent and the decimal place
+/// of its first nonzero digit.
 bool is_large(std::string_view digits) {
   const auto e = digits.find_first_of("eE");
   const std::string_view mantissa = digits.substr(0, e);

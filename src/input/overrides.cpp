@@ -14,7 +14,7 @@ namespace {
 
 constexpr Place kFromSet{0, true};
 
-/// The node below `parent`; created where an object lacks it; null, with a finding, where there cannot be one.
+/// Returns the child node of `parent` and creates it if an object lacks it; null, with a finding, if there cannot be one.
 Node* step_into(Node& parent, const std::string& token, const std::string& pointer, Findings& findings) {
   if (parent.kind == JsonKind::array) {
     if (const auto index = array_index(token, parent.children.size())) return &parent.children[*index];
@@ -36,7 +36,7 @@ Node* step_into(Node& parent, const std::string& token, const std::string& point
   return &child;
 }
 
-/// A number as reading its shortest digits would give it: of no sign where it is 0, and null where JSON has none.
+/// Makes the node that reading the number's shortest digits would give: -0 becomes 0, and NaN and infinity become null.
 Node node_of(double number) {
   Node node;
   node.kind = std::isfinite(number) ? JsonKind::number : JsonKind::null;
@@ -44,7 +44,7 @@ Node node_of(double number) {
   return node;
 }
 
-/// JSON, or a string where the text is none.
+/// Makes the node of a JSON text, or of a string if the text is not JSON.
 Node node_of(const std::string& value, const std::string& shown, Findings& findings) {
   Node node;
   Findings ignored;
@@ -54,7 +54,7 @@ Node node_of(const std::string& value, const std::string& shown, Findings& findi
     node.kind = JsonKind::string;
     node.text = value;
   } else if (!ignored.empty()) {
-    node = Node{};  // once more, now for the findings
+    node = Node{};  // read again to report the findings
     if (read_json(value, shown, true, node, findings) == ReadOutcome::refused) node.kind = JsonKind::refused;
   }
   return node;

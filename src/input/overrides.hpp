@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `--set /json/pointer=VALUE`: values put into the tree before it is validated.
+/// Overrides `--set /json/pointer=VALUE`: values put into the tree before it is validated.
 #pragma once
 
 #include <string>
@@ -12,18 +12,19 @@
 
 namespace earthtop::input {
 
-/// A value to be put into a tree: a number as it is, or JSON text.
+/// A value to be put into a tree: a number, or JSON text.
 struct TreeChange {
   std::string pointer;
   std::variant<double, std::string> value;
   bool operator==(const TreeChange&) const = default;
 };
 
-/// Makes changes in order, with the messages of overrides of the same values.
+/// Applies changes in order; messages are the same as for overrides with the same values.
 void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings);
 
-/// Replaces or adds values in order, creating missing objects on the way. A value that is not JSON is a string. Finds
-/// malformed pointers, pointers that lead through what is no container, and values out of a double's range.
+/// Replaces or adds values in order and creates missing objects on the way. A value that is not JSON is taken as a string.
+/// Reports malformed pointers, pointers that lead through a value that is no object or array, and values outside a double's
+/// range.
 void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings);
 
 }  // namespace earthtop::input

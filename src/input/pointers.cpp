@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 
-/// The lengths of the arrays in a value of this kind, from the outer one inward; empty where it is no array of plain values.
+/// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is no array of plain values.
 std::vector<std::size_t> lengths_of(FieldKind kind) {
   switch (kind) {
     case FieldKind::vector3: return {3};
@@ -90,9 +90,9 @@ PointerTarget pointer_target(const FieldTable& table, std::string_view pointer) 
   };
   const auto tokens = tokens_of(pointer);
   if (!tokens) return fault("is no JSON pointer; e.g. /site/latitude_deg");
-  std::string pattern;  // of what the tokens so far lead to
+  std::string pattern;  // pattern of the value that the tokens so far lead to
   FieldKind kind = FieldKind::object;
-  std::vector<std::size_t> lengths;  // of the arrays of plain values that the next tokens are indices of
+  std::vector<std::size_t> lengths;  // lengths of the arrays that the next tokens index
   for (const std::string& token : *tokens) {
     if (!lengths.empty()) {
       if (!array_index(token, lengths.front())) return fault(no_index(token, lengths.front()));

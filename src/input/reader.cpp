@@ -30,7 +30,7 @@ class Reader {
   }
 
  private:
-  // -- complaints
+  // -- error messages
   Place place(std::size_t offset) const { return {offset, from_set_}; }
   void complain(std::size_t offset, std::string message) { findings_.add(place(offset), pointer_, std::move(message)); }
   bool stop(std::size_t offset, std::string message, ReadOutcome outcome = ReadOutcome::not_json) {
@@ -38,7 +38,7 @@ class Reader {
     outcome_ = outcome;
     return false;
   }
-  /// The character that stands here; one that may be invisible with its number.
+  /// Returns the current character for messages; one that may be invisible is shown with its number.
   std::string here() const {
     if (at_ >= text_.size()) return "the end of the text";
     const auto [code, length] = first_character(text_.substr(at_));
@@ -65,8 +65,8 @@ class Reader {
     return true;
   }
 
-  /// The other encodings of Unicode, by byte order mark or by where the NUL bytes of the first character stand: every JSON
-  /// text begins with an ASCII character.
+  /// Returns the name of a UTF-16 or UTF-32 encoding, recognised by its byte order mark or by the NUL bytes in the first
+  /// character, as every JSON text begins with an ASCII character.
   std::string_view wide_encoding() const {
     using namespace std::string_view_literals;
     if (text_.starts_with("\xFF\xFE\0\0"sv)) return "UTF-32LE";
@@ -136,7 +136,7 @@ class Reader {
   }
   bool not_finite(Node& node, std::size_t start) {
     complain(start, fmt::format("{} is not a finite number; numbers must be finite", text_.substr(start, at_ - start)));
-    outcome_ = ReadOutcome::not_finite;  // what follows can still be read
+    outcome_ = ReadOutcome::not_finite;  // the rest of the text can still be read
     node.kind = JsonKind::refused;
     return true;
   }
@@ -182,7 +182,7 @@ class Reader {
     while (is_digit(peek())) ++at_;
   }
 
-  // -- strings; that the bytes are UTF-8 has been checked
+  // -- strings (the bytes have been checked to be UTF-8)
   bool string(std::string& out) {
     const std::size_t start = at_++;
     for (;;) {
@@ -275,13 +275,14 @@ class Reader {
     }
   }
 
-  /// Keeps the first of each key. Sorted, not hashed: no input makes it slow. Comments may share a key.
+  /// Reports duplicate keys and keeps the first one. It sorts instead of hashing, so that no input makes it slow. Comments may
+  /// share a key.
   void refuse_duplicates(Node& object) {
     std::vector<std::size_t> order(object.children.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto key = [&](std::size_t i) -> const std::string& { return object.children[i].key; };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-    std::vector<std::pair<std::size_t, std::size_t>> repeated;  // the later one, the first one
+    std::vector<std::pair<std::size_t, std::size_t>> repeated;  // index of the later one, index of the first one
     for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
       if (key(order[i]) != key(order[first]))
         first = i;
@@ -303,7 +304,7 @@ class Reader {
   Findings& findings_;
   std::size_t at_ = 0;
   std::size_t values_ = 0;
-  bool in_comment_ = false;  // in the value of a comment: what it means is nobody's concern, but JSON it must be
+  bool in_comment_ = false;  // inside the value of a comment, which must be JSON, but of any content
   ReadOutcome outcome_ = ReadOutcome::complete;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// JSON text to a tree of placed nodes.
+/// Reads JSON text to a tree of nodes with their places.
 #pragma once
 
 #include <string_view>
@@ -14,8 +14,8 @@ inline constexpr int kGreatestDepth = 64;
 inline constexpr std::size_t kMostValues = 200'000;  // keeps the tree of a hostile 16 MiB file below 256 MiB
 
 enum class ReadOutcome {
-  complete,    ///< JSON; numbers out of range and duplicate keys may have been found, the tree is whole
-  not_finite,  ///< the same, but for literals like NaN that JSON does not have
+  complete,    ///< valid JSON and a complete tree; out-of-range numbers and duplicate keys are findings
+  not_finite,  ///< as `complete`, except for literals such as NaN that JSON does not have
   not_json,    ///< a syntax error, where reading stopped
   refused,     ///< NUL bytes, encoding, depth or size: reading stopped
 };

@@ -9,7 +9,7 @@
 namespace earthtop::input {
 namespace {
 
-constexpr std::size_t kLongestWord = 48;  // longer ones are no misspelling, and hostile ones would cost time
+constexpr std::size_t kLongestWord = 48;  // a longer word is no misspelling, and a hostile one would cost time
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
@@ -19,7 +19,8 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string alignment).
+/// Returns the least number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string
+/// alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::array<std::array<std::size_t, kLongestWord + 1>, kLongestWord + 1> d;
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -33,7 +34,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-/// The candidate whose beginning, up to some '_', is nearest to the word: a misspelled quantity without its unit.
+/// Returns the candidate whose beginning, up to a '_', is nearest to the word: for a misspelled quantity without its unit.
 std::optional<std::string_view> with_misspelled_prefix(const std::string& word,
                                                        const std::vector<std::string_view>& candidates) {
   std::optional<std::string_view> best;
@@ -49,7 +50,7 @@ std::optional<std::string_view> with_misspelled_prefix(const std::string& word,
   return best;
 }
 
-/// The shortest candidate that begins with the prefix.
+/// Returns the shortest candidate that begins with the prefix.
 std::optional<std::string_view> with_prefix(const std::string& prefix, const std::vector<std::string_view>& candidates) {
   std::optional<std::string_view> best;
   for (const std::string_view candidate : candidates)
@@ -57,7 +58,7 @@ std::optional<std::string_view> with_prefix(const std::string& prefix, const std
   return best;
 }
 
-/// The shortest candidate that has the word between underscores or at its end: "tolerance" in "relative_tolerance".
+/// Returns the shortest candidate with the word between underscores or at its end: "tolerance" in "relative_tolerance".
 std::optional<std::string_view> with_part(const std::string& word, const std::vector<std::string_view>& candidates) {
   std::optional<std::string_view> best;
   for (const std::string_view candidate : candidates)
@@ -72,7 +73,7 @@ std::optional<std::string_view> suggest(std::string_view given, const std::vecto
   if (given.empty() || given.size() > kLongestWord) return std::nullopt;
   const std::string word = lower_case(given);
   std::optional<std::string_view> nearest;
-  std::size_t least = 2 + word.size() / 4;  // one letter in short words, a quarter of the letters in long ones
+  std::size_t least = 2 + word.size() / 4;  // limit of the errors: one letter in short words, a quarter of long ones
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > kLongestWord) continue;
     const std::size_t distance = edit_distance(word, lower_case(candidate));

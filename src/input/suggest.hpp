@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// "Did you mean": the known word that a misspelled one was probably meant to be.
+/// Suggestions of the kind "did you mean": the known word that a misspelled one probably stands for.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace earthtop::input {
 
-/// The best of the candidates: same letters in another case, the same quantity with its unit missing ("mass" for "mass_kg")
-/// or another unit ("mass_grams"), or a few letters away. Nothing where no candidate comes near.
+/// Returns the best candidate: the same letters in another case, the same quantity with its unit missing ("mass" for
+/// "mass_kg") or in another unit ("mass_grams"), or a word that differs by a few letters. Empty if no candidate is near.
 std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates);
 
 }  // namespace earthtop::input

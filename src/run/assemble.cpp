@@ -19,31 +19,32 @@
 namespace earthtop {
 namespace {
 
-/// By how much the distance to the second integration is multiplied. The distance is less than a tenth of the rows' error only
-/// where both err to the same side and by the same to a tenth. That is left to chance where round-off decides both errors: over
-/// 5,900 random scenes with methods and tolerances of every kind, three times the distance was too little in ten, six times in
-/// one, and ten times in none; of long_horizon against itself ten times were too little in one.
+/// Returns the factor by which the distance to the second integration is multiplied to give the bound. The distance is less
+/// than a tenth of the rows' error only if both errors have the same sign and agree to a tenth. Where round-off decides both
+/// errors this is a matter of chance: in 5,900 random scenes with methods and tolerances of every kind, three times the
+/// distance was too small in ten scenes, six times in one, and ten times in none. With long_horizon checked by itself, ten
+/// times the distance was too small in one.
 ///
-/// Taylor series at the tolerance that is taken by default, or a finer one, leave rounding only, by sums with compensation: in
-/// the median a fiftieth of the second integration's error, so that the distance is that one and three times it are ample.
+/// A Taylor series at the default tolerance, or a finer one, with compensated sums, has only rounding errors. Their median is a
+/// fiftieth of the second integration's error, so that the distance is the latter and three times the distance is ample.
 int bound_safety(const IntegrationOptions& first, const IntegrationOptions& second, Precision precision) {
   const bool alike = second.method == first.method;
   const bool at_rounding = first.method == Method::taylor && first.relative_tolerance <= default_tolerance(precision);
   return at_rounding && !alike && second.relative_tolerance < first.relative_tolerance ? 3 : 10;
 }
 
-/// How many rows the bound of row i rests on: in the first ones two runs may agree by chance, so that each is held against what
-/// they make of the next two as well.
+/// Returns how many rows the bound of row i is based on. Two runs may agree by chance in the first rows, so the bound of each
+/// row also uses the distances in the next two rows.
 std::size_t rows_compared(std::size_t i) { return i + 3; }
 
-/// The angle between two attitudes (rad).
+/// Returns the angle between two attitudes (rad).
 template <class T>
 double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
   const Quaternion<T> d = p.conjugate() * q;
   return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w)));
 }
 
-/// A row in double, and in full where there is more to it.
+/// Appends a row in double and, for a wider scalar, also in full precision.
 template <class T>
 void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   if constexpr (std::is_same_v<T, double>) {
@@ -54,7 +55,7 @@ void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   }
 }
 
-/// The rows of a whole solution of which nobody has found the error bounds.
+/// Keeps the rows of a complete solution whose error bounds have not been computed.
 template <class T>
 void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -75,7 +76,7 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   mark_rows(result);
 }
 
-/// What is known of a run that was asked to stop: how far its solution came, and the rows if they are to be kept.
+/// Makes the result of a run that was asked to stop: the time that its solution reached, and the rows if they are to be kept.
 template <class T>
 RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool partial) {
   RunResult result;
@@ -89,7 +90,7 @@ RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool parti
   return result;
 }
 
-/// A disc whose flow changes on the way: the formula taken at release is kept.
+/// Returns a note if the flow at a disc changes during the run, because the drag formula chosen at release is kept.
 std::optional<std::string> note_on_air(const RunResult& result) {
   const auto& disc = result.modelled.scenario().effects.applied.air_drag;
   if (!disc || disc->flow != DiscFlow::automatic || result.rows.empty()) return std::nullopt;
@@ -165,7 +166,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.certificate = made.certificate;
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
 
-  // What follows takes seconds where the rows are millions.
+  // The following work takes seconds for millions of rows.
   const int safety = bound_safety(made.options, made.other_options, scenario.precision);
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
@@ -193,7 +194,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
-  // Two integrations can agree on a passing that rounding has moved in both.
+  // The two integrations can agree on a threshold crossing although rounding has moved it in both.
   if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s) {
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;
     result.drift.threshold_time_bound_s.reset();

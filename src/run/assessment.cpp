@@ -10,7 +10,7 @@
 namespace earthtop {
 namespace {
 
-/// Follows one conserved quantity over the rows.
+/// Records the change of one conserved quantity over the rows.
 template <class T>
 class InvariantFollower {
  public:
@@ -131,7 +131,7 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
     }
     return theory;
   }
-  // Fast: at least twice the spin at which an upright top falls asleep.
+  // A top is fast if it has at least twice the spin above which an upright top sleeps (is stable).
   const bool fast = spin_momentum * spin_momentum > 16 * I1 * std::abs(mgl);
   if (!fast) return theory;
   if (vertical) {

@@ -13,17 +13,17 @@
 namespace earthtop {
 namespace {
 
-/// A scene that goes into a lane.
+/// A scene that is integrated in a lane, that is, side by side with others.
 struct LanePoint {
-  std::size_t index;  ///< in the batch
+  std::size_t index;  ///< index in the batch
   IntegrationOptions options;
   std::string reason;
 };
-/// What points side by side share: form, tolerance and step limit.
+/// The options that points side by side must share: form, tolerance and step limit.
 using Shared = std::tuple<ModelForm, double, std::int64_t>;
 
-/// Whether the run of this scene is one pair of integrations, of which the first is a series: of a symmetric top without its
-/// spin, or of any body in its own axes.
+/// Returns whether the run of this scene is a single pair of integrations of which the first is a Taylor series, either of a
+/// symmetric top without its spin or of any body in body axes.
 bool fits_lanes(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const IntegrationOptions& options = scene.choice().options;
@@ -31,16 +31,17 @@ bool fits_lanes(const Scene& scene) {
          options.method == Method::taylor && scene.is_plain() && options.observer != Observer::inertial;
 }
 
-/// A point with the form it takes named.
+/// Makes the point of a scene, with the form of its equations written into the options.
 LanePoint lane_point(std::size_t index, const Scene& scene) {
   MethodChoice choice = scene.choice();
   choice.options.form = scene.form(choice.options);
   return {index, choice.options, std::move(choice.reason)};
 }
 
-/// The second integration of a lane: the equations of inertial space, in which gravity turns, by a series of another order. The
-/// tolerance is a hundredth, or where the digits do not allow that ten times as large; below 1e-13 the last terms of a series
-/// are round-off. It is the method of the rows: the bound is ten times the distance.
+/// Returns the options of a lane's second integration: the equations in inertial axes, in which gravity rotates, by a series of
+/// another order. Its tolerance is a hundredth of the first one, or ten times the first one where a hundredth is below what
+/// the digits allow: below 1e-13 the last terms of a series are round-off. Because the method is the same as that of the rows,
+/// the bound is ten times the distance.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
   constexpr double kLeast = 1e-13;
   IntegrationOptions second = first;
@@ -50,12 +51,12 @@ IntegrationOptions second_lane_options(const IntegrationOptions& first) {
   return second;
 }
 
-/// By how many units in the last place the second integration's scene is moved. Both integrations err by rounding alone, so
-/// that their distance may be small by chance where the scene's own rounding has grown: the nudge has to be the larger part of
-/// it.
+/// Size of the nudge of the second integration's scene (units in the last place). Both integrations have rounding errors only,
+/// so their distance may be small by chance where the rounding of the scene itself has grown; the nudge has to be the larger
+/// part of the distance.
 constexpr double kNudgeUnits = 128;
 
-/// Integrates points side by side; each one's time is its share of the work.
+/// Integrates points side by side. The time reported for each is its share of the work.
 std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftProblem<double>> problems,
                                                         const IntegrationOptions& options, const Watch& watch,
                                                         std::vector<double>& seconds) {
@@ -69,7 +70,7 @@ std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftPro
   return trajectories;
 }
 
-/// Runs points that share what they must.
+/// Runs points that have the same `Shared` options.
 void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> points, const Watch& watch,
                   std::vector<BatchOutcome>& outcomes) {
   const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
@@ -129,7 +130,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
       outcomes[i].refusal = refusal.what();
     }
   }
-  constexpr std::size_t kTogether = 64;  // so that the samples of few are in memory
+  constexpr std::size_t kTogether = 64;  // limits the number of trajectories held in memory
   for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
       run_in_lanes(scenes, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)),

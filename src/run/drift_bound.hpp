@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The error bound of a drift: the distance to a second integration, in another observer's equations and at another
-/// tolerance, grown to be safe.
+/// The error bound of a drift: the distance to a second integration, in another observer's equations and at another tolerance,
+/// multiplied by a safety factor.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace earthtop {
 
-/// Moves a problem by some units in the last place of its attitude, rates and moments, in no special direction: well over what
-/// rounding the scene to T did to it, so that two runs of which one is nudged do not share that error.
+/// Changes the attitude, rates and moments of a problem by some units in the last place, in no special direction. The change is
+/// well above the rounding of the scene to T, so that a nudged run does not share this error with a run that is not nudged.
 template <class T>
 void nudge(DriftProblem<T>& problem, T units = T(8)) {
   const T kUnit = units * real::epsilon<T>();
   const Vec3<T> turn = kUnit * Vec3<T>(T(0.6), T(-0.5), T(0.7));
   problem.release.q_LB = (problem.release.q_LB * Quaternion<T>{T(1), turn / T(2)}).normalized();
   Vec3<T>& w_XB_B = problem.release.w_XB_B;
-  // Against the whole rate: round-off turns a spin about a principal axis away from it, however exactly it was released there.
+  // The nudge is relative to the whole rate: round-off turns even an exact spin about a principal axis away from that axis.
   w_XB_B += kUnit * norm(w_XB_B) * Vec3<T>(T(0.6), T(-0.5), T(-0.7));
   problem.model.mass_moment_B *= T(1) + kUnit;
-  // Each moment its own way, the tensor and its inverse alike; but a symmetric top is one exactly.
+  // Each moment changes differently, the tensor consistently with its inverse; but a symmetric top stays exactly symmetric.
   Model<T>& model = problem.model;
   Vec3<T> stretch(T(1) + kUnit, T(1) - kUnit, T(1) + kUnit / T(2));
   if (const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B); axis >= 0)
@@ -32,14 +32,14 @@ void nudge(DriftProblem<T>& problem, T units = T(8)) {
     }
 }
 
-/// Follows two integrations row by row. The bound is a multiple of the largest distance so far, plus the round-off of the
-/// measures themselves.
+/// Bounds the error of the drift from two integrations, row by row. The bound is a multiple of the largest distance so far,
+/// plus the round-off of the drift measures themselves.
 ///
-/// The second integration is unrelated to the rows' in method and observer, and runs at a far finer tolerance where there is
-/// one, so that their distance is the error of the rows; where round-off decides, both have errors of like size, which the
-/// multiple covers. It starts from a nudged scene, so that the growth of the scene's own rounding shows too. Distances are
-/// taken between the *vectors* of the drift in laboratory axes as well as between the angles: a vector does not pass through
-/// zero by chance.
+/// The second integration differs from that of the rows in method and observer, and has a much finer tolerance where one
+/// exists, so that their distance is the error of the rows. Where round-off dominates, both have errors of similar size, which
+/// the multiple covers. The second integration starts from a nudged scene, so that the distance also shows the growth of the
+/// scene's own rounding. Distances are taken between the *vectors* of the drift in laboratory axes as well as between the
+/// angles, because a vector difference does not pass through zero by chance.
 template <class T>
 class DriftBound {
  public:
@@ -53,10 +53,11 @@ class DriftBound {
     axis_largest_ = std::max(axis_largest_, rows.axis);
     attitude_largest_ = std::max(attitude_largest_, rows.attitude);
   }
-  /// What the method itself states of the row's error.
+  /// Includes the error of a row that the method itself states.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
   T axis() const { return T(safety_) * axis_distance_ + round_off() * axis_largest_ + stated_; }
-  /// Not below the bound of the axis, which is part of the attitude: in an unstable scene two runs can agree by chance in one.
+  /// The bound is never below that of the axis, which is part of the attitude: in an unstable scene two runs can agree in
+  /// one of the two by chance.
   T attitude() const {
     return T(safety_) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_ + stated_;
   }

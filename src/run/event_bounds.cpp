@@ -9,16 +9,16 @@
 namespace earthtop {
 namespace {
 
-/// Below this part of the time neither a double nor the search says more.
+/// Smallest bound as a share of the time: neither a double nor the search for the event resolves less.
 constexpr double kLeast = 1e-12;
 
-/// The bound on the drift's error when it passes: that of the rows before, and the distance of the two integrations there, each
-/// as it found the passing, the second one's moved to the first one's time.
+/// Returns the bound on the drift's error when the drift passes the threshold (rad). It combines the bound of the rows before
+/// with the distance of the two integrations at the passing, the second one's extrapolated to the first one's time.
 template <class T>
 T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, int safety) {
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
-  T stated = T(0);  // by the method, of rows: in between as far as the passing is on the way to the next
+  T stated = T(0);  // error that the method states for the rows, interpolated to the passing
   for (std::size_t i = 0; i < count; ++i) {
     const DriftSample<T>& sample = made.first.samples[i];
     if (sample.state.t_s > passing.t) {
@@ -37,8 +37,8 @@ T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, i
   return stated + std::max(bound.axis(), T(T(safety) * distance + round_off));
 }
 
-/// How long the drift takes from the threshold to `bound` beside it, by its rate and curvature; nothing where it does not get
-/// there for sure, as it may turn back.
+/// Returns the time (s) that the drift takes from the threshold to a distance `bound` from it, by its rate and curvature; empty
+/// where it may turn back before.
 template <class T>
 std::optional<T> time_to(T bound, T rate, T curvature) {
   const T bend = T(2) * curvature * bound;
@@ -47,8 +47,8 @@ std::optional<T> time_to(T bound, T rate, T curvature) {
   return T(2) * bound / (rate + slower);
 }
 
-/// When the drift first was less than `bound` below the threshold, at the earliest; and when it had been that far above, at
-/// the latest.
+/// Returns the earliest time (s) at which the drift can have been less than `bound` below the threshold; `first_beyond` returns
+/// the latest time (s) by which it was `bound` above the threshold.
 template <class T>
 std::optional<T> first_within(const ThresholdRecord<T>& record, T threshold, T bound) {
   std::optional<T> t = T(0);
@@ -75,7 +75,7 @@ Judged judge_passing(const ThresholdRecord<T>& record, T threshold, T bound) {
   const T early = passing.t - first_within(record, threshold, bound).value_or(T(0));
   const std::optional<T> near = passing.rate > T(0) ? time_to(bound, passing.rate, record.curvature) : std::nullopt;
   const bool is_local = near && *near <= record.resolved && *near <= record.last_t - passing.t;
-  // The drift had been as near before, and fell again. A fall that is the drift's own rounding is not one.
+  // The drift came as near before and fell again, unless that fall is only the rounding of the drift.
   constexpr double kSoon = 8;
   const bool came_near = threshold - record.turned_back <= bound;
   if (came_near && !(is_local && early <= T(kSoon) * *near + record.resolved)) return {ThresholdCrossing::tangential};
@@ -90,8 +90,8 @@ Judged judge_passing(const ThresholdRecord<T>& record, T threshold, T bound) {
   return {ThresholdCrossing::clear, std::max(static_cast<double>(moved), kLeast * static_cast<double>(passing.t))};
 }
 
-/// By how much the two integrations differ in the size of a motion's rate, at most, in the rows before it stops: two times may
-/// agree by chance.
+/// Returns the largest difference (rad/s) between the two integrations in the size of a motion's rate, over the rows before it
+/// stops. It is needed because the two stop times may agree by chance.
 template <class T>
 T rate_distance(const TwoIntegrations<T>& made, Prediction prediction, double until_s) {
   const auto rate = [&](const DriftSample<T>& sample) {
@@ -116,7 +116,7 @@ void assess_threshold(const TwoIntegrations<T>& made, double threshold_rad, int 
     const Judged judged = judge_passing(first, threshold, bound_at_passing(made, *first.passing, safety));
     drift.threshold_crossing = judged.crossing, drift.threshold_time_bound_s = judged.bound_s;
   } else if (first.passing || second.passing) {
-    // One of the two passes it, and the other does not.
+    // Only one of the two integrations passes the threshold.
     const ThresholdRecord<T>& short_of_it = first.passing ? second : first;
     drift.threshold_crossing =
         short_of_it.turned_back >= short_of_it.highest ? ThresholdCrossing::tangential : ThresholdCrossing::uncertain;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How far the times of a run's events can be off: of the threshold's passing, and of motions that come to rest. The error of
-/// the drift, or of a rate, divided by how fast it changes there; no less than 1e-12 of the time.
+/// Error bounds of the times of a run's events: when the drift passes the threshold, and when a motion comes to rest. The bound
+/// is the error of the drift, or of a rate, divided by its rate of change there; it is at least 1e-12 of the time.
 #pragma once
 
 #include "earthtop/drift/drift.hpp"
@@ -8,12 +8,12 @@
 
 namespace earthtop {
 
-/// Fills the summary's three members of the threshold.
-/// @param safety  by how much the distance of the two integrations is multiplied
+/// Fills the three members of the summary that concern the threshold.
+/// @param safety  factor that multiplies the distance of the two integrations
 template <class T>
 void assess_threshold(const TwoIntegrations<T>& made, double threshold_rad, int safety, DriftSummary& drift);
 
-/// The stops of the first integration with their bounds.
+/// Returns the stops of the first integration with their bounds.
 template <class T>
 std::vector<StopEvent> assess_stops(const TwoIntegrations<T>& made, int safety);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies, moves and ends of a RunResult: much code, which sources that hold one would each compile for themselves.
+// Copy, move and destruction of a RunResult: compiled here once, so that other sources compile faster.
 #include "earthtop/run.hpp"
 
 namespace earthtop {

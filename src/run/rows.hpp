@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From a sample of an integration to a row of results, in the scalar of the run, and from one scalar to another.
+/// Converts a sample of an integration to a row of results in the scalar of the run, and rows from one scalar to another.
 #pragma once
 
 #include "drift/row_quantities.hpp"
@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// Zeros of a row have no sign.
+/// Replaces -0 by 0, because zeros in a row have no sign.
 template <class T>
 std::array<T, 3> to_array(const Vec3<T>& v) {
   return {v[0] + T(0), v[1] + T(0), v[2] + T(0)};

@@ -24,8 +24,8 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
   return trajectory;
 }
 
-/// The methods that know beforehand how many steps they take are limited in those. Whether long_horizon steps over the nutation
-/// it finds by trial; in a short run it may follow it.
+/// Limits the steps of a method with equations of its own to the estimate, because such a method's number of steps is known in
+/// advance. long_horizon decides by trial whether to step over the nutation, and in a short run it may follow the nutation.
 IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions options) {
   constexpr double kShortRun = 1e6;  // steps
   if (!options.stops_beyond_estimate || row_of(options.method).equations != MethodEquations::own) return options;
@@ -68,8 +68,8 @@ RunResult run_once(const Scene& scene, const RunOptions& options) {
   return run_in<double>(scene, options);
 }
 
-/// Where an error is asked for, and method and tolerance are free, from the loosest tolerance that may reach it to finer ones.
-/// @param left_out_rad  what the effects left out may cost of it
+/// Runs a scene until the requested accuracy is reached. If method and tolerance are free, it starts at the loosest tolerance
+/// that may suffice and tries finer ones. @param left_out_rad  error due to the effects left out (rad)
 RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOptions& options) {
   if (!scene.scenario().accuracy_rad) return run_once(scene, options);
   constexpr double kLoosest = 1e-6, kFiner = 1e-3;
@@ -79,9 +79,9 @@ RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOpti
   double& tolerance = scenario.numerics.relative_tolerance;
   const double least = least_tolerance(scenario.precision);
   const bool free = scenario.numerics.method == Method::automatic && tolerance == default_tolerance(scenario.precision);
-  // A tenth of the error asked for: steps are many, and the second run's error counts as the first one's.
+  // The tolerance starts at a tenth of the requested error: errors of many steps add up, and so does the second run's error.
   if (free) tolerance = std::clamp(accuracy.asked_rad / 10, least, kLoosest);
-  // As a rule the first attempt is enough: what comes after it has what is left of the progress.
+  // The first attempt usually suffices, so it gets the larger part of the progress; later attempts share the rest.
   constexpr double kShare = 0.7;
   RunOptions attempt = options;
   for (double done = 0;;) {
@@ -95,7 +95,7 @@ RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOpti
       result.accuracy = accuracy;
       return result;
     }
-    // Where disturbances grow, only the finest tolerance may do.
+    // Where disturbances grow, only the finest tolerance may suffice.
     const bool grows = result.verdict.verdict != Verdict::reliable && result.verdict.verdict != Verdict::noise_floor;
     const double finer = grows ? 0 : std::max(kFiner, 0.1 * accuracy.asked_rad / accuracy.reached_rad);
     tolerance = std::max(least, tolerance * finer);

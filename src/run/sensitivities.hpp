@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How the drift of a run changes with its inputs, and what their errors make of it.
+/// The derivatives of a run's drift by its inputs, and the drift error due to the errors of the inputs.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace earthtop {
 
-/// The derivatives of the last reliable drift; none where the scenario does not ask for them.
+/// Returns the derivatives of the last reliable drift; empty if the scenario does not request them.
 std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, const Watch& watch);
 
 }  // namespace earthtop

@@ -15,12 +15,12 @@ namespace earthtop {
 namespace {
 
 constexpr double kLostAngle = 1e-6;    // rad: rounding that has grown to this takes digits that a drift needs
-constexpr double kRoundings = 8;       // units in the last place that the scene's own numbers are off by
-constexpr double kGrownAngle = 0.1;    // rad: a disturbance as large no longer grows in proportion
-constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its release is a steady one
-constexpr double kLoose = 1e-2;  // rad: a bound that has grown to this, where disturbances grow, says that the motion is lost
-constexpr double kResolved = 3;  // a drift so many times its bound is more than noise
-constexpr double kStill = 1e-3;  // of the attitude's drift: an axis that moves less stands still beside it
+constexpr double kRoundings = 8;       // rounding error of the scene's own numbers, in units in the last place
+constexpr double kGrownAngle = 0.1;    // rad: the growth of a larger disturbance is not linear
+constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its release counts as steady
+constexpr double kLoose = 1e-2;        // rad: above this bound the motion is lost, if disturbances grow
+constexpr double kResolved = 3;        // a drift larger than this many times its bound is more than noise
+constexpr double kStill = 1e-3;        // an axis whose drift is a smaller share of the attitude's stands still
 
 double epsilon_of(Precision precision) {
   switch (precision) {
@@ -36,7 +36,7 @@ std::optional<double> earlier(std::optional<double> a, std::optional<double> b) 
   return std::min(*a, *b);
 }
 
-/// An upright top near its critical spin.
+/// Returns why the motion is marginal, for an upright top near its critical spin.
 std::optional<std::string> marginal_reason(const MotionProblem<double>& problem) {
   const auto upright = marginal_top(problem);
   if (!upright) return std::nullopt;
@@ -46,17 +46,17 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
       std::sqrt(upright->spin_ratio_squared));
 }
 
-/// The growth along both motions, put together.
+/// The growth of disturbances along both motions, combined.
 struct Growth {
   std::optional<double> exponential_s, round_off_s, earth_s, critical_spin_s, late_exponent_1_s;
   double mean_exponent_1_s = 0;
   double departure = 0;
   bool completed = true;
-  double followed_s = HUGE_VAL;  ///< along both motions
+  double followed_s = HUGE_VAL;  ///< time to which both motions were followed (s)
 };
 
-/// The growth along one motion. What a coarse integration calls growth may be its own error, so that a finer one has to say so,
-/// too.
+/// Returns the growth of disturbances along one motion. Growth that a coarse integration finds may be its own error, so a finer
+/// integration has to confirm it.
 GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind kind, double until_s, double tolerance,
                               const Watch& watch) {
   GrowthReport report = disturbance_growth(problem, kind, until_s, tolerance, watch);
@@ -70,11 +70,11 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
   const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
   const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.modelled.scenario().precision)));
   const double log_earth = real::log(kGrownAngle / earth_share);
-  // Dry friction damps the more the slower the motion is: at rest without end.
+  // The damping by dry friction increases as the motion slows down, without limit at rest; so the growth ends before a stop.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   Growth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
-    if (kind == MotionKind::rotating && earth_share == 0) break;  // the two are one
+    if (kind == MotionKind::rotating && earth_share == 0) break;  // both motions are the same
     const Watch part = kind == MotionKind::reference ? watch.part(0, earth_share == 0 ? 1 : 0.5) : watch.part(0.5, 1);
     const GrowthReport report = confirmed_growth(problem, kind, until_s, tolerance, part);
     growth.mean_exponent_1_s = std::max(growth.mean_exponent_1_s, report.mean_exponent_1_s);
@@ -98,7 +98,7 @@ std::string when(std::optional<double> time_s, std::string_view what) {
   return time_s ? fmt::format("; {} at {:.4g} s", what, *time_s) : "";
 }
 
-/// The first row from which on the largest drift so far, of the axis and of the attitude, is not clear of its bound.
+/// Returns the first time (s) from which on the largest drift so far, of axis or attitude, is not well above its bound.
 std::optional<double> noise_from_s(const RunResult& result) {
   double axis = 0, attitude = 0;
   std::optional<double> from_s;
@@ -107,7 +107,7 @@ std::optional<double> noise_from_s(const RunResult& result) {
     axis = std::max(axis, row.drift_axis_rad);
     attitude = std::max(attitude, row.drift_attitude_rad);
     const double axis_bound = row.drift_axis_bound_rad, attitude_bound = row.drift_attitude_bound_rad;
-    // An axis that does not move has noise of its own, far below that of an attitude which does.
+    // The noise of an axis that stands still does not count, as it is far below the drift of an attitude that moves.
     const bool axis_noise = axis <= kResolved * axis_bound && axis_bound > kStill * attitude;
     const bool noise = axis_noise || (attitude_bound > 0 && attitude <= kResolved * attitude_bound);
     if (!noise)
@@ -124,7 +124,7 @@ std::optional<double> loose_from_s(const std::vector<DriftRow>& rows) {
   return row == rows.end() ? std::nullopt : std::optional(row->t_s);
 }
 
-/// What the growth along the motions makes of the verdict.
+/// Judges a run by the growth of disturbances along its motions.
 /// @param contracts  whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
 void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool integrable, bool contracts,
                   VerdictReport& report) {
@@ -203,8 +203,7 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
 }
 
 void mark_rows(RunResult& result) {
-  // Between the stop of one motion and that of the other, their distance says which stopped first, not how the Earth turns
-  // them.
+  // Between the stops of the two motions, their distance shows which one stopped first, not how the Earth turns them.
   const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
   const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
   const double from_s = result.verdict.from_s.value_or(HUGE_VAL);

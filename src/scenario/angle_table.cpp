@@ -15,24 +15,24 @@ namespace earthtop::scenario {
 namespace {
 
 constexpr std::string_view kTableHeader = "t_s,angle_rad";
-constexpr std::size_t kFewestRows = 4;  // of a not-a-knot spline
-/// The limit is that of the rates of the other motions (rad/s, rad/s^2).
+constexpr std::size_t kFewestRows = 4;  // required by a not-a-knot spline
+/// Largest rate and acceleration of a table (rad/s, rad/s^2), the same limit as for the other platform motions.
 constexpr double kFastestTurn = 1e9;
 
-/// The whole of a cell as a finite number that a double can hold.
+/// Returns the number that a whole cell holds; empty unless it is finite and fits a double.
 std::optional<double> finite_number(std::string_view cell) {
   const input::CellNumber number = input::cell_number(cell);
   return number.fits_a_double && std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
-/// The beginning of what stands there; a table may hold any bytes.
+/// Returns the beginning of a text in printable form, because a table may hold any bytes.
 std::string shown_text(std::string_view text) { return printable(input::excerpt(text)); }
 
 std::string no_number(std::string_view key, std::string_view field) {
   return fmt::format("{} is \"{}\"; must be a finite number that a double can hold, like -1.25e-3", key, shown_text(field));
 }
 
-/// Appends a row. @returns what is wrong with it, nothing if it is right
+/// Appends a row. @returns what is wrong with it; empty if it is valid
 std::optional<std::string> read_row(std::string_view line, AngleTable& table) {
   if (line.empty()) return "is empty; must be a row \"t_s,angle_rad\", or leave it out";
   std::vector<std::string_view> cells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Tables of angles as CSV text.
+/// Reads tables of angles from CSV text.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace earthtop::scenario {
 
-/// The first fault of a table and the line in which it stands (1-based).
+/// The first fault of a table and its line (1-based).
 struct TableFault {
   std::size_t line = 0;
   std::string message;
 };
 
-/// The table of a CSV text: the header line `t_s,angle_rad`, then at least four lines of two finite numbers, times strictly
-/// ascending and from 0 or before to the duration or after. Lines end with LF or CRLF, the last one may end with the text.
-/// @param duration_s  (s); nothing is asked of the last time where it is 0   @returns the table, or its first fault
+/// Reads a table from CSV text: the header line `t_s,angle_rad`, then at least four lines of two finite numbers. The times must
+/// be strictly ascending, start at or before 0 and end at or after the duration. Lines end with LF or CRLF; the last one may
+/// end with the text.
+/// @param duration_s  (s); if it is 0, the last time is not checked   @returns the table, or its first fault
 std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s);
 
 }  // namespace earthtop::scenario

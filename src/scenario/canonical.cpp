@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scenario as JSON: every section by the description that it is read by.
+// Writes a scenario as JSON, each section with the same description that reads it.
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"

@@ -48,7 +48,7 @@ void decode_headline(const Section& root, Scenario& scenario) {
     given.warn("at_s", "is not the time of a row, a multiple of output_step_s within the duration: nothing is held against it");
 }
 
-/// @returns whether gravity is known
+/// Decodes site and Earth. @returns whether gravity is known
 bool decode_site(const Section& root, Scenario& scenario) {
   const Section site = root.section("site"), earth = root.section("earth");
   const bool gravity_given = site.has("gravity_m_s2");
@@ -57,7 +57,7 @@ bool decode_site(const Section& root, Scenario& scenario) {
                  "is missing; must be a number from -90 to 90 (deg), unless the rotation rate is 0 and gravity_m_s2 "
                  "is given");
   Reading earth_codec(earth), codec(site);
-  scenario.rotation_rate_rad_s = 0;  // where it has been refused
+  scenario.rotation_rate_rad_s = 0;  // value if the key has been refused
   earth_keys(earth_codec, scenario);
   site_keys(codec, scenario);
   if (gravity_given && site.has("gravity_anomaly_m_s2"))
@@ -69,7 +69,7 @@ bool decode_site(const Section& root, Scenario& scenario) {
   return true;
 }
 
-/// @returns whether body, release and gravity are known
+/// Decodes the whole scenario. @returns whether body, release and gravity are known
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
@@ -99,7 +99,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
 Document::Document(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides)
     : source_(std::move(source)) {
   const input::ReadOutcome outcome = input::read_json(text(), "", false, root_, findings_);
-  // After a syntax error the rest would be guesswork.
+  // After a syntax error nothing is decoded, because the rest would be guesswork.
   is_whole_ = outcome != input::ReadOutcome::not_json && outcome != input::ReadOutcome::refused;
   if (is_whole_ && root_.kind == input::JsonKind::object) apply_overrides(root_, overrides, findings_);
 }

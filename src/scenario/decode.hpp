@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From a checked tree to typed parts of a scenario: the rules that involve more than one key. One function a section; each
-/// adds what it finds and returns what it could read.
+/// Decodes a checked tree into the typed parts of a scenario, and checks the rules that involve several keys. There is one
+/// function per section; each adds its findings and returns what it could read.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,32 @@ namespace earthtop::scenario {
 
 using input::excerpt, input::lists, input::Node, input::Section, input::split_words;
 
-/// The body, nothing where it is not physical or not complete.
+/// Decodes the body; empty if it is not physical or not complete.
 std::optional<BodySpec> decode_body(const Section& body);
 
-/// The release, nothing where it is not complete.
+/// Decodes the release; empty if it is not complete.
 std::optional<ReleaseSpec> decode_release(const Section& release);
 
-/// Duration, output step and start, with the limit on rows.
+/// Decodes duration, output step and start, and checks the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
 
-/// @param source  says where a table is looked for, and whether   @param duration_s  what it must cover
+/// Decodes the platform. @param source  says whether a table may be read, and where   @param duration_s  time it must cover (s)
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
-/// Decodes which torques act, and where the Earth's pole and the plumb line are.
-/// @param scenario  its site and rate must be known; effects, site and rate are written
+/// Decodes which torques act, and the directions of the Earth's pole and of the plumb line.
+/// @param scenario  must have site and rate; its effects, site and rate are written
 void decode_effects(const Section& root, Scenario& scenario);
 
-/// Method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
+/// Decodes method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
 void decode_numerics(const Section& numerics, Scenario& scenario);
 
 std::vector<CriterionSpec> decode_criteria(const Section& root);
 
-/// Output rows that a scenario may have, and the number that it would have (as a double: it may be huge).
+/// Largest number of output rows allowed, and the number that a scenario has (a double, as it may be huge).
 inline constexpr double kMostRows = 2'000'000;
 double output_row_count(double duration_s, double output_step_s);
 
-/// Returns whether a row stands at this time, within 1e-9 of the step.
+/// Returns whether there is an output row at this time, to within 1e-9 of the step.
 bool is_output_time(double t_s, double duration_s, double output_step_s);
 
 }  // namespace earthtop::scenario

@@ -25,7 +25,8 @@ void check_member(const Section& solid, std::string_view key, Need need, std::st
   }
 }
 
-/// Volume zero: a disc or ring without length, a rod without radius. Its mass cannot come from a density.
+/// Returns whether a solid has no volume, so that its mass cannot come from a density: a disc or ring without length, or a rod
+/// without radius.
 bool is_thin(const Solid& solid) {
   switch (solid.shape) {
     case SolidShape::disc:
@@ -88,7 +89,7 @@ bool decode_solids(const Section& body, BodySpec& spec) {
   return complete && !body.has("mass_kg") && !body.has("center_of_mass_m") && !body.has("inertia");
 }
 
-/// Off-diagonal entries agree to 4 eps of the larger one (the rounding of a rotated tensor) and are averaged.
+/// Averages the off-diagonal entries, which must agree to 4 eps of the larger one (the rounding of a rotated tensor).
 bool make_symmetric(const Section& inertia, Matrix& matrix) {
   bool symmetric = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +108,7 @@ bool make_symmetric(const Section& inertia, Matrix& matrix) {
   return symmetric;
 }
 
-/// @returns whether exactly one of the two ways to give a tensor is taken
+/// Checks that exactly one of the two ways to give a tensor is used. @returns whether that is so
 bool check_inertia(const Section& inertia) {
   const bool principal = inertia.has("principal_kg_m2"), full = inertia.has("matrix_kg_m2");
   if (principal && full)
@@ -141,7 +142,7 @@ std::optional<BodySpec> decode_body(const Section& body) {
   const std::string_view source = from_solids ? "solids" : "inertia";
   const auto violations = body_violations(spec);
   for (const Diagnostic& violation : violations) {
-    // Sentences about the body as a whole: they stand at the part that it is computed from.
+    // Messages about the body as a whole are placed at the part from which it is computed.
     const bool at_inertia = violation.pointer.starts_with("/body/inertia") || violation.pointer.starts_with("/body/solids");
     body.refuse(at_inertia ? source : "mass_kg", violation.message);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the criteria that a scenario's results must satisfy.
+// Decodes the criteria that a scenario's results must satisfy.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +11,7 @@
 namespace earthtop::scenario {
 namespace {
 
-/// Numbers that a value of this quantity has.
+/// Returns how many numbers a value of this quantity has.
 std::size_t numbers_in(std::string_view name) {
   for (const RowQuantity& quantity : kDriftQuantities)
     if (quantity.is_called(name)) return quantity.width();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The effects that act, and the rules by which they fit the rest of the scene.
+// Decodes the effects that act, and checks that they fit the rest of the scene.
 #include <fmt/core.h>
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace earthtop::scenario {
 namespace {
 
-/// An effect that is looked up by the date needs a date.
+/// Requires a date for an effect that is looked up by the date.
 void require_start(const Section& effects, std::string_view key, const Section& motion) {
   if (!motion.has("start_utc"))
     effects.refuse(key, "is looked up by the date; give /motion/start_utc, or the values themselves");
@@ -34,7 +34,7 @@ void check_tide(const Section& effects, const Section& motion) {
   require_start(effects, "tide", motion);
 }
 
-/// The pole, the length of day and the plumb line.
+/// Decodes the pole, the length of day and the plumb line.
 void decode_orientation(const Section& effects, const Section& motion, Scenario& scenario) {
   Reading codec(effects);
   orientation_keys(codec, scenario);
@@ -53,7 +53,7 @@ void decode_effects(const Section& root, Scenario& scenario) {
   torque_keys(codec, spec);
   tide_key(codec, spec.tide);
   if (spec.applied.air_drag && !(spec.applied.air_drag->disc_radius_m > 0))
-    spec.applied.air_drag->disc_radius_m = 1;  // refused
+    spec.applied.air_drag->disc_radius_m = 1;  // a stand-in: the given radius has been refused
   if (root.is_word("effects")) spec.automatic = true;
   if (spec.automatic && !scenario.accuracy_rad && !root.section("accuracy").has("drift_rad")) {
     constexpr const char* kNeeded = "\"auto\" chooses by the drift error asked for; give /accuracy/drift_rad";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The platform, and the table of angles that may move it.
+// Decodes the platform, and the table of angles that may move it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kLongestShownPath = 200;
 
-/// The table's bytes, nothing where they have been refused.
+/// Returns the table's bytes; empty if the file has been refused.
 std::optional<std::string> read_table(const Section& platform, const ScenarioSource& source, const std::string& file) {
   if (!source.may_name_files)
     platform.refuse("file", "files are not read here; give a motion without a table");
@@ -72,7 +72,7 @@ std::optional<PlatformSpec> decode_platform(const Section& platform, const Scena
     }
   }
   const auto axis = platform.vector("axis");
-  // The square of a shorter one is no normal double, and its direction would be lost.
+  // The square of a shorter axis would underflow, and its direction would be lost.
   if (axis && real::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
     platform.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
   if (word == "table") decode_table(platform, source, duration_s, spec);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motion and numerics: what happens after the release.
+// Decodes motion and numerics, that is, what happens after the release.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ void decode_motion(const Section& motion, Scenario& scenario) {
 
 namespace {
 
-/// The methods with a property, as words in quotes.
+/// Returns the methods with a property, as words in quotes.
 template <class Property>
 std::string methods_that(Property property) {
   std::string words;
@@ -59,7 +59,7 @@ std::string methods_that(Property property) {
   return words;
 }
 
-/// A fixed step that is given, where the method takes one.
+/// Decodes a given fixed step, and checks that the method takes one.
 void decode_step(const Section& numerics, Scenario& scenario) {
   const Method method = scenario.numerics.method;
   const MethodRow& rule = row_of(method);

@@ -19,12 +19,12 @@ constexpr Range any() { return {}; }
 constexpr Range from(double least, double most) { return {least, most, false}; }
 constexpr Range above(double least, double most) { return {least, most, true}; }
 
-// Ranges without a physical reason keep squares and products inside a double and mistakes of unit outside.
+// Ranges without a physical reason keep squares and products within a double's range, and exclude mistakes of unit.
 constexpr Range kLengths = from(-1e6, 1e6), kRates = from(-1e9, 1e9), kAngles = from(-360, 360);
 
 constexpr bool kRequired = true;
 
-/// A field that only describes the scenario: no result depends on it.
+/// Marks a field as one that only describes the scenario, so that no result depends on it.
 constexpr Field describing(Field field) {
   field.describes_only = true;
   return field;
@@ -187,7 +187,7 @@ constexpr Field kFields[] = {
      "auto: in the laboratory a symmetric top without its spin; general: attitude and rates of any body"},
     {"/numerics/precision", word, "", any(), "double|long_double|float128", "\"double\"",
      "scalar type: 53, 64 or 113 bits; the last prints 34 digits"},
-    // The ends for each precision are the decoder's: least_tolerance, default_tolerance.
+    // The decoder checks the limits for each precision: least_tolerance, default_tolerance.
     {"/numerics/relative_tolerance", number, "", from(1e-32, 1e-1), "", "1e-12",
      "local error of a step, controlled methods; at least 1e-14 in double, 5e-18 in long_double; default 1e-16 in long_double, "
      "1e-28 in float128",

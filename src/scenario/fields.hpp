@@ -8,7 +8,7 @@ namespace earthtop::scenario {
 
 using input::FieldTable;
 
-/// Every key of a scenario.
+/// Returns the table of every key of a scenario.
 const FieldTable& fields();
 
 }  // namespace earthtop::scenario

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One description of each section of a scenario: its keys and the members that they stand for. `Reading` goes through it to
-/// decode a text, `Writing` to write the canonical one. Keys that exclude each other are variants here; what else several keys
-/// must agree on is a rule of the decoder.
+/// One description of each section of a scenario: its keys and the members that they set. `Reading` uses it to decode a text,
+/// `Writing` uses it to write the canonical text. Keys that exclude each other are variants here; the decoder checks all other
+/// rules that involve several keys.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,8 @@ namespace earthtop::scenario {
 
 // -- site and Earth
 
-/// Gravity is given, or computed from latitude and height, with an anomaly or without one: it is written out where it has none.
+/// Describes the site. Gravity is given, or computed from latitude and height, to which an anomaly may be added. Without an
+/// anomaly the value of gravity is written; otherwise the anomaly is.
 template <class Codec, class S>
 void site_keys(Codec& codec, S& scenario) {
   codec.key("latitude_deg", scenario.site.latitude_deg);
@@ -36,7 +37,7 @@ void earth_keys(Codec& codec, S& scenario) {
 template <class Codec, class S>
 void solid_keys(Codec& codec, S& solid) {
   codec.word("shape", solid.shape, kShapeRules);
-  // A member that a shape does not have would be refused on reading back; 0 is its default where it has one.
+  // A member that the shape does not have must not be written, as it would be refused on reading; otherwise its default is 0.
   codec.sparse("radius_m", solid.radius_m);
   if (row_of(kShapeRules, solid.shape).inner_radius == Need::required)
     codec.key("inner_radius_m", solid.inner_radius_m);
@@ -48,7 +49,7 @@ void solid_keys(Codec& codec, S& solid) {
   codec.key("at_m", solid.at_m);
 }
 
-/// The tensor is written in full; its principal moments are another way to give it.
+/// Describes the inertia. The tensor is written in full; when reading, its principal moments may be given instead.
 template <class Codec, class S>
 void inertia_keys(Codec& codec, S& body) {
   codec.word("about", body.inertia_about, kInertiaPoints);
@@ -63,7 +64,7 @@ void inertia_keys(Codec& codec, S& body) {
   codec.key("matrix_kg_m2", body.inertia_kg_m2);
 }
 
-/// A body that is no union of solids.
+/// Describes a body that is not a union of solids.
 template <class Codec, class S>
 void body_keys(Codec& codec, S& body) {
   codec.key("mass_kg", body.mass_kg);
@@ -124,10 +125,10 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("frequency_hz", platform.frequency_hz);
   of_motion("phase_deg", platform.phase_deg);
   of_motion("file", platform.file);
-  of_motion("file_sha256", platform.file_sha256);  // the table itself, as far as the run's identity goes
+  of_motion("file_sha256", platform.file_sha256);  // represents the table in the run's identity
 }
 
-// -- effects: those that are off are left out, so that a scene of before they were known keeps its identity
+// -- effects: an effect that is off is left out, so that a scene keeps its identity when new effects are added to the format
 
 template <class Codec, class S>
 void air_drag_keys(Codec& codec, S& air) {
@@ -153,7 +154,7 @@ void gravity_gradient_key(Codec& codec, S& gradient) {
   }
 }
 
-/// A tide of given amplitude, or that of Moon and Sun.
+/// Describes a tide of given amplitude, or that of Moon and Sun.
 template <class Codec, class S>
 void tide_key(Codec& codec, S& tide) {
   if (!codec.switched("tide", tide)) return;
@@ -170,7 +171,8 @@ void tide_key(Codec& codec, S& tide) {
   });
 }
 
-/// The pole that `true` looks up by the date is written as the numbers found, so that the text says all that was computed with.
+/// Describes the Earth's orientation. If `true` has the pole looked up by the date, the numbers found are written, so that the
+/// text holds all values used.
 template <class Codec, class S>
 void orientation_keys(Codec& codec, S& scenario) {
   auto& pole = scenario.site.pole;
@@ -208,7 +210,7 @@ void torque_keys(Codec& codec, S& effects) {
 
 // -- numerics
 
-/// A step that is given stands in place of the tolerance from which one is found; a closed form has neither.
+/// Describes the numerics. A given step replaces the tolerance, from which a step would be found; a closed form has neither.
 template <class Codec, class S>
 void numerics_keys(Codec& codec, S& scenario) {
   auto& options = scenario.numerics;
@@ -223,9 +225,9 @@ void numerics_keys(Codec& codec, S& scenario) {
   codec.named("ledger", scenario.ledger);
 }
 
-// -- what is asked of the run, and what is known of it
+// -- what the run has to report, and what is known about it
 
-/// Standard errors bring the derivatives with them.
+/// Describes the reports. Standard errors of the inputs imply that the derivatives are computed.
 template <class Codec, class S>
 void report_keys(Codec& codec, S& scenario) {
   codec.key("threshold_rad", scenario.threshold_rad);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The names of what a headline figure or a criterion may be about, separated by '|'.
+/// The names of the quantities that a headline figure or a criterion may use, separated by '|'.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace earthtop::scenario {
 
-/// A list of names, joined at compile time. @param spell  a function that calls its argument with one piece of the list after
-/// the other, "|" between names included
+/// A list of names, joined at compile time. @tparam spell  function that calls its argument with the pieces of the list in
+/// order, including the "|" between names
 template <auto spell>
 struct Spelled {
   static constexpr std::size_t kSize = [] {
@@ -29,7 +29,7 @@ struct Spelled {
   static constexpr std::string_view text{kLetters.data(), kSize};
 };
 
-/// Several lists as one.
+/// Joins several lists to one.
 template <const std::string_view&... lists>
 using Joined = Spelled<[](const auto& add) {
   bool first = true;
@@ -41,7 +41,7 @@ using Joined = Spelled<[](const auto& add) {
   (add_list(lists), ...);
 }>;
 
-/// The columns of trajectory.csv but for those that state errors.
+/// The columns of trajectory.csv except those that state errors.
 inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
   bool first = true;
   for (const RowQuantity& quantity : kDriftQuantities)
@@ -52,14 +52,13 @@ inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
     }
 }>::text;
 
-/// The figures of summary.json that a headline may be about. That each of them is one, the table of figures checks when it is
-/// compiled.
+/// The figures of summary.json that a headline may use. The table of figures checks at compile time that each of them exists.
 inline constexpr std::string_view kSummaryFigures =
     "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s";
 
 inline constexpr std::string_view kFigures = Joined<kColumns, kSummaryFigures>::text;
 
-/// Vectors of columns (an attitude's error is the angle).
+/// Vectors that consist of several columns (the error of an attitude is an angle).
 inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
   bool first = true;
   for (const MeasureKind kind : {MeasureKind::attitude, MeasureKind::vector, MeasureKind::direction})
@@ -71,7 +70,7 @@ inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
     }
 }>::text;
 
-/// Numbers of the whole run.
+/// Quantities of the whole run, one number each.
 inline constexpr std::string_view kRunNumbers = "jacobi_integral_J|reference_energy_J|critical_spin_rad_s";
 
 inline constexpr std::string_view kInvariants =

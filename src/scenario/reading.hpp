@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The codec that reads: the keys of keys.hpp taken from a checked section.
+/// The codec that reads the keys of keys.hpp from a checked section.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,17 @@
 
 namespace earthtop::scenario {
 
-/// Members keep their values where a key is missing without a default, or has been refused.
+/// Reads the keys of a section into members. A member keeps its value if its key has been refused, or is missing and has no
+/// default.
 class Reading {
  public:
   static constexpr bool kWrites = false;
   explicit Reading(const input::Section& section) : section_(section) {}
 
-  /// Returns whether nothing that was asked for is missing or has been refused.
+  /// Returns whether no requested key is missing or has been refused.
   bool complete() const { return complete_ && section_.present(); }
 
-  /// Returns whether the variant with this key is the one at hand. @param held  what the members say, for those who write
+  /// Returns whether the text uses the variant with this key. @param held  whether the members do; only `Writing` uses it
   bool takes(std::string_view key, bool /*held*/) const { return section_.has(key); }
   bool is_object(std::string_view key) const { return section_.is_object(key); }
   bool is_word(std::string_view key) const { return section_.is_word(key); }
@@ -33,13 +34,13 @@ class Reading {
     else if (section_.has(key) || section_.is_required(key) || !section_.present())
       complete_ = false;
   }
-  /// A key that is left out where its member is 0, empty or none.
+  /// Reads a key that `Writing` leaves out if its member is 0 or empty.
   template <class T>
   void sparse(std::string_view key, T& member) {
     this->key(key, member);
   }
 
-  /// A word for a value: one of the rows', or the one that `to_string` gives.
+  /// Reads a word that stands for a value: `word` uses the words of the rows, `named` those of `to_string`.
   template <class E, class Rows>
   void word(std::string_view key, E& member, const Rows& rows) {
     std::string word;
@@ -50,7 +51,7 @@ class Reading {
   void named(std::string_view key, E& member) {
     std::string word;
     this->key(key, word);
-    constexpr int kMostValues = 64;  // enumerators count from 0; none has as many
+    constexpr int kMostValues = 64;  // enumerators count from 0, and no enumeration has more
     for (int i = 0; i < kMostValues; ++i)
       if (to_string(static_cast<E>(i)) == word) member = static_cast<E>(i);
   }
@@ -58,11 +59,11 @@ class Reading {
   void named(std::string_view key, std::optional<E>& member) {
     if (section_.word(key)) named(key, member.emplace());
   }
-  /// Writes what stands for a whole object, true or one of its words; there is nothing to read.
+  /// `yes` and `literal` write true or a word in place of an object; for reading they do nothing.
   void yes(std::string_view) {}
   void literal(std::string_view, std::string_view) {}
 
-  /// The keys below a key, where an object stands there. @param held  as for `takes`
+  /// Reads the keys below a key if its value is an object. @param held  as for `takes`
   template <class Keys>
   void object(std::string_view key, bool /*held*/, Keys keys) {
     if (!section_.is_object(key)) return;
@@ -70,7 +71,7 @@ class Reading {
     keys(below);
     complete_ = complete_ && below.complete();
   }
-  /// An object, true or a word that switch something on. @returns whether it is on
+  /// Reads an object, true or a word that switches something on. @returns whether it is on
   template <class T>
   bool switched(std::string_view key, std::optional<T>& member) {
     const bool on = section_.is_object(key) || section_.is_word(key) || section_.flag(key).value_or(false);

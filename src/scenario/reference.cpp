@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using input::Field, input::FieldKind, input::split_words;
 
-/// Returns whether a key may stand beside those of `given`, so that its default may be written there.
+/// Returns whether a key is allowed together with the keys of `given`, so that its default may be written.
 bool belongs(std::string_view key, const Json& given) {
   if (key == "precession") return !given.contains("angular_velocity_body_rad_s");
   if (key == "azimuth_deg" || key == "spin_angle_deg") return !given.contains("quaternion_LB");
@@ -39,7 +39,7 @@ bool is_about_original(std::string_view pointer) {
   return pointer == "/headline" || pointer == "/purpose" || pointer == "/criteria";
 }
 
-/// The values of `given` in the table's order, with the defaults of what it leaves out, each behind a comment.
+/// Returns the values of `given` and the defaults of its missing keys, in the table's order, each after a comment.
 Json annotated(const Json& given, std::string_view pattern) {
   Json filled = Json::object();
   for (const std::string_view key : fields().keys_below(pattern)) {

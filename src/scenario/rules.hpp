@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The words of a scenario and what they stand for, and which keys go with a word: with a solid's shape, a platform's motion,
-/// a criterion's kind; and the methods and precisions there are. Table of fields, codec and schema read the same rows.
+/// The words of a scenario and their values, the keys that each word allows (for a solid's shape, a platform's motion or a
+/// criterion's kind), and the methods and precisions. The table of fields, the codec and the schema read the same rows.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace earthtop::scenario {
 
-/// A word and what it stands for.
+/// A word and its value.
 template <class Value>
 struct Word {
   std::string_view word;
@@ -36,7 +36,7 @@ inline constexpr std::array kDiscFlows = {Word<DiscFlow>{"auto", DiscFlow::autom
                                           Word<DiscFlow>{"laminar", DiscFlow::laminar},
                                           Word<DiscFlow>{"turbulent", DiscFlow::turbulent}};
 
-/// The row with this word, or with this value; a scenario's words have been held against the table before.
+/// Return the row with this word, or with this value. The row must exist: a scenario's words have been checked before.
 template <class Rows>
 constexpr const auto& row_of_word(const Rows& rows, std::string_view word) {
   return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.word == word; });
@@ -46,7 +46,7 @@ constexpr const auto& row_of(const Rows& rows, Value value) {
   return *std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; });
 }
 
-/// The words of such rows as a field lists them, joined by '|' at compile time.
+/// The words of such rows as a field lists them: joined by '|' at compile time.
 template <const auto& rows>
 struct WordsOf {
   static constexpr std::size_t kSize = [] {
@@ -86,8 +86,8 @@ inline constexpr std::array kShapeRules = {
 struct MotionRule {
   std::string_view word;
   PlatformMotion value;
-  std::string_view required;  ///< keys without which nothing moves as the word says, separated by '|'
-  std::string_view allowed;   ///< of kMotionKeys
+  std::string_view required;  ///< keys that the motion needs, separated by '|'
+  std::string_view allowed;   ///< members of kMotionKeys that it allows
 };
 
 inline constexpr std::string_view kMotionKeys =
@@ -107,8 +107,8 @@ inline constexpr std::array kCompositions = {Composition::automatic, Composition
 struct CriterionRule {
   std::string_view word;
   CriterionKind value;
-  std::string_view required, allowed;  ///< of kCriterionKeys
-  std::string_view quantities;         ///< of which there is one; empty where there is none
+  std::string_view required, allowed;  ///< members of kCriterionKeys
+  std::string_view quantities;         ///< allowed quantities; empty if it has none
 };
 
 inline constexpr std::string_view kCriterionKeys = "quantity|values|at_s|until_s|tolerance";
@@ -123,7 +123,7 @@ inline constexpr std::array kCriterionRules = {
     CriterionRule{"refused", CriterionKind::refused, "set", "", ""},
 };
 
-/// All that a criterion of any kind may be about.
+/// All quantities that criteria of any kind may use.
 inline constexpr std::string_view kAllQuantities = Spelled<[](const auto& add) {
   bool first = true;
   for (const CriterionRule& rule : kCriterionRules) {

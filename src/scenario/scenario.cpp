@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies, moves, ends and comparisons of a Scenario: much code, which sources that hold one would each compile for themselves.
+// Copy, move, destruction and comparison of a Scenario: compiled here once, so that other sources compile faster.
 #include "earthtop/scenario/scenario.hpp"
 
 #include "earthtop/frames/earth_orientation.hpp"

@@ -21,13 +21,13 @@ Json none_of(std::string_view keys) {
   return {{"not", {{"anyOf", any}}}};
 }
 Json exactly_one(std::string_view a, std::string_view b) { return {{"oneOf", Json::array({required(a), required(b)})}}; }
-/// The rule that a key stands there with a value that obeys the schema.
+/// Returns the rule that a key is given with a value that satisfies the schema.
 Json has(std::string_view key, Json schema) {
   Json rule = required(key);
   rule["properties"][std::string(key)] = std::move(schema);
   return rule;
 }
-/// The rule that `then` holds where `key` is `word`, and `otherwise` elsewhere.
+/// Returns the rule that `then` holds if `key` is `word`, and `otherwise` if not.
 Json when(std::string_view key, std::string_view word, Json then, Json otherwise = true) {
   return {{"if", has(key, {{"const", word}})}, {"then", std::move(then)}, {"else", std::move(otherwise)}};
 }
@@ -61,7 +61,7 @@ Json platform_rules() {
   return rules;
 }
 
-/// Latitude is needed where the Earth turns, or where gravity is computed from it.
+/// Returns the rule that latitude is required if the Earth rotates, or if gravity is computed from it.
 Json site_rule() {
   Json nothing_to_know = has("site", required("gravity_m_s2"));
   nothing_to_know.update(has("earth", has("rotation_rate_rad_s", {{"const", 0}})), true);
@@ -81,7 +81,7 @@ Json release_rule() {
            {{"quaternion_LB", none_of("azimuth_deg|spin_angle_deg")}, {"angular_velocity_body_rad_s", none_of("precession")}}}};
 }
 
-/// A tide is that of Moon and Sun, or one of given amplitude.
+/// Returns the rule that a tide is that of Moon and Sun, or one of given amplitude.
 Json tide_rule() {
   Json harmonic = required("frequency_hz");
   harmonic.update(none_of("gravimetric_factor|tilt_factor"));
@@ -105,7 +105,7 @@ Json numerics_rule() {
   return rule;
 }
 
-/// Only a method that composes flows has compositions to choose from.
+/// Returns the rule that only a method that composes flows allows a composition.
 Json composition_rule() {
   Json rule = {{"properties", {{"composition", {{"enum", Json::array({to_string(Composition::automatic)})}}}}}};
   for (const MethodRow& row : kMethodRows)
@@ -113,7 +113,7 @@ Json composition_rule() {
   return rule;
 }
 
-/// The methods and tolerances that the precision allows, as in `check_precision`; it is double where none is given.
+/// Returns the methods and tolerances that the precision allows, as in `check_precision`; the default precision is double.
 Json precision_rule() {
   const auto allowed = [](Precision precision) -> Json {
     Json methods = Json::array();
@@ -139,7 +139,7 @@ Json criterion_rules() {
   return rules;
 }
 
-/// The rules of an object that involve more than one of its keys; an empty array where there are none.
+/// Returns an object's rules that involve several of its keys; an empty array if there are none.
 Json rules_of(std::string_view pattern) {
   if (pattern.empty()) return Json::array({site_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});

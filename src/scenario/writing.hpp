@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The codec that writes: the keys of keys.hpp put into a JSON object.
+/// The codec that writes the keys of keys.hpp to a JSON object.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace earthtop::scenario {
 
 class Writing {
  public:
-  using Json = nlohmann::json;  // sorts keys; writes the shortest digits that read back
+  using Json = nlohmann::json;  // sorts keys; writes the shortest digits that read back exactly
   static constexpr bool kWrites = true;
   explicit Writing(Json& json) : json_(json) {}
 
@@ -47,7 +47,7 @@ class Writing {
   void yes(std::string_view key) { json_[std::string(key)] = true; }
   void literal(std::string_view key, std::string_view word) { json_[std::string(key)] = std::string(word); }
 
-  /// Nothing is written where the object would be empty.
+  /// Writes an object below a key, or nothing if the object would be empty.
   template <class Keys>
   void object(std::string_view key, bool held, Keys keys) {
     if (!held) return;

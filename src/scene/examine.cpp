@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene judges the text of its scenario: whether there is a start, whether effects and method fit, what the run costs.
+// Checks of a scenario that need its scene: whether the release exists, whether effects and method fit, what the run costs.
 #include "scene/examine.hpp"
 
 #include <fmt/core.h>
@@ -16,8 +16,8 @@ namespace {
 
 using input::Section;
 
-/// A steady precession may not exist; whether it does needs the body and gravity.
-/// @returns whether there is a start
+/// Checks that the release exists: a steady precession may not, depending on the body and gravity.
+/// @returns whether the release exists
 bool check_start(const Section& release, const Scene& scene) {
   try {
     if (scene.release<double>().w_XB_B.allFinite()) return true;
@@ -28,7 +28,7 @@ bool check_start(const Section& release, const Scene& scene) {
   return false;
 }
 
-/// A gimbal that holds the axis level cannot take one that is not, nor a rate at which it would leave the level.
+/// Checks that a gimbal that holds the axis level gets an axis that is level and a rate that keeps it level.
 void check_gimbal(const Section& effects, const Scene& scene) {
   constexpr double kLevel = 1e-12;
   const Scenario& scenario = scene.scenario();
@@ -54,12 +54,12 @@ void check_gimbal(const Section& effects, const Scene& scene) {
                                          std::abs(leaving)));
 }
 
-/// Effects need something of the release, of the platform and of one another.
+/// Checks what the effects require of the release, of the platform and of one another.
 void check_effects(const Section& effects, const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const AppliedTorquesSpec& applied = scenario.effects.applied;
   if (applied.gimbal) check_gimbal(effects, scene);
-  constexpr double kLongestTide_s = 3.2e7;  // a second or two for its series
+  constexpr double kLongestTide_s = 3.2e7;  // computing the tide's series for this time takes a second or two
   if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
     effects.refuse("tide",
                    "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Examines a scenario whose text has been read already, for those who change its values many times.
+/// Examines a scenario whose text has been read already, for callers that change its values many times.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace earthtop {
 
-/// Decodes and validates the document's scenario with some values changed. Its messages are those of `examine_scenario` with the
-/// same values as overrides.
+/// Decodes and validates the document's scenario with some values changed. The messages are the same as those of
+/// `examine_scenario` with these values as overrides.
 ScenarioReport examine(const scenario::Document& document, const std::vector<input::TreeChange>& changes = {});
 
 }  // namespace earthtop

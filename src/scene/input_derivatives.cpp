@@ -15,15 +15,15 @@ constexpr std::size_t kNamed = kInputNames.size();
 enum Input : std::size_t { latitude, gravity, spin, tilt, rotation_rate, inertia_ratio, center_of_mass };
 
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-constexpr double kStep = 0x1p-20;  // of an input's scale: differences to both sides are good to 1e-12
+constexpr double kStep = 0x1p-20;  // step as a share of an input's scale: central differences are good to 1e-12
 
-/// The numbers that the equations read, in full precision.
+/// The numbers that the equations of motion use, in float128.
 struct Numbers {
   Model<float128> model;
   Release<float128> release;
 };
 
-/// The inputs that are numbers of the scene itself, and not of its body.
+/// The inputs that belong to the scene itself, not to its body.
 struct Given {
   Site site;
   double rotation_rate_rad_s;
@@ -63,7 +63,7 @@ std::array<double, kNamed> scales_of(const Scene& scene, const std::array<double
   return scales;
 }
 
-/// An attitude leant further by `angle` (rad), away from the vertical.
+/// Returns the attitude tilted further from the vertical by `angle` (rad).
 std::array<double, 4> leant(const std::array<double, 4>& q_LB, double angle) {
   const Quaternion<double> q{q_LB[0], Vec3<double>(q_LB[1], q_LB[2], q_LB[3])};
   const Mat3<double> R_LB = rotation_matrix(q);
@@ -73,7 +73,7 @@ std::array<double, 4> leant(const std::array<double, 4>& q_LB, double angle) {
   return {turned.w, turned.v[0], turned.v[1], turned.v[2]};
 }
 
-/// Moves one input by `step`, in its unit. @returns by how much it was moved, rounded
+/// Moves one input by `step`, in its unit. @returns the change actually made, after rounding
 double move(Given& given, std::size_t input, double step) {
   if (input == tilt && given.release.quaternion_LB) {
     given.release.quaternion_LB = leant(*given.release.quaternion_LB, step / kDegreesPerRadian);
@@ -86,7 +86,7 @@ double move(Given& given, std::size_t input, double step) {
   return *numbers[input] - before;
 }
 
-/// The body with its ratio I3/I1 or the distance of its centre of mass moved; the other numbers about the pivot unchanged.
+/// Changes the body's ratio I3/I1 or the distance of its centre of mass; its other numbers about the pivot stay unchanged.
 void move(Body<float128>& body, std::size_t input, float128 step) {
   if (input == center_of_mass) {
     const float128 l = norm(body.p_PBcm_B);
@@ -156,7 +156,7 @@ InputDerivatives input_derivatives(const Scene& scene) {
 }
 
 std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s) {
-  constexpr double kAffordablePhase = 2e6;  // rad; minutes: a toy top's minute, 1.5e4 rad, takes two seconds
+  constexpr double kAffordablePhase = 2e6;  // rad, some minutes of computing; a minute of a toy top has 1.5e4 rad
   if (scene.scenario().effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
   if (scene.rotation_rate_rad_s() == 0) return "the Earth does not turn: there is no drift";
   if (time_s == 0) return "no row of the drift is reliable";
@@ -168,8 +168,8 @@ std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s
 }
 
 double sensitivity_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
-  // A right-hand side with four inputs' variations against one of both motions and their deviation, as measured on a toy top, a
-  // body of three moments and a gyrocompass.
+  // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
+  // measured on a toy top, on a body with three different moments and on a gyrocompass.
   constexpr double kAgainstOne = 4;
   const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
   return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *

@@ -10,16 +10,16 @@
 namespace earthtop {
 namespace {
 
-/// A closed form is looked at once a row, with two or three evaluations in 113 bits, and in double as often as it takes to see
-/// angles go round in between.
+/// Returns the work of a closed form: at each row two or three evaluations in 113 bits, and between rows as many evaluations in
+/// double as are needed to count full turns of the angles.
 Work work_of_closed_form(const Scene& scene) {
   const double looks =
       has_closed_form(scene.closed_form_kind()) ? scene.scenario().duration_s * closed_form_turn_rate_rad_s(scene) : 0;
   return {scene.rows() + looks, scene.rows() + looks};
 }
 
-/// How often the watcher of a long-horizon run looks between the rows: at 1.5 rad of both axes, whose rates are what falling
-/// gives them, or a fast spin leaves them (tilted_top.cpp).
+/// Returns how often a long-horizon run is sampled between the rows to count full turns: once per 1.5 rad of both axes. Their
+/// rate is limited by the energy of falling, or by a fast spin (tilted_top.cpp).
 double long_horizon_looks(const Scene& scene) {
   const Vec3<double>& w = scene.release<double>().w_XB_B;
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
@@ -30,24 +30,25 @@ double long_horizon_looks(const Scene& scene) {
   return scene.scenario().duration_s * (2 * rate + std::abs(scene.rotation_rate_rad_s())) / 1.5;
 }
 
-/// The long-horizon method takes steps of some 3 rad of the precession, or of 4 rad of the nutation where that is not far
-/// faster; with 12 kicks or 6 in each, and 19 at each row. The trial of steps takes about as much again.
+/// Returns the work of the long-horizon method. It takes steps of about 3 rad of the precession with 12 kicks each, or steps of
+/// 4 rad of the nutation with 6 kicks each where the nutation is not much faster; each row takes 19 kicks. The trials that
+/// find the step double the work of the steps.
 Work long_horizon_work(const Scene& scene) {
   const Vec3<double>& w = scene.release<double>().w_XB_B;
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const double momentum = std::abs(inertia(2, 2) * w[2]);
   const double torque = scene.gravity_torque_N_m() + momentum * std::abs(scene.rotation_rate_rad_s());
   const double nutation = momentum / inertia(0, 0);
-  // A large nutation, such as a fast precession, is followed.
+  // The method cannot average over a large nutation, such as a fast precession: its steps resolve it.
   const double across = real::hypot(w[0], w[1]);
   const bool averages = torque < 0.02 * nutation * momentum && across < 0.1 * nutation;
   const double steps = averages ? scene.scenario().duration_s * torque / momentum / 3 : scene.pace().reduced_turning_rad / 4;
   const double rows = scene.rows();
-  constexpr double kWalks = 6;  // at amplified rates, from which a small drift is found
+  constexpr double kWalks = 6;  // integrations at amplified Earth rates, from which a small drift is found
   return {kWalks * (steps + rows) + long_horizon_looks(scene), 2 * steps * (averages ? 12 : 6) + rows * 19};
 }
 
-/// By what factor a right-hand side is slower in extended precision.
+/// Returns the factor by which a right-hand side is slower in extended precision.
 double slowness(Precision precision) {
   switch (precision) {
     case Precision::bits53: break;
@@ -57,7 +58,7 @@ double slowness(Precision precision) {
   return 1;
 }
 
-/// Seconds for one evaluation, as the work counts them.
+/// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
   if (options.method == Method::long_horizon) return 2.5e-6;
@@ -90,7 +91,7 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   else
     cost.work = estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
   cost.seconds = seconds_an_evaluation(scene, options) * cost.work.evaluations;
-  // Where the two motions are not one and a turn of the laboratory, a closed form's drift needs digits that only 113 bits have.
+  // Unless the two motions differ only by a turn of the laboratory, the drift of a closed form is evaluated in 113 bits.
   if (closed_form) cost.seconds += (scene.is_one_motion() ? 1e-6 : 1e-4) * scene.rows();
   if (long_horizon) cost.seconds += kSecondsALook * long_horizon_looks(scene);
   return cost;

@@ -7,8 +7,8 @@
 namespace earthtop {
 namespace {
 
-/// The series are those of the reduced form in laboratory axes, or of any body in its own axes: the same motion, whatever the
-/// observer.
+/// Returns options for the Taylor series. Series exist for the reduced form in laboratory axes and for any body in body axes;
+/// the motion is the same for every observer, so the observer is set to one of these.
 IntegrationOptions with_taylor(const Scene& scene) {
   IntegrationOptions options = scene.scenario().numerics;
   options.method = Method::taylor;
@@ -17,7 +17,7 @@ IntegrationOptions with_taylor(const Scene& scene) {
   return options;
 }
 
-/// Local errors add up over the thousands of steps of a run.
+/// Returns options with a tolerance `times` finer, because local errors add up over the thousands of steps of a run.
 IntegrationOptions with_finer_tolerance(const Scene& scene, Method method, double times) {
   IntegrationOptions options = scene.scenario().numerics;
   options.method = method;
@@ -25,19 +25,19 @@ IntegrationOptions with_finer_tolerance(const Scene& scene, Method method, doubl
   return options;
 }
 
-/// Seconds for both integrations of a top without its spin, as if the second were like the first; a flow and a kick take as
-/// long as 20 right-hand sides.
+/// Estimates the time (s) of both integrations in the reduced form, taking the second to cost as much as the first. A flow with
+/// a kick takes as long as 20 right-hand sides.
 double seconds_with(const Scene& scene, const IntegrationOptions& options) {
   constexpr double kSecondsAnEvaluation = 1.5e-7, kKick = 20;
   const double each = options.method == Method::long_horizon ? kKick : 1;
   return 2 * kSecondsAnEvaluation * each * scene.cost(options).work.evaluations;
 }
 
-/// Where the difference of the two motions is a turn of the laboratory, closed forms cost their calls; elsewhere digits that
-/// only 113 bits have.
+/// Returns whether a closed form is cheap. It is if the two motions differ only by a turn of the laboratory; otherwise their
+/// difference has to be evaluated in 113 bits.
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
-/// The exact flows between kicks pay where the nutations are so many that to follow them takes long.
+/// Returns whether the long-horizon method pays: where the run has so many nutations that following them takes long.
 bool has_long_horizon(const Scene& scene) {
   constexpr double kWorthwhile_s = 0.3, kGain = 3;
   if (scene.method_refusal(Method::long_horizon)) return false;
@@ -53,7 +53,7 @@ MethodChoice choose_method(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   IntegrationOptions asked = scenario.numerics;
   if (scenario.effects.applied.coulomb_N_m != 0) {
-    asked.observer = Observer::body;  // whose state a motion at rest is simplest in
+    asked.observer = Observer::body;  // in body axes the state of a motion at rest is simplest
     asked.form = ModelForm::general;
     if (asked.method == Method::automatic) {
       asked.method = scenario.precision == Precision::bits113 ? Method::extrapolation : Method::rkf78;
@@ -69,7 +69,7 @@ MethodChoice choose_method(const Scene& scene) {
   if (scene.method_refusal(Method::taylor))
     return {with_finer_tolerance(scene, Method::dop853, 10),
             "a platform, a torque left out or one applied: no series is compiled for it"};
-  // Who names an observer or the general model wants those equations integrated; in body axes they are what the series is of.
+  // A user who names an observer or the general model wants these equations integrated; for body axes the series does so.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)
     return {with_finer_tolerance(scene, Method::rkf78, 100), "the equations of the observer asked for"};

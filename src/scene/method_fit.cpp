@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which method fits which scene.
+// Checks which method fits which scene.
 #include <fmt/core.h>
 
 #include "earthtop/closed_form/exact_motion.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); }
 
-/// The methods that know the motion between the torques' kicks, or its series, know it for [F]'s three torques and a pivot at
-/// rest.
+/// Refuses a scene that is not plain. The methods with exact flows between kicks, and the series, hold only for the three
+/// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
   if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
@@ -40,8 +40,9 @@ std::optional<std::string> need_closed_form(std::string_view word, const Scene& 
   return std::nullopt;
 }
 
-/// The free motion of a symmetric top is a turn about its angular momentum, that of any other body takes elliptic functions;
-/// and it is split in axes that do not turn with the body.
+/// Refuses a scene whose motion cannot be split into free flow and kicks. The free motion of a symmetric top is a rotation
+/// about its angular momentum, but that of any other body needs elliptic functions; and the splitting needs axes that do not
+/// turn with the body.
 std::optional<std::string> need_splittable_scene(std::string_view word, const Scene& scene) {
   if (auto reason = need_plain_scene(word, scene)) return reason;
   const std::string what = quoted(word) + ' ';
@@ -54,15 +55,16 @@ std::optional<std::string> need_splittable_scene(std::string_view word, const Sc
   return std::nullopt;
 }
 
-/// Whether gravity's torque is small against the gyroscopic one: half of where a sleeping top falls.
+/// Returns whether gravity's torque is small against the gyroscopic one: at most half of that at which a sleeping top falls.
 bool spins_fast(const Scene& scene) {
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const double momentum = inertia(2, 2) * scene.release<double>().w_XB_B[2];
   return 2 * scene.gravity_torque_N_m() * inertia(0, 0) <= momentum * momentum;
 }
 
-/// The method has the variables of a symmetric top's closed form, in laboratory axes. It finds a small drift from that at
-/// amplified rates of the Earth, as a cubic in the rate; for a slow top the drift is not cubic in the rate.
+/// Refuses a scene that the long-horizon method cannot integrate. The method uses the variables of a symmetric top's closed
+/// form in laboratory axes. It extrapolates a small drift from runs at amplified Earth rates, by a cubic in the rate; for a
+/// slow top the drift is not cubic in the rate.
 std::optional<std::string> need_fast_symmetric_top(std::string_view word, const Scene& scene) {
   if (auto reason = need_plain_scene(word, scene)) return reason;
   const std::string what = quoted(word) + ' ';

@@ -7,7 +7,8 @@
 
 namespace earthtop {
 
-/// Safe where several threads ask at once. Where making it throws, it is tried again when it is asked for again.
+/// Holds a value that is made on first request. Several threads may request it at once. If making it throws, the next request
+/// tries again.
 template <class V>
 class Once {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rates of a scene and how long they last: what turns, what drives it, and what brings it to rest.
+// The rates of a scene and how long they last: what turns, what drives the motion, and what brings it to rest.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@
 namespace earthtop {
 namespace {
 
-/// The body as it is released, in the numbers that rates are made of.
+/// The numbers of the released body from which its rates are computed.
 struct Released {
   const Body<double>& body;
   const Release<double>& release;
-  Vec3<double> moments;  ///< principal, ascending
-  int axis;              ///< of symmetry, or -1
+  Vec3<double> moments;  ///< principal moments, ascending (kg m^2)
+  int axis;              ///< symmetry axis of the body, or -1
   double momentum;
 
   explicit Released(const Scene& scene)
@@ -29,10 +29,10 @@ struct Released {
 
   double least() const { return moments[0]; }
   double largest() const { return moments[2]; }
-  /// The least moment about which gravity can turn the body: of a symmetric one, its torque has no part along the axis.
+  /// Returns the least moment about which gravity can turn the body; on a symmetric body gravity has no torque about the axis.
   double swinging() const { return axis >= 0 ? body.I_BP_B((axis + 1) % 3, (axis + 1) % 3) : least(); }
 
-  /// How fast the body turns, and how fast its axes go round its momentum.
+  /// Returns an upper bound on the rates at which the body turns and its axes circle the angular momentum (rad/s).
   double turning_rate() const {
     const Vec3<double>& w = release.w_XB_B;
     if (axis >= 0) return std::max(norm(w), momentum / swinging());
@@ -41,7 +41,7 @@ struct Released {
   }
 };
 
-/// The rate of a pendulum that this torque lets fall from upright (rad/s).
+/// Returns the largest rate of a pendulum that falls from upright under this torque (rad/s).
 double falling_rate(double torque, double moment) { return 2 * std::sqrt(torque / moment); }
 
 double gradient_torque(const Scene& scene, const Released& top) {
@@ -53,26 +53,26 @@ double gradient_torque(const Scene& scene, const Released& top) {
   return strength * (top.largest() - top.least());
 }
 
-/// Friction of torque c |w|^(n + 1) alone brings a rate w down, in a body of moment I: dw/dt = -r w^(n+1), r = c / I.
+/// A rate w that friction of torque c |w|^(n + 1) alone reduces, in a body of moment I: dw/dt = -r w^(n+1), r = c / I.
 struct Braking {
   double r, n;
 
-  /// The rate's integral over the time.
+  /// Returns a bound on the integral of the rate over the time (rad).
   double turned(double w, double time) const {
     const double rate = r * real::pow(w, n);
     if (!(rate * time > 0)) return w * time;
     if (n == 0) return w * -real::expm1(-rate * time) / rate;
-    // w(t) = w0 (1 + n rate t)^(-1/n); for n >= 1 no slower than it is for n = 1.
+    // w(t) = w0 (1 + n rate t)^(-1/n); for n >= 1 it is bounded by the formula for n = 1.
     return std::min(w * time, w * real::log1p(n * rate * time) / (n * rate) * (n < 1 ? 1 / (1 - n) : 1));
   }
-  /// The damping's integral: of viscous friction the time over its time constant, of any other it grows with the logarithm.
+  /// Returns the integral of the damping rate (1): for viscous friction the time over its time constant, otherwise a logarithm.
   double damping(double w, double time) const {
     const double rate = r * real::pow(w, n);
     return n == 0 ? rate * time : (1 + n) / n * real::log1p(n * rate * time);
   }
 };
 
-/// Friction's part of the pace.
+/// The contribution of friction to the pace.
 class Friction {
  public:
   Friction(const Scene& scene, const Released& top, double rate, double driven_rate, double torque)
@@ -91,7 +91,7 @@ class Friction {
   }
 
   double turned_rad() const { return turned_; }
-  /// For how long a pendulum swings before friction has brought it to rest.
+  /// Returns how long a pendulum swings before friction brings it to rest (s).
   double swung_s() const { return swung_s_; }
   double damping() const { return damping_; }
   double halts() const { return halts_; }
@@ -103,17 +103,17 @@ class Friction {
     if (damping > stiffest_.damping) stiffest_ = {pointer, damping};
   }
 
-  /// A motion that decays exponentially is followed through so many of its time constants until tolerances lose sight of it.
+  /// Number of time constants after which an exponentially decaying motion has fallen below the tolerances.
   static constexpr double kSeen = 10;
 
   void viscous(double k, double least, double largest) {
     damp("/effects/viscous_torque_N_m_s", k / least * time_);
     turned_ = std::min(turned_, Braking{k / largest, 0}.turned(rate_, time_));
-    // Overdamped, a pendulum creeps and does not swing.
+    // An overdamped pendulum creeps and does not swing.
     swung_s_ = std::min(swung_s_, kSeen * largest / k);
   }
   void quadratic(double c) {
-    // The Jacobian's share of the least moment; what falls does so at the rate at which drag balances the torque, once.
+    // The Jacobian is largest for the least moment. A falling body reaches, once, the rate at which drag balances the torque.
     const double falling = std::sqrt(torque_ / c), of_fall = 2 * c / top_.least();
     damp("/effects/quadratic_torque_N_m_s2",
          top_.largest() / top_.least() * Braking{c / top_.largest(), 1}.damping(rate_, time_) +
@@ -128,17 +128,17 @@ class Friction {
     const bool turbulent = applied.disc_turbulent > 0;
     const Braking braking{std::max(applied.disc_turbulent, applied.disc_laminar) / I3, turbulent ? 0.8 : 0.5};
     damp("/effects/air_drag", braking.damping(w3, time_) + (1 + braking.n) * braking.r * real::pow(driven_, braking.n) * time_);
-    // The spin alone is braked.
+    // The disc's drag brakes only the spin.
     const double rest = std::max(0.0, rate_ - w3);
     constexpr double kSigns = 4 / std::numbers::pi;
-    // Once the spin has ended, the Earth's turn drives it to and fro with each swing of the axis, against the drag; beyond the
-    // swing's own rate the drag has a corner at each turn.
+    // After the spin has ended, the Earth's rotation drives it back and forth with each swing of the axis, against the drag.
+    // If the damping is faster than the swing, the drag has a corner at each reversal.
     const double swing = torque_ > 0 ? falling_rate(torque_, top_.swinging()) : 0;
     const double held = real::pow(earth_rate * swing / braking.r, 1 / (1 + braking.n)),
                  stiff = braking.r * real::pow(held, braking.n);
     damp("/effects/air_drag", (1 + braking.n) * stiff * time_);
     if (stiff > 0) halts_ += kSigns * swing * time_ * std::min(1.0, stiff / swing);
-    // The rate about axis 3 of a body that is not symmetric changes its sign, and there the drag has no higher derivatives.
+    // For a body that is not symmetric about axis 3 the rate about it changes sign; there the drag has no higher derivatives.
     if (top_.axis != 2 && stiffest_.damping > 1) halts_ += kSigns * rest * time_;
     turned_ = std::min(turned_, rest * time_ + braking.turned(w3, time_));
   }
@@ -157,14 +157,14 @@ class Friction {
   StiffFriction stiffest_;
 };
 
-/// The torques and the carrier that act on a body, and how fast they move it.
+/// The torques and the platform that act on a body, and how fast they move it.
 struct Driven {
   Released top;
   PlatformDemand platform;
-  double gravity_torque, gradient;  ///< N m, at most
+  double gravity_torque, gradient;  ///< largest torques (N m)
 
   explicit Driven(const Scene& scene) : top(scene) {
-    // A body that is neither carried off its centre nor rubbed feels nothing of a platform.
+    // A platform affects the body only if the pivot is off the platform's centre, or through friction or a gimbal.
     const auto& carrier = scene.scenario().platform;
     const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
     const bool felt = carrier && (carrier->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
@@ -178,16 +178,15 @@ struct Driven {
   }
 };
 
-/// How fast a symmetric top turns without its spin; where it spins about another axis than body axis 3, angles have to be seen
-/// going round.
+/// Returns the rate of a symmetric top without its spin (rad/s), for a top with symmetry axis 3.
 double reduced_rate(const Scene& scene, const Released& top) {
   const double I1 = top.body.I_BP_B(0, 0);
   return top.momentum / I1 + falling_rate(scene.gravity_torque_N_m(), I1) + std::abs(scene.rotation_rate_rad_s());
 }
 
-/// Where a wheel in a gimbal hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical
-/// leaves rounding alone, which a fine error control takes for errors: its steps are then as many as those of a watcher that
-/// looks at so many radians for each the motion turns through. As measured.
+/// Returns the extra sampling caused by rounding for a wheel in a gimbal, in radians per radian of the motion, as measured.
+/// Where such a wheel hardly drifts, as at a pole or with its axis in the meridian, the Earth's rate about the vertical leaves
+/// only rounding errors, and a fine error control takes these for step errors and shortens its steps.
 double looks_at_rounding(const Scene& scene) {
   if (!scene.scenario().effects.applied.gimbal || scene.rotation_rate_rad_s() == 0) return 0;
   constexpr double kDegree = std::numbers::pi / 180, kFelt = 1e-4, kFew = 6, kMost = 1000;
@@ -211,7 +210,7 @@ PlatformDemand demand_of(const Scene& scene) {
     const AngleSpline<double> turn(*given->table);
     rate = turn.largest_rate();
     alpha = turn.largest_acceleration();
-    if (rate > 0) omega = alpha / rate;  // of a harmonic turn, its own
+    if (rate > 0) omega = alpha / rate;  // exact for a harmonic turn
   }
   const auto& d = given->pivot_offset_m;
   const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(scene.rotation_rate_rad_s());
@@ -242,7 +241,7 @@ Paced paced(const Scene& scene) {
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.settled_rad = swinging * (time - friction.swung_s());
-  // A scene is not refused for looks that only rounding asks for.
+  // The limit keeps a scene from being refused only because of the sampling that rounding causes.
   constexpr double kMostLooks = 1e9;
   pace.looks_rad =
       std::max(scene.fastest_rate_rad_s() * time, std::min(kMostLooks, looks_at_rounding(scene) * pace.turning_rad));

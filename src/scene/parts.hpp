@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How the parts of a scene are computed: a Scene calls each of these once and keeps what it gives.
+/// Functions that compute the parts of a scene. A Scene calls each of them once and keeps the result.
 #pragma once
 
 #include "earthtop/drift/drift_integration.hpp"
@@ -32,20 +32,20 @@ Paced paced(const Scene& scene);
 // method_fit.cpp: which method fits the scene.
 ExactKind closed_form_of(const Scene& scene);
 std::optional<std::string> refuse_method(Method method, const Scene& scene);
-/// How fast both motions and the laboratory turn together (rad/s), without the spin of a top that is symmetric about body axis
-/// 3. @param scene  with a closed form
+/// Returns the sum of the turn rates of both motions and of the laboratory (rad/s), without the spin of a top that is symmetric
+/// about body axis 3. @param scene  must have a closed form
 double closed_form_turn_rate_rad_s(const Scene& scene);
 
-// integration_cost.cpp: what one integration costs whose options are known.
+// integration_cost.cpp: the cost of one integration with given options.
 IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);
-/// Seconds for one right-hand side of both predictions and the deviation between them, in double and in the general form, with
-/// its share of the stepper.
+/// Returns the time (s) of one right-hand side of both predictions and the deviation between them, in double and in the general
+/// form, including its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);
 
-// method_choice.cpp: the method that "auto" stands for, from what one integration costs with the options of each method.
+// method_choice.cpp: the method that "auto" stands for, chosen by the cost of one integration with each method.
 MethodChoice choose_method(const Scene& scene);
 
-// run_estimate.cpp: what the run costs with the method that was chosen.
+// run_estimate.cpp: the cost of the run with the chosen method.
 RunEstimate estimate_run(const Scene& scene);
 void refuse_unaffordable(const Scene& scene);
 

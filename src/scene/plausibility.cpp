@@ -15,7 +15,7 @@ using input::Section;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A round number of degrees written in radians: 0.7853982 for 45.
+/// Returns whether a value is a round number of degrees written in radians, e.g. 0.7853982 for 45.
 bool is_round_in_radians(double value) {
   const double degrees = value / kDegree;
   return std::abs(degrees) > 0.5 && std::abs(degrees - std::round(degrees)) < 1e-5 * std::abs(degrees);
@@ -42,7 +42,7 @@ void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
   const auto gravity = site.has("gravity_m_s2") ? site.number("gravity_m_s2") : std::nullopt;
   const auto height = site.number("height_m");
   if (!gravity || *gravity == 0 || !height || !has_weight || !is_earth(scene.rotation_rate_rad_s())) return;
-  // The least and largest gravity at sea level, anomalies included, taken to the height by normal gravity's decrease.
+  // The least and largest gravity at sea level, with anomalies, are reduced to the height as normal gravity is.
   const double decrease = normal_gravity(45, 0) - normal_gravity(45, *height);
   const double least = 9.76 - decrease, most = 9.84 - decrease;
   if (*gravity < least || *gravity > most)
@@ -52,17 +52,17 @@ void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
                           *gravity, least, most));
 }
 
-/// Grams and millimetres show in what the body would be made of, and how far it would be from its pivot.
+/// Warns of grams or millimetres in place of SI units, which show as an impossible density or distance from the pivot.
 void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s) {
   const BodySpec& spec = scene.scenario().body;
   const Body<double>& body = scene.body<double>();
   const double arm = norm(body.p_PBcm_B);
-  const double radius = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));  // of gyration
+  const double radius = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));  // radius of gyration (m)
   const std::string_view place = section.has("solids") ? "solids" : "inertia";
-  constexpr double kPointBob = 1e-3;  // below this share of the arm the body is meant as a point: its density says nothing
+  constexpr double kPointBob = 1e-3;  // below this share of the arm the body is taken as a point, with no density
   if (!std::isfinite(radius)) return;
   if (radius > kPointBob * arm) {
-    // A ball needs the least density of all bodies with this mass and radius of gyration; its radius is 1.3 times that. The
+    // Of all bodies with this mass and radius of gyration a ball has the least density; its radius is 1.3 times the latter. The
     // densest metal has 2.26e4 kg/m^3; a metre of thin wire comes out at 0.1.
     const double wide = 1.3 * radius, density = body.mass / (4.0 / 3.0 * std::numbers::pi * wide * wide * wide);
     if (density > 2.5e4)
@@ -74,7 +74,7 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s)
                                       "kg/m^3); are these millimetres, or another unit than kg m^2?",
                                       body.mass, radius, density));
   }
-  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // a pendulum may be long, but has no spin
+  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // only a pendulum, which has no spin, may be long
     section.warn(section.has("solids") ? "solids" : "center_of_mass_m",
                  fmt::format("the centre of mass is {:.3g} m from the pivot, {:.3g} times the radius of gyration; are these "
                              "millimetres?",

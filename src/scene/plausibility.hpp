@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Values that are allowed, but look like a mistake of unit: what a colleague would ask about.
+/// Warnings about values that are allowed, but look like a mistake of unit.
 #pragma once
 
 #include "earthtop/scene/scene.hpp"
@@ -7,7 +7,8 @@
 
 namespace earthtop {
 
-/// Adds warnings. @param scene  of what was decoded: what could not be decoded has its initial value and is passed over
+/// Adds the warnings to the findings.
+/// @param scene  scene of the decoded values; values that could not be decoded keep their defaults and are not judged
 void warn_of_implausible(const input::Section& root, const Scene& scene);
 
 }  // namespace earthtop

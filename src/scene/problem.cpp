@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the body and the release of a scene to what its integrations take.
+// Makes the input of a scene's integrations from its body and its release.
 #include "scene/parts.hpp"
 
 namespace earthtop {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cost of a whole run, before any of it is done, and the refusal of scenes that are too dear.
+// Estimates the cost of a whole run in advance, and refuses scenes that are too expensive.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace earthtop {
 namespace {
 
-/// The growth of disturbances, as a run's verdict asks for it: along both motions.
+/// Returns the work of following the growth of disturbances along both motions, which a run's verdict needs.
 Work growth_work(const Scene& scene) {
   const auto tolerance = scene.is_plain() ? growth_tolerance(scene.problem<double>()) : kCoarseGrowthTolerance;
   if (!tolerance) return {};
@@ -24,15 +24,15 @@ Work growth_work(const Scene& scene) {
   return {motions * share * work.steps, motions * share * work.evaluations};
 }
 
-/// Seconds for one evaluation of a motion and three disturbances.
+/// Returns the time (s) of one evaluation of a motion with three disturbances.
 double seconds_a_variation(const Scene& scene) {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   if (applied.gimbal) return 1.2e-6;
   return applied.any() ? 6e-7 : 2.5e-7;
 }
 
-/// Seconds for a row, as measured: its place in an integration with its measures and its angles followed, and its invariants
-/// or its ledger entry.
+/// Measured times for one output row (s): `integrated` for the row in an integration, with its drift measures and its counted
+/// turns; `assessed` for its invariants, or for its ledger entry.
 struct RowSeconds {
   double integrated, assessed;
 };
@@ -67,7 +67,7 @@ std::string about_seconds(double seconds) {
 }
 
 void refuse_unaffordable(const Scene& scene) {
-  // A motion that turns has to be followed; one that friction only holds still is not worth hours.
+  // A motion that turns has to be followed; a motion that friction merely holds still does not justify hours of computing.
   constexpr double kStiffDays = 1.0 / 24, kNearlyAll = 0.9;
   const Scenario& scenario = scene.scenario();
   const IntegrationOptions& options = scene.choice().options;

@@ -12,7 +12,7 @@
 namespace earthtop {
 namespace {
 
-/// The parts of a scene that every precision has its own of.
+/// The parts of a scene that are kept separately for each precision.
 template <class T>
 struct InPrecision {
   Once<Body<T>> body;

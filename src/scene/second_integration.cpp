@@ -25,7 +25,7 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
   second.relative_tolerance = std::max(asked / 1000, least);
   const bool dearer = precision == Precision::bits64 && second.method == Method::rkf78;
   if ((dearer || dry_friction) && second.relative_tolerance > asked / 30) second.relative_tolerance = std::min(10 * asked, 0.1);
-  constexpr double kAffordable = 3e4;  // rad; a tenth of a second
+  constexpr double kAffordable = 3e4;  // rad; takes a tenth of a second
   const double phase = scene.fastest_rate_rad_s() * scenario.duration_s;
   if (first.method == Method::long_horizon && phase > kAffordable) {
     second.method = Method::long_horizon;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The effect budget: what every effect does to a scene, to first order, whether the scene models it or not; and how well the
-/// inputs must be known for the Earth's effect to be seen.
+/// The effect budget states, to first order, what every effect does to a scene, whether the scene models it or not, and how
+/// well the inputs must be known for the Earth's effect to be visible.
 #pragma once
 
 #include <optional>
@@ -12,61 +12,61 @@
 
 namespace earthtop {
 
-/// One effect. The difference of the two predictions is what a run reports as drift: an effect that acts in both enters it only
-/// through the Earth's, as a small part of the drift.
+/// One effect of the budget. A run reports the difference of its two predictions as the drift. An effect that acts in both
+/// predictions alike largely cancels: it changes the drift only by a small part of it.
 struct EffectEntry {
-  std::string name;           ///< as the scenario's key names it
-  bool modelled = false;      ///< whether the scene has it
-  bool assumed = false;       ///< whether its size is a usual one, for want of the scene's
+  std::string name;           ///< name of the effect in the catalogue of effects
+  bool modelled = false;      ///< whether the scene includes the effect
+  bool assumed = false;       ///< whether its size is a typical one, because the scene gives none
   bool in_difference = true;  ///< whether it enters the difference of the two predictions to first order, or cancels
-  /// Size of its torque at release and at its largest (N m); none where no parameter says how large the effect is.
+  /// Magnitude of its torque at release and its largest magnitude (N m); empty where no parameter gives the effect's size.
   std::optional<double> torque_release_N_m, torque_largest_N_m;
-  /// By how much it moves the axis in each prediction, at most; none where it acts in one only, or the motion could not be
-  /// followed.
+  /// Largest angle by which it moves the axis in each prediction (rad); empty where it acts in one prediction only, or where
+  /// the motion could not be followed.
   std::optional<double> displacement_rad;
-  std::optional<double> drift_rad;        ///< by how much it changes the axis drift, at most; none as above
-  std::optional<double> drift_final_rad;  ///< the same at the end
-  std::string reason;                     ///< why it is modelled or left out, or what is not known of it
+  std::optional<double> drift_rad;        ///< largest change of the axis drift (rad); empty if the motion was not followed
+  std::optional<double> drift_final_rad;  ///< change of the axis drift at the end of the run (rad)
+  std::string reason;                     ///< why it is modelled or left out, or what is unknown about it
 };
 
-/// How the predicted axis moves with an input, against the Earth's effect.
+/// How far an error of one input moves the predicted axis, compared with the Earth's effect.
 struct InputNeed {
   std::string name;  ///< one of kInputNames
   double value = 0;
-  double displacement_per_unit_rad = 0;  ///< of the predicted axis, at most, for one unit of the input
-  double drift_per_unit_rad = 0;         ///< of the drift at the end
-  /// The error of the input that moves the predicted axis by as much as the Earth does (of the latitude and the Earth's rate:
-  /// changes the drift by all of itself); none where no error does.
+  double displacement_per_unit_rad = 0;  ///< largest displacement of the predicted axis per unit of the input (rad)
+  double drift_per_unit_rad = 0;         ///< change of the drift at the end per unit of the input (rad)
+  /// The input error that moves the predicted axis by as much as the Earth does; for the latitude and the Earth's rate, the
+  /// error that changes the drift by 100 percent. Empty where no error does so.
   std::optional<double> hides_earth;
 };
 
 struct Budget {
-  double followed_s = 0;       ///< how far the motion was followed; what is later is scaled with time and drift
-  double earth_drift_rad = 0;  ///< of the axis at the end, from the deviation equations
+  double followed_s = 0;       ///< how long the motion was followed (s); later times are extrapolated
+  double earth_drift_rad = 0;  ///< axis drift at the end (rad), from the deviation equations
   std::vector<EffectEntry> effects;
   std::vector<InputNeed> inputs;
   std::string inputs_unavailable;  ///< why there are no inputs
   std::vector<std::string> warnings;
 };
 
-/// Follows both predictions with the first variations by every effect's strength (variational equations of the reference motion
-/// and of the deviation). @param watch  may end it early
+/// Integrates both predictions together with their first-order response to every effect's strength (variational equations of
+/// the reference motion and of the deviation). @param watch  may end the computation early
 Budget effect_budget(const Scene& scene, const Watch& watch = {});
-/// The seconds that the budget takes on one core, roughly.
+/// Estimates the time (s) that `effect_budget` takes on one core.
 double budget_seconds(const Scene& scene);
 
-/// What "auto" took, and what it left out.
+/// Which effects the choice "auto" switched on and which it left out.
 struct Selection {
   double accuracy_rad = 0;
   std::vector<std::string> switched_on, left_out;
-  double left_out_drift_rad = 0;  ///< estimate of what is left out, altogether
-  double seconds = 0;             ///< what the choice cost
+  double left_out_drift_rad = 0;  ///< estimated drift (rad) due to all effects left out
+  double seconds = 0;             ///< wall time of the choice (s)
 };
-/// Switches the effects on that a scene's accuracy needs, of those that have no parameter of their own: gravity gradient, and
-/// where a date is given tide and polar motion. They are sized by first variations of both motions.
-/// @param scene  with effects.automatic and an accuracy; becomes the scene with the effects chosen
+/// Switches on those effects without a parameter of their own that the requested accuracy needs: the gravity gradient and,
+/// where a date is given, tide and polar motion. First variations of both motions give the size of each effect.
+/// @param scene  must have effects.automatic and an accuracy; on return it has the chosen effects
 Selection select_effects(Scene& scene, const Watch& watch = {});
-/// The seconds that the choice takes on one core, roughly.
+/// Estimates the time (s) that `select_effects` takes on one core.
 double selection_seconds(const Scene& scene);
 
 }  // namespace earthtop

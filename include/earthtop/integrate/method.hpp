@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The integration methods: one row each, which everything reads that names, offers, refuses, times or draws a method. Beside
-/// its row a method has its stepper (src/integrate/odeint_driver.hpp, or an integration of its own) and nothing else.
+/// The table of integration methods, one row each. All code that names, offers, refuses, times or draws a method reads this
+/// table. Apart from its row, a method consists only of its stepper (src/integrate/odeint_driver.hpp) or its own integrator.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace earthtop {
 
-/// automatic stands for one of the others, which the scene decides; what the others are, their rows say.
+/// The method of integration. `automatic` is replaced by one of the others, chosen for the scene; the rows describe the others.
 enum class Method {
   automatic,
   dopri5,
@@ -28,51 +28,51 @@ enum class Method {
 };
 inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
 
-/// The scalar of a run: double, long double or float128.
+/// The scalar type of a run, by the bits of its mantissa: double, long double or float128.
 enum class Precision { bits53, bits64, bits113 };
 
-/// Whether a key must stand beside another, may, or may not.
+/// Whether a key must, may or must not appear together with another.
 enum class Need { required, optional, none };
 
-/// The scenes that a method is made for (scene/method_fit.cpp says what each means, and refuses the others).
+/// The class of scenes that a method can integrate; scene/method_fit.cpp defines each class and refuses other scenes.
 enum class MethodFit { any, plain, symmetric_top, fast_symmetric_top, closed_form };
 
-/// The equations in which `bench` lets a method compete: its own variables, or these forms of the equations of motion.
+/// The equations that `bench` uses to compare a method: the method's own variables, or these forms of the equations of motion.
 enum class MethodEquations { own, reduced, body, reduced_and_body, reduced_body_and_laboratory };
 
-/// How much work a method's steps are, as measured on a fast top (pace.hpp): a step covers
-/// `radians` (tolerance / at)^`order_inverse` of the fastest motion's phase, and takes
-/// (`evaluations` + `evaluations_per_log` ln tolerance) (tolerance / 1e-12)^`evaluations_power` right-hand sides, rejected
-/// steps' included.
+/// The work of a method's steps, as measured on a fast top (pace.hpp). One step advances the phase of the fastest motion by
+/// `radians` (tolerance / at)^`order_inverse` (rad) and takes
+/// (`evaluations` + `evaluations_per_log` ln tolerance) (tolerance / 1e-12)^`evaluations_power` right-hand sides, including
+/// those of rejected steps.
 struct MethodCost {
   double radians = 0.04, at = 1e-12, order_inverse = 0;
   double most_radians = std::numeric_limits<double>::infinity();
   double evaluations = 13, evaluations_per_log = 0, evaluations_power = 0;
-  /// Where nothing but stability bounds a step, as measured on an overdamped pendulum: the damping's rate times its length, and
-  /// its right-hand sides.
+  /// Steps that only stability limits, as measured on an overdamped pendulum: damping rate times step length (1), and
+  /// right-hand sides per step.
   double stable_phase = 1, stable_evaluations = 13;
-  /// Near the round-off of 113 bits steps are shorter by this power of the tolerance over 1e-30, and cheaper by that.
+  /// Near the round-off of 113 bits: the powers of (tolerance / 1e-30) by which steps get shorter and cheaper.
   double near_round_off = 0, evaluations_near_round_off = 0;
-  double evaluations_a_row = 13;  ///< of a step that ends at a row
-  bool steps_past_rows = false;   ///< the rows come from dense output or the series; with any other method steps end at them
-  bool is_watched = false;        ///< its steps are so long that the watcher of angles that go round must cut them
-  bool tries_its_step = false;    ///< its fixed step is found at the start, and stays as short as that needs
+  double evaluations_a_row = 13;  ///< right-hand sides of a step that ends at an output row
+  bool steps_past_rows = false;   ///< rows come from dense output or the series; otherwise a step ends at each row
+  bool is_watched = false;        ///< steps are so long that they must be cut to count full turns
+  bool tries_its_step = false;    ///< the fixed step is found by trial at the start and is kept
 };
 
 struct MethodRow {
   Method method;
   std::string_view word;
-  Precision most_digits = Precision::bits53;  ///< built up to this precision
+  Precision most_digits = Precision::bits53;  ///< highest precision the method is built for
   Need step_s = Need::none, relative_tolerance = Need::optional;
   MethodFit fit = MethodFit::any;
-  bool finds_stops = false;  ///< finds where dry friction brings a motion to rest within a step
-  bool composes = false;     ///< takes a composition of exact flows
+  bool finds_stops = false;  ///< finds the time within a step when dry friction stops the motion
+  bool composes = false;     ///< lets the user choose the composition of exact flows
   MethodEquations equations = MethodEquations::reduced_and_body;
-  std::array<double, 6> bench_tolerances = {1e-5, 1e-8, 1e-11, 1e-14};  ///< in double; 0 ends them
-  int place_in_menus = 0, place_in_bench = 0;                           ///< where the word stands among all words
-  std::string_view look = "";                                           ///< colour and marker in pictures
+  std::array<double, 6> bench_tolerances = {1e-5, 1e-8, 1e-11, 1e-14};  ///< tolerances in double; a 0 ends the list
+  int place_in_menus = 0, place_in_bench = 0;                           ///< order in menus and in `bench`
+  std::string_view look = "";                                           ///< colour and marker in plots
   MethodCost cost = {};
-  std::string_view worth = "";  ///< what a user would lose without it
+  std::string_view worth = "";  ///< what a user would lose without the method
 };
 
 inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
@@ -170,7 +170,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .order_inverse = 1.0 / 13,
               .most_radians = 2,
               .evaluations = 120,
-              .stable_phase = 1.2,  // beyond which its fixed-point iteration does not converge
+              .stable_phase = 1.2,  // its fixed-point iteration does not converge beyond this
               .stable_evaluations = 50,
               .tries_its_step = true},
      .worth = "the only symmetric method for scenes that no exact flow is made for: with a fixed step its error in the energy "
@@ -219,7 +219,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .worth = "days of a fast top in seconds: its steps follow the precession, not the nutation"},
 }};
 
-/// The row of a method.
+/// Returns the table row of a method.
 constexpr const MethodRow& row_of(Method method) {
   return *std::find_if(kMethodRows.begin(), kMethodRows.end(), [&](const MethodRow& row) { return row.method == method; });
 }
@@ -227,15 +227,15 @@ constexpr const MethodRow& row_of(Method method) {
 constexpr std::string_view to_string(Method method) { return row_of(method).word; }
 std::string_view to_string(Precision precision);
 
-/// Whether a method is built for a precision.
+/// Returns whether a method is built for a precision.
 constexpr bool is_built(Method method, Precision precision) { return precision <= row_of(method).most_digits; }
 
-/// Whether the error of a method is asked for by a tolerance; with a closed form there is none to ask for.
+/// Returns whether a method is exact, as a closed form is; any other method has a step error, set by a tolerance or a step.
 constexpr bool is_exact(Method method) {
   return row_of(method).step_s == Need::none && row_of(method).relative_tolerance == Need::none;
 }
 
-/// All methods, in the order of a place: `place_in_menus` or `place_in_bench`.
+/// Returns all methods in the order given by `place_in_menus` or `place_in_bench`. @param place  one of these two members
 constexpr std::array<Method, kMethodCount> methods_by(int MethodRow::*place) {
   std::array<Method, kMethodCount> methods = {};
   for (const MethodRow& row : kMethodRows) methods[static_cast<std::size_t>(row.*place)] = row.method;
@@ -259,7 +259,7 @@ inline constexpr std::array<char, words_size()> kWords = [] {
 }();
 }  // namespace method_detail
 
-/// All words in the order of menus, with bars between them.
+/// The words of all methods in the order of menus, separated by '|'.
 inline constexpr std::string_view kMethodWords(method_detail::kWords.data(), method_detail::kWords.size());
 
 }  // namespace earthtop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a scenario may say, for editors, manuals and shells: generated from the table of fields that the decoder reads.
+/// Descriptions of the scenario format for editors, manuals and shells, generated from the same field table as the decoder's.
 #pragma once
 
 #include <string>
@@ -9,20 +9,19 @@
 
 namespace earthtop {
 
-/// JSON Schema (draft 7) of a scenario. What it cannot say (an inertia that no body has, too many rows, a steady precession
-/// that does not exist, duplicate keys ...) only `examine_scenario` finds.
+/// Returns the JSON Schema (draft 7) of a scenario. Some errors cannot be expressed in it (an inertia that no body has, too
+/// many rows, a steady precession that does not exist, duplicate keys ...); only `examine_scenario` finds these.
 std::string scenario_schema();
 
-/// Every key with its unit, range, default and meaning, as a Markdown table.
+/// Returns a Markdown table of every key with its unit, range, default and meaning.
 std::string scenario_reference_markdown();
 
-/// A scenario with every key that applies, defaults filled in, and a comment beside each that says what it means and what is
-/// allowed. Purpose, headline, criteria and the author's own comments are left out: they are about the
-/// original.
+/// Returns a scenario with every key that applies, defaults filled in, and a comment at each key with its meaning and its
+/// allowed values. Purpose, headline, criteria and the author's own comments are left out: they describe the original only.
 /// @throws ScenarioError for a text that is no valid scenario
 std::string annotated_scenario(const ScenarioSource& source);
 
-/// JSON pointers of all single values, for `--set`; a list's elements by index 0.
+/// Returns the JSON pointers of all single values, for `--set`; list elements have index 0.
 std::vector<std::string> scenario_pointers();
 
 }  // namespace earthtop

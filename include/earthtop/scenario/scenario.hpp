@@ -22,37 +22,37 @@
 
 namespace earthtop {
 
-/// The effects that act: [F]'s three torques (one that is switched off is left out of dL'/dt in the laboratory), and what acts
-/// beside gravity.
+/// The effects that act: the three torques of [F] (one that is switched off is left out of dL'/dt in the laboratory), and
+/// all torques and accelerations besides gravity.
 struct EffectsSpec {
   bool coriolis = true;
   bool centrifugal = true;
   bool transverse = true;
   AppliedTorquesSpec applied;
   std::optional<TideSpec> tide;
-  bool automatic = false;  ///< what has no parameter of its own is chosen by the drift error asked for
+  bool automatic = false;  ///< effects without a parameter of their own are chosen by the requested accuracy
   bool operator==(const EffectsSpec&) const = default;
   bool all_on() const { return coriolis && centrifugal && transverse; }
   /// Returns whether gravity and all three of [F]'s torques act, and nothing else.
   bool plain() const { return all_on() && !applied.any() && !tide; }
 };
 
-/// A figure known from elsewhere (closed form, theory, publication, extended precision) that a run is held against.
+/// A figure known independently (closed form, theory, publication, extended precision), with which a run is compared.
 struct HeadlineSpec {
   std::string quantity;        ///< a column of trajectory.csv, or a dotted path of summary.json; its name says the unit
-  std::optional<double> at_s;  ///< of a column: the time of its row (s); the duration if not given
+  std::optional<double> at_s;  ///< for a column: the time of its row (s); the duration if not given
   double value = 0;
-  double tolerance = 0;  ///< largest difference, unit of the quantity
+  double tolerance = 0;  ///< largest difference allowed, in the unit of the quantity
   std::string origin;
   bool operator==(const HeadlineSpec&) const = default;
 };
 
-/// The inputs by which a drift's derivatives are taken, each named by its key and unit.
+/// The inputs with respect to which a drift is differentiated, each named by its key and unit.
 inline constexpr std::array<std::string_view, 7> kInputNames{
     "latitude_deg", "gravity_m_s2", "spin_rad_s", "tilt_deg", "rotation_rate_rad_s", "inertia_ratio", "center_of_mass_m"};
 
 struct Scenario {
-  // Compiled once, not in every source that holds one.
+  // The special members are defined in one source file, to save compile time in the others.
   Scenario();
   Scenario(const Scenario&);
   Scenario(Scenario&&) noexcept;
@@ -67,8 +67,8 @@ struct Scenario {
   std::optional<HeadlineSpec> headline;
   std::vector<CriterionSpec> criteria;
   Site site;
-  // The next three numbers and the site's gravity are as they were given, or by default; `resolved_rotation_rate_rad_s` and
-  // `resolved_site` put them together.
+  // The next three numbers and the site's gravity are as given, or defaults; `resolved_rotation_rate_rad_s` and
+  // `resolved_site` combine them.
   double rotation_rate_rad_s = kEarthRateWgs84;
   double excess_length_of_day_ms = 0;
   double gravity_anomaly_m_s2 = 0;
@@ -81,44 +81,45 @@ struct Scenario {
   EffectsSpec effects;
   IntegrationOptions numerics;
   Precision precision = Precision::bits53;
-  std::optional<LedgerObserver> ledger;  ///< whose torques are listed in torques.csv
+  std::optional<LedgerObserver> ledger;  ///< the observer whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
-  std::optional<double> accuracy_rad;  ///< the error asked for of the axis drift
-  bool sensitivities = false;          ///< whether the drift's derivatives by the inputs are wanted
+  std::optional<double> accuracy_rad;  ///< requested error of the axis drift (rad)
+  bool sensitivities = false;          ///< whether derivatives of the drift by the inputs are requested
   /// Standard errors of the inputs, in the order and units of kInputNames; 0 where not given.
   std::optional<std::array<double, kInputNames.size()>> uncertainty;
 };
 
-/// Output rows of a scenario: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the duration is
-/// that last row; a step longer than the duration gives the rows 0 and the end only.
-/// @param duration_s, output_step_s  (s)   @returns times (s), ascending
+/// Returns the times of a scenario's output rows: k x step, and exactly the duration at the end. A k x step within 1e-9 step
+/// of the duration becomes that last row; a step longer than the duration gives only the rows at 0 and at the end.
+/// @param duration_s, output_step_s  (s)   @returns times (s), ascending, of shape (rows)
 /// @throws ScenarioError for a duration or step that is not above 0, or for more than 2,000,000 rows.
 std::vector<double> output_times(double duration_s, double output_step_s);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).
 struct ScenarioSource {
-  std::string file;  ///< files that the text names are looked for beside it; beside nothing: in the working directory
+  std::string file;  ///< path; files named in the text are searched in its directory, or in the working directory
   std::string text;
-  bool may_name_files = true;  ///< false: a text that names a file is refused, and none is opened
+  bool may_name_files = true;  ///< if false, a text that names a file is refused and no file is opened
 };
 
-/// Reads a scenario file, "-" for standard input. @throws ScenarioError for a missing, unreadable, oversized (over 16 MiB)
-/// file, a directory or a FIFO; ReadError.
+/// Reads a scenario file, or standard input if the path is "-".
+/// @throws ScenarioError for a missing, unreadable or oversized (over 16 MiB) file, a directory or a FIFO; ReadError where
+/// reading fails
 ScenarioSource read_scenario_source(const std::string& path);
 
-/// The Earth's rate of rotation (rad/s), less what the excess length of day takes of it.
+/// Returns the Earth's rotation rate (rad/s), reduced by the excess length of day.
 double resolved_rotation_rate_rad_s(const Scenario& scenario);
-/// The site, the gravity anomaly added to its apparent gravity.
+/// Returns the site with the gravity anomaly added to its apparent gravity (m/s^2).
 Site resolved_site(const Scenario& scenario);
 
-/// The scenario with every default written out, as one line of JSON with sorted keys and shortest numbers. It reads back as an
-/// equal scenario; comments are not part of it.
+/// Returns the scenario with every default written out, as one line of JSON with sorted keys and the shortest numbers that
+/// read back exactly. Decoding it gives an equal scenario; comments are not part of it.
 std::string canonical_json(const Scenario& scenario);
 
-/// The identity of a run: the canonical text without the keys that only describe the scenario (title, purpose, headline,
-/// criteria), on which no result depends.
+/// Returns the identity of a run: the canonical text without the keys that only describe the scenario (title, purpose,
+/// headline, criteria); no result depends on those keys.
 std::string identity_json(const Scenario& scenario);
-/// The top-level keys that only describe a scenario.
+/// Returns the top-level keys that only describe a scenario.
 std::vector<std::string_view> describing_keys();
 
 }  // namespace earthtop
