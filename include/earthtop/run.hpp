@@ -53,7 +53,7 @@ struct LedgerReport {
   LedgerLargest largest;
 };
 
-/// What a drift is worth.
+/// A judgement on a computed drift: whether its value can be trusted.
 enum class Verdict {
   reliable,     ///< the error is within its bound
   noise_floor,  ///< the drift is not above its error bound
@@ -117,7 +117,8 @@ struct RunResult {
   std::optional<AccuracyReport> accuracy;  ///< where it asks for one
   RunStatus status = RunStatus::completed;
   double reached_s = 0;  ///< time of the last row, or of an interrupted solution
-  /// Of an interrupted run: the solution had come to its end; what was cut short came after it.
+  /// For an interrupted run: whether the solution had reached its end, so that only later work (error bounds, verdict) was cut
+  /// short.
   bool solution_is_whole = false;
   std::vector<DriftRow> rows;
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full; none in double precision
@@ -147,7 +148,7 @@ const DriftRow* last_reliable_row(const RunResult& result);
 
 struct RunOptions {
   Watch watch;  ///< may stop the run, and sees how far it is
-  /// Of a run that is interrupted when its solution is whole: keep the rows, without error bounds and verdict.
+  /// Whether a run that is interrupted after its solution is whole keeps its rows, without error bounds and verdict.
   bool partial = false;
 };
 

@@ -24,9 +24,9 @@ class Progress {
   std::atomic<const char*> phase_ = "";
 };
 
-/// What a piece of watched work sees of its watcher: whether to stop, and where to report which share of this piece is done. It
-/// is a small value: pass it by copy or by reference. Loops check it once per step, which costs one load, and report their
-/// progress from time to time. A default-constructed watch never asks to stop and reports to nobody.
+/// The link between a piece of work and its watcher: it tells whether to stop, and takes reports of the share of this piece
+/// that is done. It is a small value: pass it by copy or by reference. Loops check it once per step, which costs one load, and
+/// report their progress from time to time. A default-constructed watch never asks to stop and reports to nobody.
 class Watch {
  public:
   Watch() = default;

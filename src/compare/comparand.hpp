@@ -29,7 +29,7 @@ enum class ComparandKind {
 [[noreturn]] void refuse_path(const fs::path& path, std::string message);
 bool is_there(const fs::path& path);
 
-/// What a path leads to. @throws ScenarioError where it is none of these
+/// The kind of the file or directory at a path. @throws ScenarioError where it is none of these kinds
 ComparandKind kind_of(const fs::path& path);
 
 /// A JSON document that those who only hand it on need not know. Copies share it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What both results cost to compute.
+/// Comparison of the cost of computing two results.
 #pragma once
 
 #include <vector>

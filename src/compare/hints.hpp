@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a large difference looks like: conventions that are often mixed up.
+/// Guesses at the cause of a large difference: conventions that are often mixed up.
 #pragma once
 
 #include <span>

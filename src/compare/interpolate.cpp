@@ -38,7 +38,7 @@ bool are_numbers(const Row& row, std::size_t first, std::size_t count) {
                      [](CellKind kind) { return kind == CellKind::number; });
 }
 
-/// Of a quaternion's two signs the one that is nearer to the row before.
+/// Gives the quaternion of row b the sign that is nearer to that of row a; both signs are the same attitude.
 void near_sign(const Row& a, Row& b, std::size_t attitude) {
   double cosine = 0;
   for (std::size_t i = attitude; i < attitude + 4; ++i) cosine += a.value[i] * b.value[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the columns of another program's CSV file mean.
+/// The meaning of the columns of another program's CSV file.
 #pragma once
 
 #include <array>

@@ -25,7 +25,7 @@ class RowSource {
   virtual std::string where() const = 0;  ///< file and line of the last row
   /// The part of the file that has been read; 0 where nobody knows.
   virtual double share_read() const { return 0; }
-  /// What the file has beside the table's columns.
+  /// The names of the file's columns that are not columns of the table.
   virtual std::vector<std::string> other_columns() const { return {}; }
 
   bool has(const Measure& measure) const;

@@ -21,7 +21,7 @@ struct RowsComparison {
   std::vector<SeenPair> seen;
 };
 
-/// What both sides' summaries say that rows are judged by.
+/// Numbers and facts from both sides' summaries that are needed to judge rows.
 struct RowsContext {
   double attitude_errors_rad = 0;  ///< sum of both attitude bounds
   bool attitude_errors_known = false;

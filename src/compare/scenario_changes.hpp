@@ -14,7 +14,8 @@ struct ScenarioChange {
   std::string reference, candidate;  ///< as JSON; "nothing" where the key is not there
 };
 
-/// Of two canonical scenarios, without what is only said of them (name, title, purpose, headline, criteria).
+/// The differences of two canonical scenarios, except in the keys that do not change the motion (name, title, purpose,
+/// headline, criteria).
 std::vector<ScenarioChange> scenario_changes(const Json& reference, const Json& candidate);
 
 /// Whether a pointer is one of those, or below one of them.

@@ -44,7 +44,7 @@ VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, R
 /// @throws ScenarioError, at the row's line, for the azimuth of an axis that the prediction has vertical
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion);
 
-/// What a residual may jump by where an angle goes round (rad); 0 where it cannot.
+/// The amount by which a residual jumps when its angle passes a full turn (rad); 0 where it cannot jump.
 double period_of(const MeasurementResidual& residual);
 
 }  // namespace earthtop::measure

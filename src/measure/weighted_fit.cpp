@@ -32,7 +32,8 @@ constexpr double kLeastInfluence = 1e-5;
 /// Where there is no prediction, the sum of squares is so much larger than at the last place that the step is taken back.
 constexpr double kNoPrediction = 1e3;
 
-/// What C's callbacks need; an exception waits here until GSL has returned.
+/// The data of the callbacks that GSL, a C library, calls. An exception may not pass through C: it waits here until GSL has
+/// returned.
 struct Callbacks {
   ScaledProblem* problem;
   std::exception_ptr thrown;
@@ -107,7 +108,8 @@ class Influences {
   }
 
   double chi_squared() const { return chi_squared_; }
-  /// What the next full step would take of the sum of squares, as a root: in standard errors.
+  /// The size of the next full step in standard errors: the root of the amount by which that step, in the linear approximation,
+  /// would lessen the sum of squares.
   double next_step() const { return next_step_; }
 
   bool determine_all() const {
@@ -122,7 +124,7 @@ class Influences {
         parameters.push_back(j);
     return parameters;
   }
-  /// Of the parameters: (J^T J)^-1.
+  /// The covariance of the parameters, (J^T J)^-1.
   MatrixXd covariance() const {
     const auto p = static_cast<Index>(S_->size);
     MatrixXd half(p, p);

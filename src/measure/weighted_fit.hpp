@@ -11,7 +11,7 @@
 
 namespace earthtop::measure {
 
-/// What is to be fitted. A residual is a measured less a predicted angle (rad).
+/// A problem of weighted least squares. A residual is a measured angle less the predicted one (rad).
 struct FitProblem {
   std::vector<double> start;
   std::vector<double> scales;          ///< a change of a thousandth of it is small, of a parameter each
@@ -31,7 +31,7 @@ struct Fit {
   int iterations = 0;
 };
 
-/// What the arithmetic of a prediction leaves uncertain in an angle (rad).
+/// The error of a predicted angle that the prediction's arithmetic causes, roughly (rad).
 inline constexpr double kPredictionError_rad = 1e-11;
 
 /// GSL's trust region (Levenberg-Marquardt) over central differences.

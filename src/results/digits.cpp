@@ -27,7 +27,7 @@ class Natural {
     }
     for (; carry > 0; carry /= kBase) parts_.push_back(static_cast<std::uint32_t>(carry % kBase));
   }
-  /// By base^exponent, in pieces of base^piece that 32 bits hold.
+  /// Multiplies the number by base^exponent, by base^piece at a time, which must fit in 32 bits.
   void multiply_by_power(std::uint32_t base, int piece, int exponent) {
     std::uint32_t whole_piece = 1;
     for (int i = 0; i < piece; ++i) whole_piece *= base;

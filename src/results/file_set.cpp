@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a signal handler needs to know: the names that must not stay, and whether files are being put in place.
+// Data for a signal handler: the names that must not stay on disk, and whether files are being put in place.
 using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;

@@ -21,8 +21,8 @@ struct EffectEntry {
   bool in_difference = true;  ///< whether it enters the difference of the two predictions to first order, or cancels
   /// Size of its torque at release and at its largest (N m); none where no parameter says how large the effect is.
   std::optional<double> torque_release_N_m, torque_largest_N_m;
-  /// By how much it moves the axis in each prediction, at most; none where it acts in one only, or the motion could not be
-  /// followed.
+  /// The largest angle by which the effect moves the axis in each prediction (rad); none where it acts in one prediction only,
+  /// or where the motion could not be followed.
   std::optional<double> displacement_rad;
   std::optional<double> drift_rad;        ///< by how much it changes the axis drift, at most; none as above
   std::optional<double> drift_final_rad;  ///< the same at the end
@@ -55,7 +55,7 @@ Budget effect_budget(const Scene& scene, const Watch& watch = {});
 /// The seconds that the budget takes on one core, roughly.
 double budget_seconds(const Scene& scene);
 
-/// What "auto" took, and what it left out.
+/// The effects that the setting "auto" has switched on, and those that it has left out.
 struct Selection {
   double accuracy_rad = 0;
   std::vector<std::string> switched_on, left_out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What moved between two results: physical measures of their difference, each held against a tolerance that says where it
-/// comes from.
+/// Comparison of two results: the differences between them in physical measures, each checked against a tolerance that states
+/// where it comes from.
 #pragma once
 
 #include <cstdint>
@@ -87,7 +87,7 @@ struct QuantityVerdict {
   DifferenceCurve curve;
 };
 
-/// What is wrong with a pair beside its quantities.
+/// A fault of a pair that belongs to no single quantity.
 struct CompareFinding {
   std::string kind;  ///< "other scenario", "missing rows", "missing column", "not finite", ...
   std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What an integration finds out about the time at which the axis drift first passes a threshold.
+/// The record that an integration keeps about the time at which the axis drift first passes a threshold.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@ struct AxisLook {
   Vec3<T> difference_rate = Vec3<T>::Zero();  ///< its time derivative: bounds how fast the drift changes where `rate` is 0
 };
 
-/// What one integration tells about the threshold. Times are in the integration's own unit until `in_seconds` converts them.
+/// The findings of one integration about the threshold. Times are in the integration's own unit until `in_seconds` converts
+/// them.
 ///
 /// An error of the drift moves the passing. By how much can be told only when that error is known, which is after the
 /// integration. So the record keeps what is needed to tell it: near the passing, the drift's rate and curvature; farther away,

@@ -20,9 +20,9 @@
 
 namespace earthtop {
 
-/// What can be measured of body axis 3, in the laboratory (East, North, Up): compass azimuth, clockwise from North seen from
-/// above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, the rotating motion less the non-rotating
-/// prediction, as one gets them from a measured motion and a calculated one.
+/// The quantities of body axis 3 that can be measured, in the laboratory (East, North, Up): compass azimuth, clockwise from
+/// North seen from above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, which are the motion on the
+/// rotating Earth less the non-rotating prediction, as one gets them from a measured motion and a calculated one.
 enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt };
 std::string_view to_string(MeasuredQuantity quantity);
 
