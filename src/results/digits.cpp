@@ -10,7 +10,7 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kDigits = 34;  // of a significand of 113 bits: as many as are the same for all numbers that round to it
+constexpr std::size_t kDigits = 34;  // significant digits that are written of a significand of 113 bits
 
 /// A natural number in base 10^9, least part first: large enough for every bit of a float128.
 class Natural {
