@@ -12,7 +12,7 @@ namespace earthtop::compare {
 struct FigureContext {
   bool same_computation = false;  ///< as in `rule_of`
   bool whole_run = true;          ///< whether both verdicts trust the runs to the end; else figures of the end are left out
-  bool same_rows = true;          ///< whether both have rows at the same times; else largest values and means of the rows are left out
+  bool same_rows = true;          ///< whether rows have the same times; else their largest values and means are left out
 };
 
 std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,

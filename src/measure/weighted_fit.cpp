@@ -25,11 +25,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostIterations = 100;
-constexpr double kConverged = 1e-3;  // of the standard errors, scaled ones where the scatter is larger than stated
-/// Directions of the parameters whose influence is less than this of the largest one's, each parameter's influence taken for 1:
-/// ten times what the differences are uncertain by.
+constexpr double kConverged = 1e-3;  // largest next step, in standard errors (scaled ones if the scatter is larger than stated)
+/// A direction in the space of parameters is not determined if its influence is less than this part of the largest one's, with
+/// each single parameter's influence scaled to 1. It is ten times the uncertainty of the differences.
 constexpr double kLeastInfluence = 1e-5;
-/// Where there is no prediction, the sum of squares is so much larger than at the last place that the step is taken back.
+/// Where there is no prediction, the residuals are made this much larger than any so far, so that GSL takes the step back.
 constexpr double kNoPrediction = 1e3;
 
 /// The data of the callbacks that GSL, a C library, calls. An exception may not pass through C: it waits here until GSL has
@@ -37,8 +37,8 @@ constexpr double kNoPrediction = 1e3;
 struct Callbacks {
   ScaledProblem* problem;
   std::exception_ptr thrown;
-  double worst_norm = 0;      // of residuals so far
-  bool all_predicted = true;  // of the last iteration's trials
+  double worst_norm = 0;      // largest norm of the residuals so far
+  bool all_predicted = true;  // whether all trials of the last iteration had a prediction
 };
 
 std::vector<double> values_of(const gsl_vector* vector) {
@@ -115,7 +115,7 @@ class Influences {
   bool determine_all() const {
     return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > kLeastInfluence * gsl_vector_get(S_.get(), 0);
   }
-  /// The parameters in the direction that the data tell least of.
+  /// The parameters that take part in the direction which the data determine least.
   std::vector<std::size_t> least_told() const {
     std::vector<std::size_t> parameters;
     const std::size_t p = S_->size;
@@ -202,7 +202,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       fit.parameters = problem.unscaled(values_of(workspace->x));
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
       const MatrixXd covariance = scales.asDiagonal() * influences.covariance() * scales.asDiagonal();
-      fit.covariance = (covariance + covariance.transpose()) / 2;  // to the last bit
+      fit.covariance = (covariance + covariance.transpose()) / 2;  // symmetric to the last bit
       return fit;
     }
     if (status == GSL_ENOPROG || fit.iterations == kMostIterations) {
