@@ -19,7 +19,7 @@ struct EstimatedInput {
   std::string unit;
   double start = 0;  ///< the scenario's value, in `unit`
   double scale =
-      1;  ///< typical size, in `unit`: the value itself, a radian for an angle, the Earth's rate for its rate; 1 if the value is 0
+      1;  ///< typical size, in `unit`: the value itself; a radian; the Earth's rate at least for the rotation rate; 1 for a 0
 };
 
 class EstimatedInputs {

@@ -41,8 +41,8 @@ bool has_drifts(const Measurement& measurement);
 VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, RunStatus& status);
 
 /// A measurement's residuals against the motion at measured_times(), for the rows that the motion reached. Residuals of
-/// azimuths are reduced to -pi to pi. The components of an axis are taken along directions that depend on the measured axis alone, so
-/// that they do not turn when the prediction is varied.
+/// azimuths are reduced to -pi to pi. The components of an axis are taken along directions that depend on the measured axis
+/// alone, so that they do not turn when the prediction is varied.
 /// @throws ScenarioError, with the row's line, for a measured azimuth where the predicted axis is vertical
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion);
 
