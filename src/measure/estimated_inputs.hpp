@@ -19,7 +19,7 @@ struct EstimatedInput {
   std::string unit;
   double start = 0;  ///< the scenario's value, in `unit`
   double scale =
-      1;  ///< typical size, in `unit`: the value itself; a radian; the Earth's rate at least for the rotation rate; 1 for a 0
+      1;  ///< typical size, in `unit`: |start|, or 1 if that is 0; a radian for an angle; at least the Earth's for its rate
 };
 
 class EstimatedInputs {

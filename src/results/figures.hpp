@@ -37,7 +37,7 @@ enum class FigureKind {
   threshold_time   ///< time of passing the threshold, which has a bound of its own
 };
 
-/// The part of a run on which a figure's value depends besides the motion. The figure is compared only if both runs agree in it.
+/// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it.
 enum class FigureScope {
   any,  ///< it depends on nothing else
   end,  ///< it depends on the end of the run, and on the motion that led there
