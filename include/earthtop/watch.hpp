@@ -24,9 +24,9 @@ class Progress {
   std::atomic<const char*> phase_ = "";
 };
 
-/// What a piece of watched work sees of its watcher: whether to stop, and where to report which share of this piece is done. It
-/// is a small value: pass it by copy or by reference. Loops check it once per step, which costs one load, and report their
-/// progress from time to time. A default-constructed watch never asks to stop and reports to nobody.
+/// The link between a piece of work and its watcher: it tells whether to stop, and takes reports of the share of this piece
+/// that is done. It is a small value: pass it by copy or by reference. Loops check it once per step, which costs one load, and
+/// report their progress from time to time. A default-constructed watch never asks to stop and reports to nobody.
 class Watch {
  public:
   Watch() = default;
@@ -36,10 +36,10 @@ class Watch {
 
   /// The same stop flag with another progress, for work that reports to somebody else.   @param progress  may be null; must
   /// outlive the work
-  Watch telling(Progress* progress) const noexcept { return {stop_, progress}; }
+  Watch with_progress(Progress* progress) const noexcept { return {stop_, progress}; }
 
   /// Whether anybody wants to know the progress.
-  bool is_told() const noexcept { return progress_ != nullptr; }
+  bool has_progress() const noexcept { return progress_ != nullptr; }
   bool asks_to_stop() const noexcept { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   /// Reports the progress.   @param share  done part of this piece of work, 0 to 1
   void reach(double share) const noexcept {

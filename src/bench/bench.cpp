@@ -17,7 +17,7 @@ namespace earthtop {
 namespace {
 
 /// The work of one contender, ready to be repeated, and the results of its first computation.
-struct Racer {
+struct TimedContender {
   std::function<void()> compute;
   RunStatus status = RunStatus::completed;
   StepCounters counters;
@@ -39,7 +39,7 @@ Checkpoint checkpoint_of(const Checkpoint& checkpoint) { return checkpoint; }
 /// Computes once, stopping if it takes too long, and stores the results; afterwards `racer.compute` computes again without
 /// storing.
 template <class Compute>
-void prepare(const Compute& compute, double most_seconds, Racer& racer) {
+void prepare(const Compute& compute, double most_seconds, TimedContender& racer) {
   const Deadline deadline(most_seconds);
   const double start = thread_seconds();
   const auto trajectory = compute(deadline.passed());
@@ -61,7 +61,7 @@ PeerDrift subtract(const MotionTrajectory<double>& rotating, const MotionTraject
 }
 
 void prepare_peer(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
-                  Racer& racer) {
+                  TimedContender& racer) {
   const auto problem_of = [&](const Scene& of) {
     MotionProblem<double> problem = of.problem<double>();
     problem.times_s = times_s;
@@ -83,7 +83,7 @@ void prepare_peer(const Contender& contender, const Scene& scene, const std::vec
 
 template <class T>
 void prepare(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
-             Racer& racer) {
+             TimedContender& racer) {
   DriftProblem<T> problem = scene.problem<T>();
   problem.times_s = times_s;
   const IntegrationOptions& options = contender.options;
@@ -104,7 +104,7 @@ void require_fit(const Contender& contender, const Scene& scene) {
 }
 
 void prepare(const Contender& contender, const Scene& scene, const std::vector<double>& times_s, double most_seconds,
-             Racer& racer) {
+             TimedContender& racer) {
   if (contender.peer) return prepare_peer(contender, scene, times_s, most_seconds, racer);
   switch (contender.precision) {
     case Precision::bits53: return prepare<double>(contender, scene, times_s, most_seconds, racer);
@@ -115,7 +115,7 @@ void prepare(const Contender& contender, const Scene& scene, const std::vector<d
 
 /// Decides how often to repeat, and how often to compute in each repetition. For a slow contender the first computation is its
 /// measurement.
-void plan_repetitions(const BenchOptions& options, Racer& racer) {
+void plan_repetitions(const BenchOptions& options, TimedContender& racer) {
   const double calls = std::ceil(options.least_seconds / std::max(racer.first_seconds, 1e-9));
   racer.calls_a_repetition = static_cast<int>(std::clamp(calls, 1.0, 1e6));
   const double left = racer.status == RunStatus::completed ? options.most_seconds - racer.first_seconds : 0;
@@ -128,13 +128,13 @@ void plan_repetitions(const BenchOptions& options, Racer& racer) {
 }
 
 /// Whether the same contender at a coarser tolerance was already too slow.
-bool is_hopeless(const Contender& contender, const Contender& before, const Racer& racer) {
+bool was_too_slow_when_coarser(const Contender& contender, const Contender& before, const TimedContender& racer) {
   return racer.status == RunStatus::interrupted && method_name(contender) == method_name(before) &&
          equations_name(contender) == equations_name(before) && contender.precision == before.precision &&
          !contender.options.step_s && contender.options.relative_tolerance < before.options.relative_tolerance;
 }
 
-void time_once(Racer& racer) {
+void time_once(TimedContender& racer) {
   const double start = thread_seconds();
   for (int call = 0; call < racer.calls_a_repetition; ++call) racer.compute();
   racer.seconds.push_back((thread_seconds() - start) / racer.calls_a_repetition);
@@ -146,7 +146,7 @@ ErrorKind compared_by_default(const BenchReport& report) {
   return report.workload == Workload::drift && report.largest_drift > 0 ? ErrorKind::drift : ErrorKind::attitude;
 }
 
-BenchEntry entry_of(const Contender& contender, Racer& racer, const std::vector<Checkpoint>& reference) {
+BenchEntry entry_of(const Contender& contender, TimedContender& racer, const std::vector<Checkpoint>& reference) {
   BenchEntry entry;
   entry.contender = contender;
   entry.status = racer.status;
@@ -191,11 +191,11 @@ BenchReport bench(const Scene& scene, std::span<const Contender> contenders, con
 
   report.compared = options.compared.value_or(compared_by_default(report));
 
-  std::vector<Racer> racers(contenders.size());
+  std::vector<TimedContender> racers(contenders.size());
   int rounds = 0;
   for (std::size_t i = 0; i < racers.size(); ++i) {
     tell(fmt::format("contender {} of {}: {}", i + 1, racers.size(), describe(contenders[i])));
-    if (i > 0 && is_hopeless(contenders[i], contenders[i - 1], racers[i - 1])) {
+    if (i > 0 && was_too_slow_when_coarser(contenders[i], contenders[i - 1], racers[i - 1])) {
       racers[i].status = RunStatus::interrupted;
       racers[i].seconds = {0};
       continue;
@@ -206,7 +206,7 @@ BenchReport bench(const Scene& scene, std::span<const Contender> contenders, con
   }
   for (int round = 0; round < rounds; ++round) {
     tell(fmt::format("repetition {} of {}", round + 1, rounds));
-    for (Racer& racer : racers)
+    for (TimedContender& racer : racers)
       if (round < racer.repetitions) time_once(racer);
   }
 

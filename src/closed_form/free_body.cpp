@@ -163,8 +163,8 @@ ClosedFormState<T> FreeBodyMotion<T>::uniform_at(T t_s) const {
   return x;
 }
 
-/// By how much an error of 1 in the separation changes the attitude: by a shift of the elliptic argument at the start and
-/// another in each period, neither of them larger than the effect of a torque error on an unstable motion.
+/// The factor by which an error of the separation is multiplied in the attitude. Such an error shifts the elliptic argument at
+/// the start, and again in each period; neither shift has more effect than a torque error has on an unstable motion.
 template <class T>
 T FreeBodyMotion<T>::growth(T elliptic_phase, T swept) const {
   if (separation_error == T(0)) return T(0);

@@ -38,14 +38,14 @@ struct NutationData {
 
 /// x - y^2 with a single rounding, however close the two are.
 template <class T>
-T less_square(T x, T y) {
+T minus_square(T x, T y) {
   return -real::fma(y, y, -x);
 }
 /// The same for long double, which has no fused multiply-add in hardware: the square as an exact sum (T. J. Dekker, Numer.
 /// Math. 18 (1971) 224) and a sum with its rounding error (Knuth). For numbers that come from doubles nothing overflows or
 /// underflows here.
 template <>
-inline long double less_square(long double x, long double y) {
+inline long double minus_square(long double x, long double y) {
   constexpr long double kSplitter = 4294967297.0L;  // 2^32 + 1: halves of 32 bits
   const long double c = kSplitter * y, high = c - (c - y), low = y - high;
   const long double square = y * y, square_rest = ((high * high - square) + 2 * high * low) + low * low;
@@ -71,7 +71,7 @@ NutationData<T> nutation_data(T mu, T beta, const Complex<T>& A, const Complex<T
   d.bottom = T(2) * norm2(flipped ? B : A);
   d.u0 = d.top < d.bottom ? T(1) - d.top : d.bottom - T(1);
 
-  d.slack = less_square(T(4) * d.mu, d.beta);
+  d.slack = minus_square(T(4) * d.mu, d.beta);
   const Complex<T> V = Omega + Complex<T>{d.beta * Z.im, -d.beta * Z.re};
   const Complex<T> from_steady = conj(V) * Z;
   d.V2 = norm2(V);

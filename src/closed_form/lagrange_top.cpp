@@ -202,7 +202,7 @@ struct LagrangeTop<T>::Derivation {
     set_size(top.low_, basis.low_factor, roots.bottom2 / W(2), basis.low(top.low_));
   }
 
-  /// What the rounding in the wider scalar type contributes to the error that `at` states.
+  /// Sets the terms that rounding in the wider scalar type adds to the error stated by `at`.
   void set_error_terms() {
     const T wide_eps = static_cast<T>(real::epsilon<W>());
     top.phase_loss_ = T(8) * wide_eps * static_cast<T>(real::abs(w3) + real::abs(sum) + real::abs(difference) + v_rate);
@@ -260,8 +260,8 @@ void LagrangeTop<T>::set_phases(const Derivation& start) {
   high_.sin = high_phase.im;
 
   start_loss_ = gap_loss(b);
-  // What the rounding of the functions contributes, in units of eps: each quotient's largest term, and the two phases just
-  // found.
+  // The rounding of the functions adds to the error, in units of eps: the largest term of each quotient, and the rounding of
+  // the two phases that were just found.
   const T low_floor = low_.size * (hyperbolic_ ? T(2) : Basis::terms(low_)),
           high_floor = high_.size * (hyperbolic_ ? T(2) : Basis::terms(high_));
   const auto loss = [](T q) { return q > T(0) ? T(1) / real::sqrt(q) : T(0); };

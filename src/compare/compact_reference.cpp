@@ -52,8 +52,8 @@ Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs
   return row;
 }
 
-/// A reference keeps this of a summary: the top-level members in which something is compared or counted as cost, and what says
-/// where it comes from.
+/// The part of a summary that a compact reference keeps: the top-level members in which something is compared or counted as
+/// cost, and the members that state where the results come from.
 Json kept_of(const Json& summary) {
   Json kept = Json::object();
   for (const auto& [key, value] : summary.items()) {
@@ -68,7 +68,7 @@ Json kept_of(const Json& summary) {
   return kept;
 }
 
-/// Digits of the final drift that its error bound leaves; of a run without a drift those of the attitude.
+/// The number of digits of the final drift that are certain by its error bound; for a run without a drift, of the attitude.
 int known_digits(const Comparand& results) {
   const double drift = results.number("/drift/axis_final_rad").value_or(0);
   const double bound = drift > 0 ? results.number("/drift/axis_bound_rad").value_or(drift) / drift

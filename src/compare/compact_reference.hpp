@@ -8,14 +8,14 @@ namespace earthtop::compare {
 
 inline constexpr const char* kReferenceSchema = "earthtop-reference-1.json";
 
-/// @throws ScenarioError where the file is none
+/// Opens a compact reference. @throws ScenarioError where the file is not one
 Comparand open_compact_reference(const fs::path& file);
 
-/// A reference's history with one more entry: why, and by which program.
+/// A reference's history with one more entry, which states the reason for the change and the program that made it.
 Json with_reason(Json history, const std::string& reason);
 
-/// The compact form of a run's results, with a final newline. @param history  of the reference that it replaces: an array
-/// @param reason  added to it
+/// The compact form of a run's results, with a final newline. @param history  that of the reference which it
+/// replaces: a JSON array   @param reason  reason for the new reference; added to the history
 std::string compact_reference(const Comparand& results, Json history, const std::string& reason);
 
 }  // namespace earthtop::compare

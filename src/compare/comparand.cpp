@@ -26,7 +26,8 @@ bool is_compact_reference(const fs::path& file) {
   return head.find(kReferenceSchema) != head.npos;
 }
 
-/// What is named like a result, a store or a reference; results without their summary, too, which are refused by name.
+/// Whether an entry looks like a result, a store or a compact reference by its files' names. Results without their summary
+/// count, too, so that they are refused by name later.
 bool may_be_member(const fs::directory_entry& entry) {
   std::error_code error;
   if (!entry.is_directory(error)) return entry.is_regular_file(error) && is_compact_reference(entry.path());

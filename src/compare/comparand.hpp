@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One side of a comparison: what a path leads to.
+/// One side of a comparison: the results, reference or other file at a path.
 #pragma once
 
 #include <filesystem>
@@ -20,19 +20,19 @@ using Json = nlohmann::ordered_json;
 enum class ComparandKind {
   results,    ///< a directory that `run` has written
   reference,  ///< compact: summary and some rows in one JSON file
-  csv,
-  store,      ///< of a study
+  csv,        ///< a trajectory in one CSV file
+  store,      ///< the store of a study
   collection  ///< a directory of several of these
 };
 
-/// @throws ScenarioError for a file or directory that is not what it should be
+/// @throws ScenarioError always, with this message about a file or directory that is not what it should be
 [[noreturn]] void refuse_path(const fs::path& path, std::string message);
 bool is_there(const fs::path& path);
 
-/// What a path leads to. @throws ScenarioError where it is none of these
+/// The kind of the file or directory at a path. @throws ScenarioError where it is none of these kinds
 ComparandKind kind_of(const fs::path& path);
 
-/// A JSON document that those who only hand it on need not know. Copies share it.
+/// A JSON document, wrapped so that code which only hands it on does not need the full JSON type. Copies share the content.
 class Document {
  public:
   Document();           ///< null
@@ -46,32 +46,33 @@ class Document {
 
 struct Comparand {
   fs::path path;
-  Document summary;                          ///< of a run; null of a CSV
+  Document summary;                          ///< summary of a run; null for a CSV
   Document timing;                           ///< null where there is none
-  bool has_some_rows_only = false;           ///< a compact reference: rows of the other between its own are of no concern
-  std::optional<double> attitude_error_rad;  ///< of a mapped CSV, stated
-  /// Opens the rows anew. @throws as `RowSource`
+  bool has_some_rows_only = false;           ///< a compact reference: the other side's rows between its own are not compared
+  std::optional<double> attitude_error_rad;  ///< for a mapped CSV: the error stated by its author
+  /// Opens the rows at the first one; may be called several times. @throws as `RowSource`
   std::function<std::unique_ptr<RowSource>()> open_rows;
   std::function<std::unique_ptr<RowSource>()> open_torques;  ///< null where there are none
-  std::optional<std::uint64_t> stated_rows;                  ///< by its summary
-  std::string generator;                                     ///< of a compact reference
+  std::optional<std::uint64_t> stated_rows;                  ///< number of rows stated by the summary
+  std::string generator;                                     ///< for a compact reference: the program that made it
 
-  /// A number of the summary, null where it has none.
+  /// The number at a JSON pointer of the summary; none where there is no number.
   std::optional<double> number(const std::string& pointer) const;
   std::string word(const std::string& pointer) const;
-  /// Wall time of both integrations (s), where it is known.
+  /// Wall time of both integrations (s); none where it is not known.
   std::optional<double> seconds() const;
-  /// Whether it is of a run.
+  /// Whether it has a run's summary.
   bool has_summary() const;
 };
 
-/// @param mapping  of a foreign CSV; may be null
+/// @param mapping  meaning of a foreign CSV's columns; may be null
 Comparand open_comparand(const fs::path& path, const Mapping* mapping);
 
-/// The comparands in a directory of several, by their paths below it (a compact reference without its .json), sorted.
+/// The comparands in a directory of several, with their names: the paths below it (without .json for a compact reference).
+/// Sorted by name.
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
 
-/// JSON of a file that a program wrote. @throws ScenarioError where it is none; ReadError
+/// Reads a JSON file. @param noun  the kind of file, for messages   @throws ScenarioError where it is not JSON; ReadError
 Json read_json_file(const fs::path& file, std::string_view noun);
 
 }  // namespace earthtop::compare

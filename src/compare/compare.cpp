@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths to pairs, and pairs to verdicts.
+// Finds the pairs of results at two paths, and compares each pair.
 #include "earthtop/compare/compare.hpp"
 
 #include <fmt/core.h>
@@ -21,20 +21,20 @@ namespace earthtop {
 namespace compare {
 namespace {
 
-constexpr std::size_t kMostListed = 20;
-// Shares of the other result's time that a result must trust itself for, by judgement: of the same scenario the two differ by
-// rounding, which moves the time by little; other numerics may begin with errors that are millions of times larger.
+constexpr std::size_t kMaxListedPoints = 20;
+// Each result's time of trust must be at least this share of the other's (chosen by judgement). For the same scenario the two
+// differ by rounding, which changes the time little; other numerics may begin with errors that are millions of times larger.
 constexpr double kSameTrust = 0.9, kOtherTrust = 0.1;
 
 std::string listed(const std::vector<ScenarioChange>& changes) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(changes.size(), kMostListed); ++i)
+  for (std::size_t i = 0; i < std::min(changes.size(), kMaxListedPoints); ++i)
     text += fmt::format("{}{}: {} in the reference, {} now", i == 0 ? "" : "; ", changes[i].pointer, changes[i].reference,
                         changes[i].candidate);
-  return changes.size() > kMostListed ? text + fmt::format("; and {} more", changes.size() - kMostListed) : text;
+  return changes.size() > kMaxListedPoints ? text + fmt::format("; and {} more", changes.size() - kMaxListedPoints) : text;
 }
 
-/// Another scenario is told of, whatever else agrees.
+/// Reports a difference of the scenarios, whatever else agrees.
 void compare_scenarios(const Comparand& reference, const Comparand& candidate, const CompareOptions& options,
                        PairReport& report) {
   if (!reference.has_summary() || !candidate.has_summary()) return;
@@ -57,7 +57,8 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
   if (before.empty() || now.empty())
     report.findings.push_back(
         {"other scenario", fmt::format("the {} has no scenario hash", before.empty() ? "reference" : "new result")});
-  // A hash that differs though no key does is of words about the scene, which a compact reference does not keep.
+  // If the hashes differ though no key does, the difference is in words about the scene. A compact reference does not keep
+  // these.
   const bool only_words = allowed.empty() && forbidden.empty() && !reference.has_some_rows_only;
   if (only_words && !is_below("/title", options.may_change))
     report.findings.push_back(
@@ -75,7 +76,8 @@ std::optional<double> trusted_until(const Comparand& side) {
   return side.number("/drift/reliable/until_s");
 }
 
-/// The earlier of both sides' times. How early the new result may be, it does not say alone.
+/// The earlier of both sides' times of trust. A candidate's verdict cannot shorten the comparison at will: a time that is
+/// far earlier than the other side's is a finding.
 std::optional<double> trusted_until(const Comparand& reference, const Comparand& candidate, bool same_scenario,
                                     PairReport& report) {
   const auto before = trusted_until(reference), now = trusted_until(candidate);
@@ -102,7 +104,7 @@ double natural_rate(const Comparand& side) {
   return report.scene ? report.scene->fastest_rate_rad_s() : 0;
 }
 
-/// Sum of both sides' error bounds on the attitudes, where both are known.
+/// Finds the sum of both sides' error bounds on the attitudes, where both are known.
 void find_attitude_errors(const Comparand& reference, const Comparand& candidate, RowsContext& context) {
   context.attitude_errors_known = true;
   for (const Comparand* side : {&reference, &candidate}) {
@@ -112,7 +114,7 @@ void find_attitude_errors(const Comparand& reference, const Comparand& candidate
   }
 }
 
-/// Rows that were kept of an interrupted run have no bounds, and nobody has judged their motion.
+/// Refuses the partial results of an interrupted run: their rows have no error bounds and no verdict.
 void require_assessed(const Comparand& side) {
   if (side.word("/outcome/status") == to_string(RunStatus::interrupted))
     refuse_path(side.path,
@@ -157,7 +159,7 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
   report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
 }
 
-/// @throws ScenarioError also where a summary holds something else than summaries do
+/// Compares two results. @throws ScenarioError, also where a summary's content is not that of a summary
 PairReport compare_pair(const fs::path& reference, const fs::path& candidate, const std::string& name, const Mapping* mapping,
                         const CompareOptions& options) try {
   PairReport report;
@@ -193,7 +195,7 @@ void require_distinct(const fs::path& directory, const std::vector<std::pair<std
                                          list[i - 1].second.filename().string(), list[i].second.filename().string()));
 }
 
-/// How much there is to read of a member, for the progress: its rows, and something for its other files.
+/// The amount to read of a member (bytes), for the progress: its rows, and a constant for its other files.
 double bytes_of(const fs::path& member) {
   constexpr double kOthers = 1e5;
   std::error_code error;
@@ -202,7 +204,7 @@ double bytes_of(const fs::path& member) {
   return kOthers + (error ? 0 : static_cast<double>(size));
 }
 
-/// Everything in two directories, by name.
+/// Compares all results in two directories, paired by name.
 void compare_collections(const fs::path& reference, const fs::path& candidate, const Mapping* mapping,
                          const CompareOptions& options, CompareReport& report) {
   const auto old_members = members(reference), new_members = members(candidate);
@@ -247,7 +249,7 @@ void compare_collections(const fs::path& reference, const fs::path& candidate, c
   }
 }
 
-/// A tolerance that nothing took is a name that nobody has.
+/// Notes tolerances that no quantity used, since their names may be wrong.
 void note_unused_tolerances(const Tolerances& tolerances, CompareReport& report) {
   for (const auto& entry : tolerances.rules) {
     const std::string& name = entry.first;

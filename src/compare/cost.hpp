@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What both results cost to compute.
+/// Comparison of the cost of computing two results.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace earthtop::compare {
 
-/// Steps, evaluations and seconds of solution and certificate together, as far as both state them; a limit on what is not
-/// stated is a finding.
+/// Compares the steps, evaluations and seconds of solution and certificate together, as far as both results state them. If a
+/// limit is set on a number that is not stated, that is a finding.
 std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand& candidate, const Tolerances& tolerances,
                                     std::vector<CompareFinding>& findings);
 

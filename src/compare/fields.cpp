@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every key of the files that a comparison takes, in the same table form as a scenario's.
+// Every key of mapping and tolerance files, in the same table form as a scenario's.
 #include "compare/fields.hpp"
 
 #include "earthtop/compare/compare.hpp"

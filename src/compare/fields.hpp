@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The tables of fields of the files that a comparison takes.
+/// The tables of the keys of mapping and tolerance files.
 #pragma once
 
 #include "input/fields.hpp"
 
 namespace earthtop::compare {
 
-/// Every key of a mapping file, which says what the columns of another program's CSV file mean.
+/// Every key of a mapping file, which states the meaning of the columns of another program's CSV file.
 const input::FieldTable& mapping_fields();
 /// Every key of a tolerance file.
 const input::FieldTable& tolerances_fields();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostDifferences = 6;
 
-/// The quantities that are worth a panel: those that failed first, then those nearest to their tolerance.
+/// The quantities that get a panel: first those that failed, then those nearest to their tolerance.
 std::vector<const QuantityVerdict*> chosen(const PairReport& pair) {
   std::vector<const QuantityVerdict*> list;
   for (const QuantityVerdict& quantity : pair.quantities)

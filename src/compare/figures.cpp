@@ -18,7 +18,7 @@ namespace {
 
 using Figures = std::vector<std::pair<std::string, const Json*>>;
 
-/// Leaves by their dotted paths; an element of a list by its name, if it has one.
+/// Collects the leaves of a JSON value by their dotted paths. An element of a list is called by its name, if it has one.
 void flatten(const Json& json, const std::string& path, Figures& figures) {
   const std::string start = path.empty() ? "" : path + ".";
   if (json.is_object()) {
@@ -33,13 +33,13 @@ void flatten(const Json& json, const std::string& path, Figures& figures) {
   }
 }
 
-/// The table's entry of a figure that is compared; null where it is not.
+/// The table's entry of a figure that is compared; null for one that is not.
 const SummaryMember* compared_member(const std::string& path) {
   const SummaryMember* member = find_member(path);
   return member && is_compared(member->kind) ? member : nullptr;
 }
 
-/// Both error bounds of a figure, in its unit; none where there are none.
+/// Gives the sum of both results' error bounds on a figure, in the figure's unit; none where a bound is missing.
 class FigureErrors {
  public:
   FigureErrors(const Comparand& a, const Comparand& b) {
@@ -59,10 +59,10 @@ class FigureErrors {
   }
   double axis_drift_rad() const { return axis_drift_rad_; }
 
-  /// @param path  of an invariant's figure says whose scale its error has
+  /// @param path  for an invariant's figure: tells which invariant's scale the error has
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
-    // An error of the axis causes one of its azimuth that is larger by the sine of the tilt, which no summary states. The
-    // largest azimuth drift over that of the axis stands in for it, with a factor for rows that are nearer to the vertical.
+    // An error of the axis causes an error of its azimuth that is larger by 1 / sin(tilt), but no summary states the tilt. The
+    // ratio of the largest azimuth drift to that of the axis is used instead, with a factor for rows nearer to the vertical.
     const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
     // The directions along which a drift is split into its parts turn by the attitudes' errors, and more near the vertical.
     const double turned = axis_drift_rad_ * attitude_.value_or(0);
@@ -86,7 +86,7 @@ class FigureErrors {
 
  private:
   static constexpr double kNearVertical = 10;
-  static constexpr double kRounding = 1e-12;  // thousands of steps, some roundings each
+  static constexpr double kRounding = 1e-12;  // thousands of steps with some roundings each
 
   /// The scale of the invariant that the path leads to.
   static double scale_of(const std::string& path, const Comparand& reference) {
@@ -109,7 +109,7 @@ QuantityVerdict failed(const std::string& name, std::string reason) {
   return verdict;
 }
 
-constexpr double kAnySize = std::numeric_limits<double>::max();  // what limits the errors of other figures is in them already
+constexpr double kAnySize = std::numeric_limits<double>::max();  // no limit: the errors of other figures are limited already
 
 std::string text_of(const Json& json) { return written_replacing(json); }
 
@@ -117,7 +117,7 @@ QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, c
                       const Rule& rule, const Comparand& reference) {
   const bool always_there = kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude ||
                             kind == FigureKind::drift_spin || kind == FigureKind::attitude || kind == FigureKind::conserved;
-  // A run without a row beyond the release says so, and has no numbers.
+  // A run without a row after the release has the verdict `unassessed`, and no numbers.
   const bool none_stated = a.is_null() && b.is_null() && reference.word("/drift/verdict") == to_string(Verdict::unassessed);
   if (always_there && !none_stated && (a.is_null() || b.is_null())) return failed(name, "no finite number");
   if (!a.is_number() || !b.is_number()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The figures of two summaries, held against each other by their names.
+/// Comparison of the figures of two summaries, paired by their names.
 #pragma once
 
 #include "compare/comparand.hpp"
@@ -8,11 +8,11 @@
 
 namespace earthtop::compare {
 
-/// This is known of two runs beside their figures.
+/// Facts about two runs that decide which figures are compared, and how.
 struct FigureContext {
-  bool same_computation = false;  ///< as of `rule_of`
-  bool whole_run = true;          ///< both verdicts trust them to the end; else figures of the end are left out
-  bool same_rows = true;          ///< else largest values and means of the rows are left out
+  bool same_computation = false;  ///< as in `rule_of`
+  bool whole_run = true;          ///< whether both verdicts trust the runs to the end; else figures of the end are left out
+  bool same_rows = true;          ///< whether rows have the same times; else their largest values and means are left out
 };
 
 std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,

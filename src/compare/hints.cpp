@@ -14,10 +14,10 @@ namespace {
 
 using Attitude = std::array<double, 4>;
 
-constexpr double kExplains = 1e-3;     // what is left of the difference
+constexpr double kExplains = 1e-3;     // a mix-up explains a difference if undoing it leaves at most this part
 constexpr double kWorthAGuess = 1e-6;  // rad: smaller differences are no mixed-up convention
-constexpr double kSameRatio = 1e-6;    // of the numbers: by how much they may scatter about one ratio
-constexpr double kKnownRatio = 1e-4;   // of a ratio: closer to no other one of the list
+constexpr double kSameRatio = 1e-6;    // relative scatter of numbers that have one ratio
+constexpr double kKnownRatio = 1e-4;   // relative error of a known ratio; the ratios in the list differ by more
 
 Attitude product(const Attitude& a, const Attitude& b) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(a[0], a[1], a[2], a[3]) * Eigen::Quaterniond(b[0], b[1], b[2], b[3]);
@@ -25,8 +25,8 @@ Attitude product(const Attitude& a, const Attitude& b) {
 }
 
 constexpr double kHalf = std::numbers::sqrt2 / 2;
-constexpr Attitude kFromNed = {0, kHalf, kHalf, 0};   // East, North, Up of North, East, Down
-constexpr Attitude kForwardDown = {0, 1, 0, 0};       // y and z turned round
+constexpr Attitude kFromNed = {0, kHalf, kHalf, 0};   // from North, East, Down to East, North, Up
+constexpr Attitude kForwardDown = {0, 1, 0, 0};       // turns axes y and z round
 constexpr Attitude kSpinIsX = {kHalf, 0, -kHalf, 0};  // x of the file is body axis 3, up to the turn about it
 
 struct AttitudeMixUp {
@@ -72,8 +72,8 @@ constexpr AxisMixUp kAxisMixUps[] = {
      }},
 };
 
-/// The largest difference of a measure over the pairs, with the candidate's row changed. @param later  pairs the candidate's
-/// rows with rows of the reference so many places away
+/// The largest difference of a measure over the pairs, after `change` has been applied to the candidate's rows.
+/// @param later  number of places by which the candidate's rows are shifted against those of the reference
 double largest_difference(const Measure& measure, std::span<const SeenPair> seen, int later,
                           const std::function<void(Row&)>& change = nullptr) {
   double largest = 0;
@@ -88,7 +88,7 @@ double largest_difference(const Measure& measure, std::span<const SeenPair> seen
   return largest;
 }
 
-/// The ratio of the candidate's numbers to the reference's, where it is the same for all.
+/// The ratio of the candidate's numbers to the reference's; none unless it is the same for all numbers.
 std::optional<double> common_ratio(const Measure& measure, std::span<const SeenPair> seen) {
   double products = 0, squares = 0, candidate_squares = 0;
   for (const SeenPair& pair : seen) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a large difference looks like: conventions that are often mixed up.
+/// Guesses at the cause of a large difference: conventions that are often mixed up.
 #pragma once
 
 #include <span>
@@ -10,7 +10,8 @@
 
 namespace earthtop::compare {
 
-/// One line for each mix-up that explains the rows, if there is one. @param seen  the first rows of both
+/// One line of text for each mix-up of conventions that explains the differences; empty where none does.
+/// @param seen  the first rows of both results, paired by time
 std::vector<std::string> hints(std::span<const SeenPair> seen);
 
 }  // namespace earthtop::compare

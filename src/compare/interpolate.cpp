@@ -8,15 +8,16 @@
 namespace earthtop::compare {
 namespace {
 
-/// Slope at b of the parabola through b and two others.
+/// The slope at b of the parabola through a, b and c, in column i.
 double slope(const Row& a, const Row& b, const Row& c, std::size_t i) {
   const double to_a = a.t_s - b.t_s, to_c = c.t_s - b.t_s;
   const double secant_a = (a.value[i] - b.value[i]) / to_a, secant_c = (c.value[i] - b.value[i]) / to_c;
   return (secant_a * to_c - secant_c * to_a) / (to_c - to_a);
 }
 
-/// At an end of a span whose outer neighbour may be missing (then it is the end itself): through the inner two rows and the one
-/// behind them; where that is missing too, of the straight line.
+/// The slope at `end` of the span from `end` to `other`. It is that of the parabola through `outer`, `end` and `other`; where
+/// `outer` is missing (the same row as `end`), through `end`, `other` and `behind`; where that is missing, too, of the straight
+/// line.
 double slope_at_end(const Row& outer, const Row& end, const Row& other, const Row& behind, std::size_t i) {
   if (outer.t_s != end.t_s) return slope(outer, end, other, i);
   if (behind.t_s != other.t_s) return slope(other, end, behind, i);
@@ -28,7 +29,7 @@ double hermite(const Row& a, const Row& b, std::size_t i, double slope_a, double
   return y * y * (1 + 2 * x) * a.value[i] + x * x * (1 + 2 * y) * b.value[i] + h * x * y * (y * slope_a - x * slope_b);
 }
 
-/// The columns of one motion.
+/// The first columns of one motion's attitude, rates and axis.
 struct Motion {
   std::size_t attitude, rates, axis;
 };
@@ -38,7 +39,7 @@ bool are_numbers(const Row& row, std::size_t first, std::size_t count) {
                      [](CellKind kind) { return kind == CellKind::number; });
 }
 
-/// Of a quaternion's two signs the one that is nearer to the row before.
+/// Gives the quaternion of row b the sign that is nearer to that of row a; both signs are the same attitude.
 void near_sign(const Row& a, Row& b, std::size_t attitude) {
   double cosine = 0;
   for (std::size_t i = attitude; i < attitude + 4; ++i) cosine += a.value[i] * b.value[i];
@@ -62,7 +63,7 @@ Slopes slopes_of(const Row& row, const Motion& motion) {
   return {turn, w_L.cross(Eigen::Vector3d(axis[0], axis[1], axis[2]))};
 }
 
-/// Where the rates are there to say how attitude and axis move.
+/// Interpolates attitude and axis with slopes from the rates; does nothing where attitude or rates are missing.
 void interpolate_motion(const Row& a, const Row& b, const Motion& motion, double t_s, Row& between) {
   for (const Row* row : {&a, &b})
     if (!are_numbers(*row, motion.attitude, 4) || !are_numbers(*row, motion.rates, 3)) return;

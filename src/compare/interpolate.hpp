@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A trajectory between its rows.
+/// Interpolation of a trajectory between its rows.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace earthtop::compare {
 
-/// The trajectory at a time between the inner two of four neighbouring rows, by cubic Hermite interpolation. Slopes of
-/// attitude and axis are those that the rates give, of all else those of parabolas through three rows; an outer row that is
-/// missing is its inner neighbour again. Of a flag the smaller one counts; an empty cell stays one.
+/// The trajectory at a time between the inner two of four neighbouring rows, by cubic Hermite interpolation. The
+/// slopes of attitude and axis come from the rates, those of all else from parabolas through three rows. An outer row that is
+/// missing is given as its inner neighbour again. A flag takes the smaller of both values; an empty cell stays empty.
 Row interpolate(const std::array<const Row*, 4>& rows, double t_s);
 
 }  // namespace earthtop::compare

@@ -17,7 +17,7 @@ namespace {
 
 using namespace input;
 
-/// The words of an array of `count` strings; refused where it is none.
+/// The words of an array of `count` strings; anything else is refused.
 std::vector<std::string> words_of(const Section& section, std::string_view key, std::size_t count) {
   std::vector<std::string> words;
   const Node* node = section.any(key);
@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const Section& section, std::string_view key, 
   return words;
 }
 
-/// A word for an axis of ours: its number and its direction.
+/// A word for one of earthtop's axes: the axis's number, and the sign of its direction.
 struct AxisWord {
   std::string_view word;
   std::size_t index;
@@ -43,7 +43,7 @@ constexpr AxisWord kWorldWords[] = {{"east", 0, 1},   {"west", 0, -1}, {"north",
                                     {"south", 1, -1}, {"up", 2, 1},    {"down", 2, -1}};
 constexpr AxisWord kBodyWords[] = {{"1", 0, 1}, {"-1", 0, -1}, {"2", 1, 1}, {"-2", 1, -1}, {"3", 2, 1}, {"-3", 2, -1}};
 
-/// A name for three of the words.
+/// A name for a frame whose axes are given by three of the words.
 struct FrameName {
   std::string_view name;
   std::array<std::string_view, 3> words;

@@ -8,7 +8,7 @@ namespace earthtop::compare {
 
 namespace {
 
-constexpr double kSameTime = 1e-9;  // of a step: how exactly rows lie at their times
+constexpr double kSameTime = 1e-9;  // part of a step within which times count as the same
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool Pairing::read_reference(Row& row) {
   return false;
 }
 
-/// The next row of the reference becomes the one here. @param outside  of the candidate's times
+/// Goes on by one row in the reference. @param outside  whether the row that is left lies outside the candidate's times
 void Pairing::advance(bool outside) {
   if (!matched_) miss(slot(1).t_s, outside);
   matched_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows of two files that belong to one time.
+/// Pairing of the rows of two files by their times.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace earthtop::compare {
 
-/// Counts the rows that pass through it.
+/// Passes on the rows of another source, counts them, and notes the first gap in their times.
 class CountedRows : public RowSource {
  public:
   explicit CountedRows(RowSource& rows) : rows_(rows) {}
@@ -28,7 +28,7 @@ class CountedRows : public RowSource {
   std::vector<std::string> other_columns() const override { return rows_.other_columns(); }
   std::uint64_t count() const { return count_; }
   double last_s() const { return last_s_; }
-  /// The first time after which a step is longer than the one before; none where there is no such time.
+  /// The first time (s) after which the step is more than kGap times the step before; none where there is no such time.
   const std::optional<double>& gap_after_s() const { return gap_after_s_; }
 
  private:
@@ -41,13 +41,13 @@ class CountedRows : public RowSource {
 
 enum class PairKind {
   same_time,
-  between,  ///< two rows of the reference
-  no_time,  ///< the time is not finite
+  between,  ///< the candidate's time lies between two rows of the reference
+  no_time,  ///< the candidate's time is not finite
   end
 };
 
-/// A row of the candidate with the reference around it: at `same_time` the row itself is reference[1], `between` the inner two
-/// of the four are its neighbours. Valid until the next one is asked for.
+/// A row of the candidate with the rows of the reference around it. For `same_time`, reference[1] is the row of that time; for
+/// `between`, reference[1] and reference[2] are the neighbours. Valid until the next call of `Pairing::next`.
 struct PairedRow {
   PairKind kind = PairKind::end;
   std::array<const Row*, 4> reference{};
@@ -55,18 +55,19 @@ struct PairedRow {
 };
 
 struct PairingCounts {
-  std::uint64_t missing_inside = 0;   ///< rows of the reference that no row of the candidate has the time of
-  std::uint64_t missing_outside = 0;  ///< those before the candidate's first row or after its last one
+  std::uint64_t missing_inside = 0;   ///< rows of the reference inside the candidate's times that have no partner
+  std::uint64_t missing_outside = 0;  ///< rows of the reference before the candidate's first row or after its last one
   double first_missing_s = 0;
   std::uint64_t beyond = 0;  ///< rows of the candidate outside the reference's times
 };
 
 class Pairing {
  public:
-  /// @param some_rows_only  rows of the candidate between the reference's are passed over
+  /// @param known  survey of the reference: gives the times' accuracy
+  /// @param some_rows_only  whether rows of the candidate between the reference's are skipped
   Pairing(RowSource& reference, RowSource& candidate, const Survey& known, bool some_rows_only);
   PairedRow next();
-  const PairingCounts& counts() const { return counts_; }  ///< whole after the end
+  const PairingCounts& counts() const { return counts_; }  ///< complete once `next` has given `end`
 
  private:
   Row& slot(std::size_t i) { return rows_[(first_ + i) % 4]; }
@@ -78,8 +79,9 @@ class Pairing {
   RowSource& reference_;
   RowSource& candidate_;
   bool some_rows_only_;
-  double same_s_;  // times that differ by less are one
-  // Rows of the reference: before, at or before the candidate's time, the next one, and one more. Which of them are there:
+  double same_s_;  // times that differ by at most this are the same (s)
+  // Four neighbouring rows of the reference: slot(1) is the last one at or before the candidate's time (`here`), slot(0) the
+  // one before it, slot(2) and slot(3) the two after it. The flags below tell which of them exist.
   std::array<Row, 4> rows_;
   std::size_t first_ = 0;
   bool has_before_ = false, has_here_ = false, has_next_ = false, has_after_ = false;

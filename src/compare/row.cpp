@@ -32,18 +32,18 @@ double length(const double* v, std::size_t n) {
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) sum += v[i] * v[i];
   if (std::isfinite(sum)) return std::sqrt(sum);
-  double largest = 0;  // whose square no double holds
+  double largest = 0;  // stands in for the length where the sum of squares overflows
   for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(v[i]));
   return largest;
 }
 
-/// Sine and cosine as a cross and a dot product: nothing cancels where the angle is small.
+/// The angle between two vectors (rad), from their cross and dot products: no digits cancel where the angle is small.
 double angle_between(const double* a, const double* b) {
   const double x[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   return real::atan2(length(x, 3), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
-/// Angle of conj(a) b; either sign of a quaternion is the same attitude.
+/// The angle of the turn conj(a) b from one quaternion's attitude to the other's (rad), which does not depend on their signs.
 double turn_between(const double* a, const double* b) {
   const double w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const double v[] = {a[0] * b[1] - b[0] * a[1] - (a[2] * b[3] - a[3] * b[2]),

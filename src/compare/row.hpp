@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows of a result file, and the physical measures in which two of them are held against each other.
+/// Rows of a result file, and the physical measures in which two rows are compared.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace earthtop::compare {
 
 using input::CellKind, input::CsvReader;
 
-/// A row: its time, and the cells of its table's columns in their order.
+/// A row: its time (s), and the cells of its table's columns in their order.
 struct Row {
   static constexpr std::size_t kMostColumns = 32;
   double t_s = 0;
   std::array<double, kMostColumns> value{};  // NaN where there is no number
   std::array<CellKind, kMostColumns> kind{};
-  std::array<std::size_t, kMostColumns> more_digits{};  // a hash of the cell where a double does not hold all of it; else 0
+  std::array<std::size_t, kMostColumns> more_digits{};  // a hash of the cell if it has more digits than a double; else 0
 };
 
 /// The difference of two rows in one quantity.
@@ -31,13 +31,13 @@ struct Measure {
   MeasureKind kind;
   RowPart part;
   BoundKind bound;
-  std::string_view effect;   ///< the measure whose largest value is the Earth's effect on this one; empty where there is none
-  std::size_t column;        ///< the first of its columns
-  std::size_t width;         ///< how many there are
-  std::string first_column;  ///< its name
+  std::string_view effect;   ///< the measure whose largest value is the Earth's effect on this one; empty if none
+  std::size_t column;        ///< index of the first of its columns
+  std::size_t width;         ///< number of its columns
+  std::string first_column;  ///< name of the first column
 };
 
-/// A result file's columns after the time, and what is measured of them.
+/// The columns of a result file after the time, and the measures made of them.
 struct Table {
   std::string_view file;
   std::vector<std::string> columns;
@@ -47,16 +47,16 @@ struct Table {
 const Table& trajectory_table();
 const Table& torques_table();
 
-/// Which cells of a measure are there.
+/// Whether a row's cells of a measure are all numbers (`whole`), some are empty, or some are not finite.
 enum class Presence { whole, empty, not_finite };
 Presence presence(const Measure& measure, const Row& row);
 
 /// Difference of two rows in a measure that both have, in its unit; at least 0. Directions and quaternions should have length
-/// 1: what their lengths differ by counts as well, so that no changed digit hides along them.
+/// 1. A difference of their lengths counts as well, so that a change along their direction does not stay unnoticed.
 double difference(const Measure& measure, const Row& a, const Row& b);
 
-/// Size of a measure: of a number its absolute value, of an angle the same within half a turn, of a vector its length, of an
-/// attitude or a direction 1.
+/// Size of a measure: the absolute value of a number; the same for an angle, reduced to at most half a turn; the length of a
+/// vector; 1 for an attitude or a direction.
 double size(const Measure& measure, const Row& row);
 
 }  // namespace earthtop::compare

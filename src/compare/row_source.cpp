@@ -17,13 +17,13 @@ namespace {
   throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(reader.line()), 1, "", std::move(message)}}, reader.file());
 }
 
-/// Rows must come in the order of their times, or nothing can be found among them.
+/// Refuses a row that is not later than the row before: rows are paired in the order of their times.
 void require_later(const CsvReader& reader, double t_s, double& last_s) {
   if (t_s <= last_s) refuse_at(reader, fmt::format("time {} s does not lie after that of the row before, {} s", t_s, last_s));
   if (std::isfinite(t_s)) last_s = t_s;
 }
 
-constexpr std::ptrdiff_t kDigitsOfDouble = 17;  // significant ones, which read back to the same bits
+constexpr std::ptrdiff_t kDigitsOfDouble = 17;  // significant digits that read back to the same bits
 
 /// Whether a number's text has digits that a double does not hold.
 bool has_more_digits(std::string_view text) {
@@ -82,11 +82,11 @@ class OwnRows : public RowSource {
  private:
   CsvReader reader_;
   const Table& table_;
-  std::vector<std::size_t> columns_;  // of the table, that the file has
+  std::vector<std::size_t> columns_;  // the table's columns that the file has
   double last_s_ = -std::numeric_limits<double>::infinity();
 };
 
-/// The file's axes as columns: what turns components in the file's frame into components in ours.
+/// The matrix whose columns are the file's axes; it turns components in the file's frame into components in earthtop's.
 Eigen::Matrix3d matrix_of(const AxisTurn& turn) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
@@ -129,8 +129,8 @@ class MappedRows : public RowSource {
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
 
  private:
-  /// Columns that belong together: where their numbers stand among those read (0: nowhere, they are computed), and where they
-  /// go.
+  /// Columns that belong together: the place of the first of their numbers among those read (`from`; 0 if they are computed
+  /// instead), the first column of the table to which they go, and their number.
   struct Group {
     std::size_t from, first, size;
   };
@@ -171,7 +171,7 @@ class MappedRows : public RowSource {
   void put_vector(Row& row, const Group& group, const Eigen::Vector3d& vector) const {
     put(row, group, std::array{vector.x(), vector.y(), vector.z()});
   }
-  /// R_LB = R_LF R_FG R_GB: the file's world axes F, its body axes G.
+  /// Sets the attitude from R_LB = R_LF R_FG R_GB, with the file's world axes F and body axes G.
   void put_attitude(Row& row) {
     const auto q = reader_.numbers().subspan(quaternion_->from, 4);
     Eigen::Quaterniond q_FG(q[0], q[1], q[2], q[3]);
@@ -179,7 +179,7 @@ class MappedRows : public RowSource {
     const Eigen::Quaterniond q_LB = Eigen::Quaterniond(R_LF_) * q_FG * Eigen::Quaterniond(R_BF_).conjugate();
     put(row, *quaternion_, std::array{q_LB.w(), q_LB.x(), q_LB.y(), q_LB.z()});
   }
-  /// Body axis 3 as the attitude has it.
+  /// Sets body axis 3, in laboratory axes, from the attitude.
   void put_axis_of(Row& row) const {
     const double* q = row.value.data() + quaternion_->first;
     const Eigen::Vector3d axis_L = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized() * Eigen::Vector3d::UnitZ();

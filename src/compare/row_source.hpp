@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where rows come from: a result file of earthtop's, a foreign CSV through a mapping, or a compact reference.
+/// Sources of rows: a result file of earthtop's, a foreign CSV with a mapping, or a compact reference.
 #pragma once
 
 #include <memory>
@@ -18,14 +18,14 @@ class RowSource {
   RowSource(const RowSource&) = delete;
   RowSource& operator=(const RowSource&) = delete;
 
-  /// @returns false at the end. The time of a row is above that of the row before.
-  /// @throws ScenarioError where the file breaks off, or holds what no row can be
+  /// Reads the next row. @returns false at the end. The time of a row is later than that of the row before.
+  /// @throws ScenarioError where the file breaks off, or has a line that cannot be a row
   virtual bool next(Row& row) = 0;
   virtual bool has_column(std::size_t column) const = 0;
   virtual std::string where() const = 0;  ///< file and line of the last row
-  /// The part of the file that has been read; 0 where nobody knows.
+  /// The part of the file that has been read, 0 to 1; 0 where it is not known.
   virtual double share_read() const { return 0; }
-  /// What the file has beside the table's columns.
+  /// The names of the file's columns that are not columns of the table.
   virtual std::vector<std::string> other_columns() const { return {}; }
 
   bool has(const Measure& measure) const;
@@ -33,7 +33,7 @@ class RowSource {
 
 /// Rows of a file with the table's own column names.
 std::unique_ptr<RowSource> open_own_csv(const std::string& file, const Table& table);
-/// Rows of a trajectory in another program's columns, converted.
+/// Rows of a trajectory in another program's columns, converted to the columns of trajectory.csv.
 std::unique_ptr<RowSource> open_mapped_csv(const std::string& file, const Mapping& mapping);
 
 }  // namespace earthtop::compare

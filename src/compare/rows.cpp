@@ -16,10 +16,11 @@ namespace earthtop::compare {
 namespace {
 
 constexpr std::size_t kMostSeen = 200;
-constexpr std::size_t kMostSpans = 1000;    // of a difference's curve
-constexpr double kMostTurnBetweenRows = 1;  // rad: beyond it a row says little of what lies before the next
+constexpr std::size_t kMostSpans = 1000;    // largest number of spans in a difference's curve
+constexpr double kMostTurnBetweenRows = 1;  // rad: if the body turns by more, rows do not tell the motion between them
 
-/// The largest differences of equally many rows each; where there are too many spans, two become one.
+/// Builds a difference's curve: the largest difference in each span of equally many rows. If there are too many spans, every
+/// two are joined.
 class CurveBuilder {
  public:
   void add(double t_s, double difference, double tolerance) {
@@ -55,7 +56,7 @@ class CurveBuilder {
 
 std::string at_time(double t_s) { return fmt::format("t = {:.10g} s", t_s); }
 
-/// One measure, row after row.
+/// Judges one measure, row after row.
 class Judge {
  public:
   Judge(const Measure& measure, Rule rule, double scale, double effect, bool with_curve)
@@ -101,7 +102,7 @@ class Judge {
     if (with_curve_) curve_.add(t_s, found, tolerance);
   }
 
-  /// A value that only one of the two has, or that is no finite number.
+  /// Records a failure: a value that only one of the two has, or that is not finite.
   void miss(double t_s, std::string reason) {
     if (verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
     if (verdict_.reason.empty()) verdict_.reason = std::move(reason);
@@ -133,7 +134,7 @@ class Judge {
   CurveBuilder curve_;
 };
 
-/// Where a table's error bounds stand.
+/// The columns of a table's error bounds, and others that are needed to turn them into bounds on measures.
 struct BoundColumns {
   explicit BoundColumns(const Table& table)
       : axis(table.find("drift_axis_bound_rad")),
@@ -149,7 +150,7 @@ double sum_of(const std::optional<std::size_t>& column, const Row& a, const Row&
   return a.value[*column] + b.value[*column];
 }
 
-/// Sum of both error bounds on a measure; negative where they are not known.
+/// Sum of both results' error bounds on a measure in two rows, in its unit; negative where they are not known.
 double errors_of(const Measure& measure, const BoundColumns& columns, const RowsContext& context, double rate, const Row& a,
                  const Row& b) {
   switch (measure.bound) {
@@ -164,8 +165,8 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
       const double sum = sum_of(columns.axis, a, b);
       const bool is_tilt = measure.bound == BoundKind::drift_tilt;
       if (sum < 0 || sine == 0) return is_tilt ? sum : -1;
-      // Where both axes are off by e, azimuths there are off by e / sin(tilt), and the drift is split into its parts along
-      // directions that are turned by as much; but no tilt is off by more than its axis.
+      // If both axes have an error e, their azimuths have an error e / sin(tilt), and the directions along which the drift is
+      // split into its parts are turned by as much. But no tilt has a larger error than its axis.
       const double turned =
           columns.drift && context.attitude_errors_known
               ? std::min(context.attitude_errors_rad, std::abs(a.value[*columns.drift]) * context.attitude_errors_rad / sine)
@@ -183,8 +184,8 @@ class Comparison {
   Comparison(const Table& table, const RowsContext& context, const CompareOptions& options)
       : table_(table), context_(context), options_(options), bounds_(table) {}
 
-  /// One pass over both files. @returns whether it came to its end: not where rows must be interpolated between and `known`
-  /// does not say how well that goes
+  /// Makes one pass over both files. @returns whether it reached the end; false if rows must be interpolated and `known` does
+  /// not hold the interpolation's errors
   bool pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known,
             const Watch& watch);
   RowsComparison take();
@@ -239,14 +240,15 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
   if (judges_.empty()) result_.findings.push_back({"nothing in common", "the two have no quantity in common"});
 }
 
-/// Whether two quaternions have opposite signs, which stand for the same attitude.
+/// Whether two quaternions of nearly the same attitude have opposite signs.
 bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   double cosine = 0;
   for (std::size_t i = measure.column; i < measure.column + measure.width; ++i) cosine += a.value[i] * b.value[i];
   return cosine < 0;
 }
 
-/// Whether two rows have the same digits, those beyond a double's included; of a quaternion's signs either is right.
+/// Whether two rows have the same digits in a measure, including those that a double does not hold. Quaternions of opposite
+/// signs count as the same.
 bool same_digits(const Measure& measure, const Row& a, const Row& b) {
   const double sign = measure.kind == MeasureKind::attitude && have_other_signs(measure, a, b) ? -1 : 1;
   for (std::size_t i = measure.column; i < measure.column + measure.width; ++i)
@@ -279,7 +281,7 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
   }
 }
 
-/// Between rows that are too far apart a curve through them is a guess.
+/// Refuses rows that are too far apart to interpolate between them.
 void Comparison::require_fine_rows(const Survey& known) const {
   const auto refuse = [&](const std::string& why) {
     throw ScenarioError(
@@ -368,7 +370,7 @@ RowsComparison Comparison::take() {
   return std::move(result_);
 }
 
-/// A summary that states other rows than there are belongs to another file, or the file broke off.
+/// Refuses a file whose number of rows is not the one that its summary states: it is incomplete, or the summary is another's.
 void require_stated(const Comparand& comparand, const Table& table, const CountedRows& rows) {
   const auto refuse = [&](std::string message) { refuse_path(comparand.path / table.file, std::move(message)); };
   if (rows.count() == 0) refuse("has no rows; run the scenario again");
@@ -384,7 +386,7 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
                               const std::function<std::unique_ptr<RowSource>()>& open_reference,
                               const std::function<std::unique_ptr<RowSource>()>& open_candidate, const RowsContext& context,
                               const CompareOptions& options, const Watch& watch) {
-  constexpr double kSurvey = 0.3;  // of the work: one file is read of two
+  constexpr double kSurvey = 0.3;  // share of the survey in the work: it reads one of the two files
   for (const bool interpolates : {false, true}) {
     const auto surveyed = open_reference();
     CountedRows surveyed_rows(*surveyed);

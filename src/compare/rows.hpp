@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Two tables of rows, held against each other row by row in bounded memory.
+/// Comparison of two tables of rows, row by row in bounded memory.
 #pragma once
 
 #include "compare/comparand.hpp"
@@ -8,7 +8,7 @@
 
 namespace earthtop::compare {
 
-/// Rows of both at one time, as they stand in the files: the first of them, to be looked at where the two differ.
+/// A pair of rows of one time, as in the files. The first pairs are kept, to guess the cause where the two results differ.
 struct SeenPair {
   Row reference, candidate;
 };
@@ -21,22 +21,22 @@ struct RowsComparison {
   std::vector<SeenPair> seen;
 };
 
-/// What both sides' summaries say that rows are judged by.
+/// Numbers and facts from both sides' summaries that are needed to judge rows.
 struct RowsContext {
   double attitude_errors_rad = 0;  ///< sum of both attitude bounds
   bool attitude_errors_known = false;
-  double natural_rate_rad_s = 0;  ///< at which an error of the attitude may turn into one of the rates
+  double natural_rate_rad_s = 0;  ///< rate that turns an attitude error into an error of the rates (rad/s)
   std::optional<double> until_s;  ///< later rows are not judged
-  bool both_runs = false;         ///< each has all columns, or something is wrong
-  bool same_scenario = false;     ///< the same times are expected
-  bool same_computation = false;  ///< and the same errors, too: nothing but rounding should differ
+  bool both_runs = false;         ///< whether both are runs, which must have all columns
+  bool same_scenario = false;     ///< whether the scenarios agree, so that rows at the same times are expected
+  bool same_computation = false;  ///< whether the errors agree, too, so that only rounding should differ
 };
 
-/// @throws ScenarioError for rows that break off or are not as many as a summary states, and where the times differ and the
-/// reference's rows are too far apart; ReadError
+/// Compares the rows of trajectory.csv. @throws ScenarioError for rows that break off or are not as many as a summary states,
+/// and where the times differ and the reference's rows are too far apart to interpolate between them; ReadError
 RowsComparison compare_rows(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
                             const CompareOptions& options);
-/// The same of torques.csv, row by row.
+/// Compares the rows of torques.csv in the same way.
 RowsComparison compare_torques(const Comparand& reference, const Comparand& candidate, const RowsContext& context,
                                const CompareOptions& options);
 

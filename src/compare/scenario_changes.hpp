@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where two scenarios differ.
+/// Differences between two scenarios.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@ namespace earthtop::compare {
 
 struct ScenarioChange {
   std::string pointer;
-  std::string reference, candidate;  ///< as JSON; "nothing" where the key is not there
+  std::string reference, candidate;  ///< values as JSON; "nothing" where the key is missing
 };
 
-/// Of two canonical scenarios, without what is only said of them (name, title, purpose, headline, criteria).
+/// The differences of two canonical scenarios, except in the keys that do not change the motion (name, title, purpose,
+/// headline, criteria).
 std::vector<ScenarioChange> scenario_changes(const Json& reference, const Json& candidate);
 
-/// Whether a pointer is one of those, or below one of them.
+/// Whether a JSON pointer is one of those in `allowed`, or below one of them; "/" allows all.
 bool is_below(const std::string& pointer, const std::vector<std::string>& allowed);
 
 }  // namespace earthtop::compare

@@ -20,7 +20,7 @@ using study::PointResult;
 using study::Store;
 using study::Value;
 
-constexpr double kWithoutBounds = 1e-9;  // of a quantity's largest size, where no bounds have been collected
+constexpr double kWithoutBounds = 1e-9;  // tolerance where no bounds were collected: part of a quantity's largest size
 
 Store open_store(const std::filesystem::path& path) {
   std::error_code error;
@@ -35,7 +35,7 @@ std::string name_of(const PointResult& point, const Study& study) {
   return study.axes.empty() ? text : text + ")";
 }
 
-/// The bound that has been collected for a kind of figure.
+/// The path in the summary of the error bound for a kind of figure.
 std::string_view bound_path(FigureKind kind) {
   switch (kind) {
     case FigureKind::drift_axis: return "drift.axis_bound_rad";
@@ -46,7 +46,7 @@ std::string_view bound_path(FigureKind kind) {
   }
 }
 
-/// One quantity that both stores hold, with where it stands in each.
+/// One quantity that both stores hold, with its place in each store.
 struct SharedQuantity {
   std::size_t reference, candidate;
   FigureKind kind;
@@ -75,7 +75,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
       report.findings.push_back({"missing column", fmt::format("{} is missing in the new store", quantity.name)});
       continue;
     }
-    // A study may have collected on purpose what the comparison of two summaries passes over.
+    // A study may have collected a figure that is not compared between two summaries: it is compared here.
     const SummaryMember* member = find_member(quantity.path);
     const FigureKind kind = member && member->kind != FigureKind::not_compared ? member->kind : FigureKind::derived;
     const auto rule = is_compared(kind) ? rule_of(quantity.name, kind, options.tolerances, same_study) : std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Two study stores, held against each other point by point.
+/// Comparison of two study stores, point by point.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 
 namespace earthtop::compare {
 
-/// Fills in everything but the names. @throws ScenarioError where one of them is no store; ReadError
+/// Compares two stores, and fills in all of the report but the names. @throws ScenarioError where one of them is not a store;
+/// ReadError
 void compare_stores(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                     const CompareOptions& options, PairReport& report);
 

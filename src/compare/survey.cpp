@@ -27,7 +27,7 @@ double rate_effect(const Measure& rates, const Measure& reference_rates, const R
   return std::sqrt(sum);
 }
 
-/// How well rows that are left out follow from those around them.
+/// Finds the interpolation errors: interpolates each row from the rows around it, and compares the result with the row.
 class LeaveOneOut {
  public:
   LeaveOneOut(const Table& table, std::vector<double>& errors) : table_(table), errors_(errors) {}

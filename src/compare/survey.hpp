@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What must be known of a reference before a row of it can be judged.
+/// A first pass over a reference, for the numbers that must be known before any of its rows can be judged.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 namespace earthtop::compare {
 
 struct Survey {
-  std::uint64_t rows = 0;  ///< with a finite time
+  std::uint64_t rows = 0;  ///< number of rows with a finite time
   std::uint64_t not_finite_times = 0;
   double first_s = 0, last_s = 0;
-  double least_step_s = 0, largest_step_s = 0;  ///< 0 of a single row
-  std::vector<double> largest;                  ///< size of each measure of the table, over the rows that have it
-  double largest_rate_rad_s = 0;                ///< of both motions
+  double least_step_s = 0, largest_step_s = 0;  ///< steps between rows (s); 0 for a single row
+  std::vector<double> largest;                  ///< largest size of each measure of the table, over the rows that have it
+  double largest_rate_rad_s = 0;                ///< largest angular rate of both motions
   double rate_effect_rad_s = 0;                 ///< largest |w_LB - ref_w_LB|
-  /// Of each measure, if asked for: its error midway between rows twice as far apart, as the rows left out there show it.
+  /// The interpolation error of each measure, if asked for: the error midway between rows twice as far apart as the
+  /// reference's, found by comparing with the rows left out there.
   std::vector<double> interpolation_error;
 };
 
-/// Reads all rows. @throws as `RowSource`
+/// Surveys a reference by reading all its rows. @throws as `RowSource`
 Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch);
 
 }  // namespace earthtop::compare

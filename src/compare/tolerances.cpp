@@ -17,18 +17,18 @@ namespace {
 
 using namespace input;
 
-constexpr double kOfEffect = 1e-3;        // of the Earth's effect: more could hide it
-constexpr double kNoEffect = 1e-6;        // where there is none: rad, or of the quantity's size
-constexpr double kRounding = 1e-12;       // of a quantity's size: thousands of roundings
+constexpr double kOfEffect = 1e-3;        // part of the Earth's effect; a larger difference could hide the effect
+constexpr double kNoEffect = 1e-6;        // where there is no such effect: in rad, or as part of the quantity's size
+constexpr double kRounding = 1e-12;       // part of a quantity's size: thousands of roundings
 constexpr double kRoundingAngle = 1e-13;  // rad
-constexpr double kOrderOfMagnitude = 10;  // of errors: up or down
-constexpr double kTorque = 1e-9;          // of its largest value: the state's error, many times over
-constexpr double kDerived = 1e-6;         // of a number made of several, whose own bounds no summary states
-constexpr double kTime = 1e-3;            // of a time at which disturbances have grown: growth is followed to some percent
-constexpr double kOfSize = 0.1;           // most that error bounds allow where there is no effect: a tenth is no agreement
-constexpr double kSmall = 0.01;           // of the largest error: below it, errors of any ratio are of one size
-// The same computation, rounded otherwise: of a quantity's size, and of the error bounds, which are larger where rounding has
-// more time to add up.
+constexpr double kOrderOfMagnitude = 10;  // largest ratio of two errors
+constexpr double kTorque = 1e-9;          // part of a torque's largest value: many times the state's error
+constexpr double kDerived = 1e-6;         // part of a number computed from several, for which no summary states bounds
+constexpr double kTime = 1e-3;            // part of a time at which disturbances have grown: growth is computed to some percent
+constexpr double kOfSize = 0.1;           // part of a quantity's size: upper limit of error bounds where there is no effect
+constexpr double kSmall = 0.01;           // part of the largest error; smaller errors count as equal in size
+// Tolerances for the same computation, rounded otherwise: parts of a quantity's size, and of the error bounds, which are larger
+// where rounding has more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
 
 bool is_error(const Measure& measure) { return measure.part == RowPart::error && measure.kind != MeasureKind::flag; }
@@ -84,8 +84,8 @@ std::optional<Rule> physics_rule(FigureKind kind) {
   }
 }
 
-/// The rule with what a file says of this quantity. A part that the file does not name is none of the tolerance: else nobody
-/// could ask for less than the profile.
+/// The rule after the changes that a tolerance file makes for this quantity. A part that the file does not name counts as 0:
+/// otherwise nobody could ask for a smaller tolerance than the profile's.
 std::optional<Rule> changed(std::optional<Rule> rule, const std::string& name, const Tolerances& tolerances) {
   const auto given = tolerances.rules.find(name);
   if (given != tolerances.rules.end())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How much each quantity may differ by, and why so much.
+/// Tolerances for the differences of quantities, with the reason for each.
 #pragma once
 
 #include <optional>
@@ -17,34 +17,35 @@ namespace earthtop::compare {
 struct Rule {
   double absolute = 0, relative = 0, effect = 0, bounds = 0;
   std::string source;  ///< "profile regression", or the file
-  double times = 0;    ///< instead, where above 0: so many times larger or smaller at most
+  double times = 0;    ///< if above 0, the only limit: the largest ratio of the two values, either way
 };
 
-/// Whether two errors are of one size: neither is so many times the other, or both are small beside the largest one.
+/// Whether two errors are of the same size: neither is more than `times` the other, or both are small beside `largest`.
 bool are_of_one_size(double a, double b, double times, double largest);
 
-/// A tolerance with the part that it is.
+/// A tolerance, and the part of its rule that decides it, in words.
 struct Tolerance {
   double value = 0;
   std::string origin;
 };
 
-/// The part that does not change from row to row.
+/// The part of a tolerance that does not change from row to row: the largest of absolute, relative and effect.
 double fixed_part(const Rule& rule, double scale, double effect);
-/// The most that error bounds may allow, however large they are said to be: the Earth's effect, or where there is none a tenth
-/// of the quantity's size. Beyond it nothing would be compared.
+/// The upper limit of a tolerance from error bounds, however large the stated bounds are: the Earth's effect, or where there is
+/// none a tenth of the quantity's size. A larger tolerance would let every difference pass.
 double largest_for_bounds(double scale, double effect);
-/// Everything together, in words.
+/// The tolerance with all its parts, and its origin in words.
 Tolerance tolerance_of(const Rule& rule, double scale, double effect, double errors);
 
-/// @param same_computation  the same scenario, numerics included, and a motion that does not magnify rounding: then both have
-/// the same errors, and nothing but rounding should differ
-/// @returns none where the profile does not compare it
+/// The rule for a measure of the rows.
+/// @param same_computation  whether the scenarios agree, numerics included, and the motion does not magnify rounding: then both
+/// have the same errors, and only rounding should differ   @param effect  the Earth's effect on the measure, in its unit
+/// @returns none where the profile does not compare the measure
 std::optional<Rule> rule_of(const Measure& measure, const Tolerances& tolerances, bool same_computation, double effect);
 
 /// Whether figures of this kind are compared at all.
 constexpr bool is_compared(FigureKind kind) { return kind != FigureKind::not_compared && kind != FigureKind::cost; }
-/// Whether they are angles modulo 2 pi.
+/// Whether figures of this kind are angles modulo 2 pi.
 constexpr bool is_angle(FigureKind kind) { return kind == FigureKind::drift_azimuth || kind == FigureKind::drift_spin; }
 
 std::optional<Rule> rule_of(const std::string& name, FigureKind kind, const Tolerances& tolerances, bool same_computation);

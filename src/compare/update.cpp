@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// New references, each with the reason for it.
+// Replaces references by new results, and keeps the reason for each change.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ std::string notes(Json history, const std::string& reason) {
   return written_replacing(document, 2) + '\n';
 }
 
-/// The file's bytes, a block at a time.
+/// Copies a file's bytes to the sink, a block at a time.
 void copy(const fs::path& file, const FileSet::Sink& sink) {
   const input::Descriptor from = input::open_regular_file(file.string(), file.string(), {"result file", false});
   std::string block(std::size_t{1} << 20, '\0');
@@ -41,7 +41,8 @@ void copy(const fs::path& file, const FileSet::Sink& sink) {
     sink(std::string_view(block).substr(0, got));
 }
 
-/// Files of one directory to another, as they are, and the reason beside them. @param names  the last one is the seal
+/// Copies files from the candidate's directory to the reference's, and writes the reason beside them.
+/// @param names  the files; the last one is the seal
 void replace_files(const fs::path& reference, const fs::path& candidate, std::vector<std::string_view> names,
                    const std::string& reason) {
   const Json history = history_in(reference / kNotes);
@@ -54,7 +55,7 @@ void replace_files(const fs::path& reference, const fs::path& candidate, std::ve
   files.commit();
 }
 
-/// A reference that does not agree with itself would never be met; nor is half a run one.
+/// Refuses results that cannot be a reference: those that do not agree with themselves, and incomplete ones.
 void require_sound(const fs::path& candidate) {
   CompareOptions options;
   options.tolerances.profile = Profile::bitwise;
@@ -78,7 +79,7 @@ void require_sound(const fs::path& candidate) {
   }
 }
 
-/// A directory that may become a reference of a kind: empty, missing, or of that kind already.
+/// Refuses a place that cannot become a reference of this kind: it may be missing, empty, or a reference of the kind already.
 void require_kind(const fs::path& reference, ComparandKind kind) {
   std::error_code error;
   if (is_there(reference) && !fs::is_directory(reference, error)) refuse_path(reference, "is a file; give a directory");

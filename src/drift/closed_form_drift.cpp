@@ -136,7 +136,7 @@ class LooksAtPair {
  public:
   explicit LooksAtPair(ExactPair<T>& pair)
       : pair_(pair), apart_(T(real::cbrt(static_cast<double>(real::epsilon<T>())) * pair.longest_step())) {}
-  AxisLook<T> operator()(T t) {
+  AxisDriftSample<T> operator()(T t) {
     const T before = std::max(T(0), T(t - apart_)), after = t + apart_;
     const DriftState<T> at = pair_.state(t), at_before = pair_.state(before), at_after = pair_.state(after);
     return axis_look(t, at, at_before, at_after, T(after - before));

@@ -32,7 +32,7 @@ class FlowSearch {
   /// @param system  its equations may have changed since the last state, if a motion has come to rest
   void follow(const System& system, T t, const State& x) {
     if (watch_.done()) return;
-    const AxisLook<T> next = watch_.has_passed() ? axis_look(t, equations_->deviation_state(x, t)) : look(t, x);
+    const AxisDriftSample<T> next = watch_.has_passed() ? axis_look(t, equations_->deviation_state(x, t)) : look(t, x);
     begin_t_ = t_, begin_ = x_;
     watch_.follow(next, [&](T between) {
       if (between < begin_t_) begin_t_ = t_, begin_ = x_;
@@ -51,7 +51,7 @@ class FlowSearch {
 
   /// The drift at t and its rate. The rate needs only a few digits: it is taken from the two states to which the slope at t
   /// leads shortly before and after t (by a phase of the motion that is the cube root of epsilon).
-  AxisLook<T> look(T t, const State& x) const {
+  AxisDriftSample<T> look(T t, const State& x) const {
     State dxdt, before, after;
     (*equations_)(x, dxdt, t);
     for (std::size_t i = 0; i < x.size(); ++i) {

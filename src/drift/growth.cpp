@@ -23,9 +23,9 @@ using State = std::array<double, kSize>;  // q, w, then theta and dw of each dis
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
-constexpr double kToldApart = 2;    // e-foldings in the second half: an oscillation of the growth may make as many
-constexpr int kStages = 13;         // of Fehlberg's method of order 8
-constexpr double kTurning = 1e-10;  // rad, a step: dry friction turns round with the motion, and disturbances jump
+constexpr double kSignificantEFoldings = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr int kStages = 13;                  // of Fehlberg's method of order 8
+constexpr double kTurning = 1e-10;           // rad, a step: dry friction turns round with the motion, and disturbances jump
 
 Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
 void put(const Vec3<double>& v, State& x, std::size_t i) {
@@ -149,12 +149,12 @@ class LateSlope {
     weight_ += dt, x_ += dt * x, xx_ += dt * x * x, y_ += dt * value, xy_ += dt * x * value;
     reached_ = t;
   }
-  /// The slope; none where less than half of the second half was reached, 0 where the line changes by less than kToldApart.
+  /// The slope; none where less than half of the second half was reached, 0 where the line changes by less than kSignificantEFoldings.
   std::optional<double> slope() const {
     const double spread = weight_ * xx_ - x_ * x_;
     if (reached_ < middle_ || !(spread > 0)) return std::nullopt;
     const double slope = (weight_ * xy_ - x_ * y_) / spread;
-    return std::abs(slope) * half_ < kToldApart ? 0 : slope;
+    return std::abs(slope) * half_ < kSignificantEFoldings ? 0 : slope;
   }
 
  private:

@@ -102,7 +102,7 @@ class LongHorizonDrift {
     }
     const Top top = top_at(epsilon);
     const LongHorizonPlan<T> plan = plan_of(top, T(options_.relative_tolerance));
-    looked_at_.push_back({top, plan, epsilon});
+    walked_.push_back({top, plan, epsilon});
     set_step(plan);
     T largest_node = std::numeric_limits<T>::infinity();
     if (plan.averages) {
@@ -113,20 +113,20 @@ class LongHorizonDrift {
     }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
-    const bool plainly = largest >= kSmall || largest_node < T(2) * epsilon;
+    const bool difference_suffices = largest >= kSmall || largest_node < T(2) * epsilon;
     // Two walks with long steps may have the same error, mostly in the turn about the axis, which their comparison does not
     // show: up to 5e-12 rad, as in one of 180 gyroscopes.
-    if (plan.averages && plainly)
+    if (plan.averages && difference_suffices)
       for (std::size_t i = 0; i < plain.samples.size(); ++i)
         plain.samples[i].drift_error += kUnseenError * (times_[i] / times_.back());
-    if (plainly || trajectory_status_ != RunStatus::completed) return plain;
+    if (difference_suffices || trajectory_status_ != RunStatus::completed) return plain;
     const T drift = interpolate(epsilon, largest, largest_node);
     if (!(drift > T(0))) return plain;  // there is no drift at any rate
     return watched(epsilon, false);
   }
 
   static constexpr T kSmall = 1e-3;             ///< smallest drift taken as a difference, which has nine digits of it (rad)
-  static constexpr T kChosen = 4e-3;            ///< drift sought at the largest of the four rates of the cubic (rad)
+  static constexpr T kNodeDrift = 4e-3;         ///< drift sought at the largest of the four rates of the cubic (rad)
   static constexpr T kDifferenceError = 1e-12;  ///< error of a difference of attitudes (rad)
   static constexpr T kUnseenError = 5e-12;      ///< error of averaging that comparisons may not show, at the end (rad)
   static constexpr T kApart = 1e-3;             ///< phase of the fast motion between the states that rates come from (rad)
@@ -190,7 +190,7 @@ class LongHorizonDrift {
 
   /// Makes one walk and notes the pair at each row. @param look  called with time and pair, at the rows and between them
   template <class Look>
-  void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T looks_every, Look&& look) {
+  void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T longest_time_between_looks, Look&& look) {
     LongHorizonWalk<T> walk(top, plan, counters_, watch_);
     const Watch part = next_walk();
     pairs_.clear();
@@ -199,7 +199,7 @@ class LongHorizonDrift {
       if (i > 0) {
         const T begin = times_[i - 1];
         if (!has_room_for((times_[i] - begin) / plan.step)) return;
-        walk.advance(times_[i] - begin, looks_every,
+        walk.advance(times_[i] - begin, longest_time_between_looks,
                      [&](T since, const TiltedTopState<T>& x) { look(begin + since, pair(x, top, begin + since, epsilon)); });
       }
       if (!goes_on()) return;
@@ -216,11 +216,11 @@ class LongHorizonDrift {
   /// last position: the state of a walk is complete only where the walk stops, so states on its way are no use. Wherever the
   /// drift and its nutation might reach the threshold, looks lie close enough to resolve the nutation.
   ThresholdRecord<T> found_threshold() {
-    ThresholdWatch<T> watch(T(*problem_.threshold_rad), looked_at_.empty() ? T(1) : fast_rate());
+    ThresholdWatch<T> watch(T(*problem_.threshold_rad), walked_.empty() ? T(1) : fast_rate());
     StepCounters uncounted;
     std::vector<LongHorizonWalk<T>> walks;
-    walks.reserve(looked_at_.size());
-    for (const Walked& walked : looked_at_) walks.emplace_back(walked.top, walked.plan, uncounted, watch_.part(1, 1));
+    walks.reserve(walked_.size());
+    for (const Walked& walked : walked_) walks.emplace_back(walked.top, walked.plan, uncounted, watch_.part(1, 1));
     T begin = T(0);
     const T apart = T(kApart) / fast_rate();
     const auto pair_at = [&](T t) {
@@ -228,10 +228,10 @@ class LongHorizonDrift {
       for (std::size_t i = 0; i < walks.size(); ++i) {
         LongHorizonWalk<T> walk = walks[i];
         if (t != begin) walk.advance(t - begin, T(0), [](T, const TiltedTopState<T>&) {});
-        at[i] = pair(walk.state(), looked_at_[i].top, t, looked_at_[i].epsilon);
+        at[i] = pair(walk.state(), walked_[i].top, t, walked_[i].epsilon);
       }
       if (walks.size() == 1) return at[0];
-      return joined(at, model_.epsilon, looked_at_[0].epsilon).pair;
+      return joined(at, model_.epsilon, walked_[0].epsilon).pair;
     };
     const auto state_at = [&](T t) {
       const Pair p = pair_at(t);
@@ -246,7 +246,7 @@ class LongHorizonDrift {
     for (std::size_t row = 1; row < pairs_.size() && !walks.empty(); ++row) {
       // Goes on in the walks' own steps, so that no look in between is more than the work of one step away.
       const T interval = times_[row] - times_[row - 1];
-      const T steps = std::max(T(1), std::ceil(interval / looked_at_.front().plan.step * (1 - 1e-12)));
+      const T steps = std::max(T(1), std::ceil(interval / walked_.front().plan.step * (1 - 1e-12)));
       for (T step = T(1); step <= steps; step += T(1)) {
         if (watch.done() || !goes_on()) return watch.record().in_seconds(problem_.units.time_exponent);
         const T end = step == steps ? times_[row] : T(times_[row - 1] + interval * (step / steps));
@@ -260,7 +260,7 @@ class LongHorizonDrift {
   /// Upper estimate of all rates: of the nutation and of the Earth.
   T fast_rate() const {
     T fastest = T(0);
-    for (const Walked& walked : looked_at_) fastest = std::max(fastest, walked.top.fast_rate());
+    for (const Walked& walked : walked_) fastest = std::max(fastest, walked.top.fast_rate());
     return fastest + norm(model_.W_IL_L);
   }
 
@@ -272,7 +272,7 @@ class LongHorizonDrift {
     ++walks_;
     return watch_.part(done, is_alone ? 1 : 1 - real::pow(kWalkShare, walks_));
   }
-  T looks_every(const Top& top) const {
+  T longest_time_between_looks(const Top& top) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
     return rate > T(0) ? T(1.5) / rate : times_.back();
   }
@@ -284,7 +284,7 @@ class LongHorizonDrift {
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     std::size_t rows = 0;
-    walk(top, plan, epsilon, looks_every(top), [&](T t, const Pair& p) {
+    walk(top, plan, epsilon, longest_time_between_looks(top), [&](T t, const Pair& p) {
       watcher(t, p);
       if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
     });
@@ -297,7 +297,7 @@ class LongHorizonDrift {
     StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
-    const T every = looks_every(reference_);
+    const T every = longest_time_between_looks(reference_);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       // The deviation is small and cannot go round between two rows; only the reference has to be followed.
       if (i > 0)
@@ -341,27 +341,27 @@ class LongHorizonDrift {
     // The Earth turns by a radian at most. An axis that has not drifted by then, as one parallel to the Earth's, hardly drifts
     // at any rate.
     T most = std::min(largest_node, T(1) / times_.back());
-    T node = std::min(most, drift > kResolved ? T(epsilon * kChosen / drift) : T(kChosen / times_.back()));
+    T node = std::min(most, drift > kResolved ? T(epsilon * kNodeDrift / drift) : T(kNodeDrift / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
-      const LongHorizonPlan<T> plan = plan_of(top, kChosen * std::max(T(options_.relative_tolerance), T(1e-11)));
+      const LongHorizonPlan<T> plan = plan_of(top, kNodeDrift * std::max(T(options_.relative_tolerance), T(1e-11)));
       walk(top, plan, node, T(0), quiet);
       const T reached = largest_drift(node);
       if (trajectory_status_ != RunStatus::completed) return reached;
       if (reached == T(0) || (reached < kRoundOff && node >= most)) return T(0);
-      if (reached > kChosen * T(2) || (reached < kChosen / T(8) && node < most)) {
-        node = std::min(most, T(node * std::clamp(T(kChosen / reached), T(1e-6), T(1e3))));
+      if (reached > kNodeDrift * T(2) || (reached < kNodeDrift / T(8) && node < most)) {
+        node = std::min(most, T(node * std::clamp(T(kNodeDrift / reached), T(1e-6), T(1e3))));
         continue;
       }
       std::array<std::vector<Pair>, kNodes.size()> at;
       at[0] = pairs_;
-      looked_at_.clear();
-      looked_at_.push_back({top, plan, node});
+      walked_.clear();
+      walked_.push_back({top, plan, node});
       for (std::size_t i = 1; i < kNodes.size(); ++i) {
         LongHorizonPlan<T> same = plan;
         const Top other = top_at(kNodes[i] * node);
         if (plan.averages) same = make_plan(other, plan.schedule, plan.step, true), same.spacing = plan.spacing;
-        looked_at_.push_back({other, same, kNodes[i] * node});
+        walked_.push_back({other, same, kNodes[i] * node});
         walk(other, same, kNodes[i] * node, T(0), quiet);
         if (trajectory_status_ != RunStatus::completed) return reached;
         at[i] = pairs_;
@@ -377,7 +377,7 @@ class LongHorizonDrift {
   /// of the cubic's term of third order.
   struct Joined {
     Pair pair;
-    Vec3<T> bend = Vec3<T>::Zero();
+    Vec3<T> third_order_term = Vec3<T>::Zero();
   };
   static Joined joined(const std::array<Pair, kNodes.size()>& at, T epsilon, T node) {
     const T x = epsilon / node;
@@ -397,7 +397,7 @@ class LongHorizonDrift {
       const Pair& q = at[i];
       const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
       y += weight[i] * side * q.y;
-      joined.bend += kThird[i] * side * q.y;
+      joined.third_order_term += kThird[i] * side * q.y;
       rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
       excess += weight[i] * scale * q.spin_excess;
     }
@@ -414,7 +414,7 @@ class LongHorizonDrift {
       const Joined there = joined({at[0][row], at[1][row], at[2][row], at[3][row]}, epsilon, node);
       pairs_[row] = there.pair;
       largest = std::max(largest, norm(there.pair.y));
-      third = std::max(third, norm(there.bend));
+      third = std::max(third, norm(there.third_order_term));
     }
     // If the third-order term is so much smaller than the whole, the next term is smaller again by about the cube root of that
     // ratio.
@@ -443,7 +443,7 @@ class LongHorizonDrift {
     LongHorizonPlan<T> plan;
     T epsilon;
   };
-  std::vector<Walked> looked_at_;
+  std::vector<Walked> walked_;
 };
 
 }  // namespace

@@ -77,8 +77,8 @@ class ReducedDriftSystem
     dxdt[9] = -epsilon * epsilon * deviation.y.dot(d) / T(2);
     store(Vec3<T>((deviation.w * d + epsilon * deviation.y.cross(d)) / T(2)), dxdt, 10);
     const Vec3<T> mass_moment_A = mass_moment_along(top_, reference.n);
-    const Vec3<T> dV = reference.u.cross(deviation.p) + constants_.of_axis_rate * s +
-                       constants_.of_cross * reference.n.cross(deviation.p) + field_torque(mass_moment_A, Dg);
+    const Vec3<T> dV = reference.u.cross(deviation.p) + constants_.axis_rate_factor * s +
+                       constants_.cross_factor * reference.n.cross(deviation.p) + field_torque(mass_moment_A, Dg);
     store(dV, dxdt, 13);
   }
 

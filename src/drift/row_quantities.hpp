@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The quantities of a row of results, each in one place: what its columns are called, where its numbers stand in a row, and
-/// how two rows are compared in it. Everything that writes, reads, names or compares rows takes them from such a table: the one
-/// of trajectory.csv stands here, below the scenario, because a scenario's headline and criteria name its columns; the one of
-/// torques.csv stands in results/columns.hpp.
+/// The table of the quantities of a result row. Each entry states the names of the quantity's columns, where its numbers are in
+/// a row, and how two rows are compared in it. All code that writes, reads, names or compares rows uses such a table. The table
+/// of trajectory.csv is in this file, in a layer below the scenario, because a scenario's headline and criteria name its
+/// columns; the table of torques.csv is in results/columns.hpp.
 #pragma once
 
 #include <array>
@@ -19,20 +19,20 @@ enum class MeasureKind {
   number,
   angle,      ///< a number modulo 2 pi
   flag,       ///< 0 or 1
-  attitude,   ///< quaternion, w first, its sign without meaning: two differ by the angle of the turn from one to the other
+  attitude,   ///< quaternion, w first, of either sign: two differ by the angle of the turn from one to the other
   vector,     ///< three components: two differ by the length of the difference
   direction,  ///< three components of a unit vector: two differ by the angle between them
 };
 
-/// Whose error bound a quantity shares.
+/// The error bound that holds for a quantity.
 enum class BoundKind {
   none,
   drift_axis,      ///< drift_axis_bound_rad of the row
-  drift_tilt,      ///< the same, and what an error of both axes makes of the drift's direction
-  drift_azimuth,   ///< that over the sine of the tilt
+  drift_tilt,      ///< the same, plus the effect of an error of both axes on the drift's direction
+  drift_azimuth,   ///< the bound of drift_tilt divided by the sine of the tilt
   drift_attitude,  ///< drift_attitude_bound_rad of the row
   attitude,        ///< attitude_bound_rad of the summary
-  rates            ///< the same, times the motion's fastest rate
+  rates            ///< attitude_bound_rad of the summary, times the motion's fastest rate
 };
 
 /// The parts of a row, to one of which each quantity belongs. A comparison lists its measures in this order.
@@ -41,18 +41,18 @@ enum class RowPart {
   reference,  ///< the non-rotating prediction
   drift,      ///< the difference of the two
   torque,     ///< a torque of the ledger
-  error       ///< what is known of the errors of the others
+  error       ///< an error bound, or whether the drift is reliable
 };
 
 /// One quantity of a row: a number, or several that belong together.
 struct RowQuantity {
-  std::string_view stem;  ///< of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
+  std::string_view stem;  ///< the beginning of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
   std::string_view unit;  ///< the end of its columns' names, after the component: "_rad_s"; empty for a pure number
   MeasureKind kind;
   RowPart part;
-  std::string_view measure;           ///< the name, with its unit, of the difference that a comparison states
-  BoundKind bound = BoundKind::none;  ///< on that difference
-  std::string_view effect = "";       ///< the measure whose largest value is the Earth's effect on this one
+  std::string_view measure;           ///< name, with its unit, of the difference of two rows in this quantity
+  BoundKind bound = BoundKind::none;  ///< the error bound that applies to that difference
+  std::string_view effect = "";       ///< the measure whose largest value is the Earth's effect on this quantity
 
   /// The letters of its components; empty for a single number.
   constexpr std::string_view components() const {
@@ -61,7 +61,8 @@ struct RowQuantity {
   }
   constexpr std::size_t width() const { return components().empty() ? 1 : components().size(); }
 
-  /// The name of a column, letter by letter, so that the compiler can join names. @param add  takes a piece of the name
+  /// Passes the name of a column to `add` piece by piece, so that names can be joined at compile time.
+  /// @param add  is called with each piece (a string_view)
   template <class Add>
   constexpr void spell_column(std::size_t component, const Add& add) const {
     add(stem);
@@ -79,7 +80,7 @@ struct RowQuantity {
   }
 };
 
-/// A quantity with where its numbers stand in a row of doubles and in one of extended precision.
+/// A quantity with functions that read its numbers from a row of doubles and from a row of extended precision.
 template <class Row, class ExtendedRow>
 struct ValuedQuantity : RowQuantity {
   std::optional<double> (*value)(const Row&, std::size_t component);  ///< none where the row has none
@@ -103,7 +104,7 @@ constexpr std::optional<T> component_of(const T& number, std::size_t) {
 
 }  // namespace row_quantities_detail
 
-/// @param Member  from a row of any scalar to the quantity's number, numbers or flag
+/// Makes a table entry. @param Member  function that takes a row of any scalar and gives the quantity's number, numbers or flag
 template <class Row, class ExtendedRow, class Member>
 constexpr ValuedQuantity<Row, ExtendedRow> valued(const RowQuantity& quantity, Member) {
   return {quantity,
@@ -116,8 +117,8 @@ constexpr ValuedQuantity<Row, ExtendedRow> valued(const RowQuantity& quantity, M
 }
 
 /// The quantities of trajectory.csv after the time, in the file's order.
-/// @param visit  takes for each a function from a row of any scalar to the quantity's number, numbers or flag in it, and then
-/// the quantity
+/// @param visit  is called for each quantity with two arguments: a function that takes a row of any scalar and gives the
+/// quantity's number, numbers or flag, and the RowQuantity itself
 template <class Visit>
 constexpr void for_each_drift_quantity(const Visit& visit) {
   using enum MeasureKind;
@@ -169,7 +170,7 @@ constexpr void for_each_drift_quantity(const Visit& visit) {
 
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
 
-/// The same as an array.
+/// The quantities of trajectory.csv as an array, in the same order.
 inline constexpr auto kDriftQuantities = [] {
   constexpr std::size_t kCount = [] {
     std::size_t count = 0;

@@ -70,7 +70,7 @@ class StepWatcher {
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
     return sample;
   }
-  /// What was found about the threshold; none where no threshold is asked for.
+  /// The record of the drift's first passing of the threshold, in seconds; none where no threshold is asked for.
   std::optional<ThresholdRecord<T>> threshold() const {
     if constexpr (!std::is_same_v<Search, NoSearch>)
       if (search_) return search_->record().in_seconds(units_.time_exponent);

@@ -13,9 +13,9 @@ namespace earthtop {
 /// A look at the drift, made of the states at a time t and shortly before and after it.
 /// @param apart  the time from `before` to `after`
 template <class T>
-AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before, const DriftState<T>& after, T apart) {
+AxisDriftSample<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before, const DriftState<T>& after, T apart) {
   const DriftMeasures<T> m = measure_drift(at), m_before = measure_drift(before), m_after = measure_drift(after);
-  AxisLook<T> look;
+  AxisDriftSample<T> look;
   look.t = t;
   look.axis = m.axis;
   look.rate = (m_after.axis - m_before.axis) / apart;
@@ -26,8 +26,8 @@ AxisLook<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before,
 
 /// A look that gives only the drift itself, without rates.
 template <class T>
-AxisLook<T> axis_look(T t, const DriftState<T>& at) {
-  AxisLook<T> look;
+AxisDriftSample<T> axis_look(T t, const DriftState<T>& at) {
+  AxisDriftSample<T> look;
   look.t = t;
   look.axis = measure_drift(at).axis;
   return look;
@@ -41,13 +41,13 @@ class ThresholdWatch {
 
   /// Goes on to the next look. @param look_at  gives the look at any time between the last look and this one
   template <class LookAt>
-  void follow(const AxisLook<T>& next, LookAt&& look_at) {
+  void follow(const AxisDriftSample<T>& next, LookAt&& look_at) {
     if (!started_) {
       started_ = true;
     } else if (!record_.passing) {
       fastest_ = std::max({fastest_, norm(last_.difference_rate), norm(next.difference_rate)});
       looks_left_ = std::min(looks_left_ + kLooksAStep, kMostLooks);
-      search(AxisLook<T>(last_), next, look_at, 0);
+      search(AxisDriftSample<T>(last_), next, look_at, 0);
     }
     note(next);
     last_ = next;
@@ -71,7 +71,7 @@ class ThresholdWatch {
 
   static T parts(int k) { return real::scale(T(1), -k); }
 
-  void note(const AxisLook<T>& look) {
+  void note(const AxisDriftSample<T>& look) {
     record_.last_t = look.t;
     const T axis = look.axis;
     if (!record_.passing) {
@@ -88,12 +88,12 @@ class ThresholdWatch {
   }
 
   /// Hermite's cubic through two looks, at the fraction s of the way from p to q.
-  static T cubic(const AxisLook<T>& p, const AxisLook<T>& q, T s) {
+  static T cubic(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, T s) {
     const T h = q.t - p.t, r = T(1) - s;
     return r * r * ((T(1) + T(2) * s) * p.axis + s * h * p.rate) + s * s * ((T(3) - T(2) * s) * q.axis - r * h * q.rate);
   }
   /// Roughly the largest value of that cubic, from values close together: it only decides which pieces to look into.
-  static T cubic_top(const AxisLook<T>& p, const AxisLook<T>& q) {
+  static T cubic_top(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q) {
     T top = std::max(p.axis, q.axis);
     for (int i = 1; i < 16; ++i) top = std::max(top, cubic(p, q, T(i) / T(16)));
     return top;
@@ -101,7 +101,7 @@ class ThresholdWatch {
 
   /// @returns whether the drift passes between p, where it is below the threshold, and q
   template <class LookAt>
-  bool search(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at, int halvings) {
+  bool search(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at, int halvings) {
     const T h = q.t - p.t, turned = motion_rate_ * h;
     if (!(h > T(0))) return false;
     // `above` is how far the drift may lie above the cubic or, in a long piece, above the larger of its ends.
@@ -111,7 +111,7 @@ class ThresholdWatch {
     if (top + above < threshold_) return false;
     const bool may_halve = halvings < kMostHalvings && looks_left_ > 0;
     if (may_halve) {
-      const AxisLook<T> middle = look(look_at, p.t + h / T(2));
+      const AxisDriftSample<T> middle = look(look_at, p.t + h / T(2));
       const bool is_cubic = real::abs(middle.axis - cubic(p, q, T(1) / T(2))) <= T(1e-3) * reach;
       if (turned > T(kFine) || !is_cubic) {
         if (search(p, middle, look_at, halvings + 1)) return true;
@@ -125,16 +125,16 @@ class ThresholdWatch {
   }
 
   template <class LookAt>
-  bool search_resolved(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at) {
+  bool search_resolved(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at) {
     if (q.axis >= threshold_) {
       pass(p, q, look_at);
       return true;
     }
     if (!(p.rate > T(0) && q.rate < T(0))) return false;
     // The drift turns back between the two looks: it passes and returns, or touches the threshold, or stays below it.
-    AxisLook<T> top = p;
+    AxisDriftSample<T> top = p;
     const auto rate_at = [&](T t) {
-      const AxisLook<T> there = look(look_at, t);
+      const AxisDriftSample<T> there = look(look_at, t);
       if (there.axis > top.axis) top = there;
       return there.rate;
     };
@@ -151,10 +151,10 @@ class ThresholdWatch {
 
   /// Finds the passing itself, between p below the threshold and q at or above it.
   template <class LookAt>
-  void pass(const AxisLook<T>& p, const AxisLook<T>& q, LookAt&& look_at) {
-    AxisLook<T> above = q;
+  void pass(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at) {
+    AxisDriftSample<T> above = q;
     const auto excess_at = [&](T t) -> T {
-      const AxisLook<T> there = look(look_at, t);
+      const AxisDriftSample<T> there = look(look_at, t);
       if (there.axis >= threshold_ && there.t < above.t) above = there;
       return there.axis - threshold_;
     };
@@ -169,22 +169,22 @@ class ThresholdWatch {
     last_ = p;
   }
   /// Notes a look within the search, if it is later than the last one noted.
-  void note_before(const AxisLook<T>& look) {
+  void note_before(const AxisDriftSample<T>& look) {
     if (look.t <= last_.t) return;
     note(look);
     last_ = look;
   }
   template <class LookAt>
-  AxisLook<T> look(LookAt&& look_at, T t) {
+  AxisDriftSample<T> look(LookAt&& look_at, T t) {
     --looks_left_;
-    AxisLook<T> there = look_at(t);
+    AxisDriftSample<T> there = look_at(t);
     fastest_ = std::max(fastest_, norm(there.difference_rate));
     return there;
   }
 
   T threshold_, motion_rate_;
   bool started_ = false;
-  AxisLook<T> last_;
+  AxisDriftSample<T> last_;
   T fastest_ = T(0);  ///< the largest rate of the difference of the axes so far
   int looks_left_ = kMostLooks;
   ThresholdRecord<T> record_;

@@ -19,7 +19,7 @@ class TurnCounter {
     }
     sine_ = sine, cosine_ = cosine;
   }
-  /// What has to be added to the angle between -pi and pi to make it continuous (rad).
+  /// The whole turns counted so far (rad). Added to the angle between -pi and pi, they make it continuous.
   T offset() const { return static_cast<T>(turns_) * (T(2) * real::pi<T>()); }
 
  private:

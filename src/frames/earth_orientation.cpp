@@ -18,11 +18,11 @@ Vec3<double> precession_rate_L(const Site& site, const UtcInstant& utc) {
 }
 
 template <class T>
-Vec3<T> departing_celestial_axis_L(const Site& site) {
+Vec3<T> corrected_celestial_axis_L(const Site& site) {
   return celestial_axis_L<T>(site, site.pole, site.deflection);
 }
-template Vec3<double> departing_celestial_axis_L(const Site&);
-template Vec3<long double> departing_celestial_axis_L(const Site&);
-template Vec3<float128> departing_celestial_axis_L(const Site&);
+template Vec3<double> corrected_celestial_axis_L(const Site&);
+template Vec3<long double> corrected_celestial_axis_L(const Site&);
+template Vec3<float128> corrected_celestial_axis_L(const Site&);
 
 }  // namespace earthtop

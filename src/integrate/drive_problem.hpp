@@ -13,7 +13,7 @@ template <class T>
 WorkLimit work_limit(const MotionProblem<T>& problem, const IntegrationOptions& options) {
   if (!options.stops_beyond_estimate || !problem.pace.known()) return {};
   constexpr double kLeast = std::is_same_v<T, float128> ? 3e4 : 1e6;  // evaluations in about a second
-  return limit_of(estimated_work(problem.pace, options, takes_reduced_form(problem.model, options)), kLeast);
+  return work_limit_for(estimated_work(problem.pace, options, takes_reduced_form(problem.model, options)), kLeast);
 }
 
 template <class T>

@@ -58,7 +58,7 @@ class Extrapolation {
         return boost::numeric::odeint::success;
       }
       if (best.column == 0 || column.work() < best.work()) best = column;
-      if (!all_finite(line_[j - 1]) || is_hopeless(j, last, static_cast<double>(error), error_before)) break;
+      if (!all_finite(line_[j - 1]) || was_too_slow_when_coarser(j, last, static_cast<double>(error), error_before)) break;
       error_before = static_cast<double>(error);
     }
     best.step = std::max(best.step, T(T(0.1) * dt));
@@ -152,7 +152,7 @@ class Extrapolation {
   /// Whether the error of line j is too large for the lines that may still come to bring it below the tolerance; asked from
   /// line `target - 1` on. Each line gains at least as much as the one before did, and in theory about (n_i / n_1)^2 (section
   /// II.9, eq. (9.30)).
-  bool is_hopeless(int j, int last, double error, double error_before) const {
+  bool was_too_slow_when_coarser(int j, int last, double error, double error_before) const {
     if (j < target_ - 1) return false;
     double gain = 1;
     for (int i = j + 1; i <= last; ++i) gain *= std::max(static_cast<double>(i) * i, error_before / error);

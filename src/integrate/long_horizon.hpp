@@ -76,19 +76,20 @@ class LongHorizonWalk {
   }
 
   /// Moves on by one interval.
-  /// @param looks_every  the longest time between two looks; 0: no looks
+  /// @param longest_time_between_looks  the longest time between two looks; 0: no looks
   /// @param look  called with the time since the interval's beginning and a state that is good enough for counting turns
   template <class Look>
-  void advance(T interval, T looks_every, Look&& look) {
+  void advance(T interval, T longest_time_between_looks, Look&& look) {
     lay_out(interval);
     T position = T(0), looked = T(0), target = T(0);
     const auto move = [&]() {
       if (target == position) return;
       const typename TiltedTop<T>::Flow flow(top_, x_);
       ++counters_.evaluations;
-      if (looks_every > T(0))
-        for (; looked + looks_every < target; looked += looks_every)
-          if (looked + looks_every > position) look(looked + looks_every, flow.at(looked + looks_every - position));
+      if (longest_time_between_looks > T(0))
+        for (; looked + longest_time_between_looks < target; looked += longest_time_between_looks)
+          if (looked + longest_time_between_looks > position)
+            look(looked + longest_time_between_looks, flow.at(looked + longest_time_between_looks - position));
       x_ = flow.at(target - position);
       position = target;
     };

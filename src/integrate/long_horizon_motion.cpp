@@ -30,7 +30,7 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters, watch);
   }
   // Each attitude has two quaternions, q and -q. Looking this often keeps the frame's quaternion continuous.
-  const double looks_every = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
+  const double longest_time_between_looks = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
   Quaternion<double> last = problem.release.q_LB;
   const auto follow = [&](Quaternion<double> q) {
     if (q.w * last.w + q.v.dot(last.v) < 0) q = {-q.w, -q.v};
@@ -44,7 +44,7 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     TiltedTopState<double> x = top.start();
     if (i > 0) {
       const double begin = times[i - 1];
-      walk.advance(times[i] - begin, looks_every,
+      walk.advance(times[i] - begin, longest_time_between_looks,
                    [&](double since, const TiltedTopState<double>& between) { follow(top.seen(between, begin + since).q_LF); });
       x = walk.state();
     }

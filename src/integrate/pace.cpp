@@ -48,15 +48,15 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
   }
   double turning = reduced ? pace.reduced_turning_rad : pace.turning_rad;
   // Such a method finds its fixed step at the start, and keeps it although friction may slow the motion down.
-  if (cost.tries_its_step && !reduced) turning = std::max(turning, pace.looks_rad) + pace.damping;
+  if (cost.tries_its_step && !reduced) turning = std::max(turning, pace.watched_angle_rad) + pace.damping;
   double steps = turning / radians_a_step(cost, tolerance) + pace.joints;
   double evaluations = steps * an_evaluation;
   if (!reduced) {
-    const double held = (pace.damping + pace.settled_rad) / cost.stable_phase;
+    const double held = (pace.damping + pace.undamped_rest_rad) / cost.stable_phase;
     steps += held + kStepsAHalt * pace.halts;
     evaluations += (held + kStepsAHalt * pace.halts) * cost.stable_evaluations;
     // Steps that are cut short for the watcher need as few columns as stable steps do.
-    const double cut = cost.is_watched ? pace.looks_rad / kLook - steps : 0;
+    const double cut = cost.is_watched ? pace.watched_angle_rad / kLook - steps : 0;
     if (cut > 0) steps += cut, evaluations += cut * cost.stable_evaluations;
   }
   // A step that ends at a row is shorter, and a method of variable order needs fewer columns for it than for a long one.
@@ -68,12 +68,12 @@ Work variational_work(const Pace& pace, double time_s, double relative_tolerance
   const MethodCost& cost = row_of(Method::rkf78).cost;
   const double part = pace.known() ? time_s / pace.duration_s : 0;
   const double steps = part * (pace.turning_rad / radians_a_step(cost, relative_tolerance) +
-                               (pace.damping + pace.settled_rad) / cost.stable_phase) +
+                               (pace.damping + pace.undamped_rest_rad) / cost.stable_phase) +
                        kStepsAHalt * pace.halts;
   return {steps, steps * evaluations_a_step(cost, relative_tolerance)};
 }
 
-WorkLimit limit_of(const Work& estimate, double least_evaluations) {
+WorkLimit work_limit_for(const Work& estimate, double least_evaluations) {
   constexpr double kTimes = 10, kEvaluationsAStep = 10;
   const auto limit = [](double value, double least) {
     return static_cast<std::int64_t>(std::clamp(kTimes * value, least, static_cast<double>(WorkLimit::kNone)));

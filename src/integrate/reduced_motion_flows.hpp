@@ -76,7 +76,7 @@ class ReducedMotionFlows {
   /// @param b  (I3/I1) w3
   ReducedMotionFlows(const Model<double>& model, const ReducedTop<double>& top, double b) : model_(model), top_(top), b_(b) {}
 
-  // What a kick and the end of a step need; the same in all steps of one length.
+  // The values that a kick and the end of a step need. Those of the end are the same in all steps of one length.
   using Kick = Vec3<double>;  ///< gravity at the time of the kick
   struct End {
     double h;

@@ -28,8 +28,8 @@ constexpr std::string_view kAllowedColumns =
     "with _, which are passed over";
 
 struct Column {
-  std::size_t place;  // in the header
-  double rad;         // unit
+  std::size_t place;  // place in the header
+  double rad;         // the unit (rad)
 };
 
 class HeaderReader {
@@ -93,7 +93,7 @@ class HeaderReader {
     return static_cast<std::size_t>(at - header_.begin());
   }
 
-  /// The one column of this quantity; complains where there are two.
+  /// The column of this quantity, in any unit. Reports an error if there are two.
   std::optional<Column> find_in_a_unit(const std::string& quantity) {
     std::optional<Column> found;
     for (const AngleUnit& unit : kAngleUnits) {

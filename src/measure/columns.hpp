@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which columns of a CSV file are a measurement's, by their names.
+/// Finds the columns of a measurement in a CSV file by their names.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace earthtop::measure {
 
-/// Where a quantity's numbers are among the wanted ones, and in which units.
+/// The places of a quantity's numbers among the wanted columns, and their units.
 struct QuantityCells {
   MeasuredQuantity quantity;
-  std::size_t value;  ///< the first of three of an axis
-  double value_rad;
-  std::size_t error;  ///< its standard error
-  double error_rad;
+  std::size_t value;  ///< place of the value; for an axis the first of three
+  double value_rad;   ///< unit of the value (rad)
+  std::size_t error;  ///< place of the standard error
+  double error_rad;   ///< unit of the standard error (rad)
 };
 
 struct MeasurementColumns {
-  std::vector<std::size_t> wanted;  ///< places in the header; the time is the first
+  std::vector<std::size_t> wanted;  ///< the columns to be read, as places in the header; the time is the first
   std::vector<QuantityCells> quantities;
   std::vector<std::string> errors;  ///< what is wrong with the header, and what is allowed
 };

@@ -10,7 +10,7 @@ namespace earthtop {
 namespace measure {
 namespace {
 
-using Json = nlohmann::ordered_json;  // writes what is not finite as null
+using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
 Json or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 

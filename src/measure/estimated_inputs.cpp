@@ -39,13 +39,13 @@ constexpr std::string_view kAllowedNames =
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
 }
 
-/// The table's row of a pointer that leads to a number, null for any other.
+/// The entry for a pointer in the table of the scenario's keys; null if the pointer does not lead to a number.
 const input::Field* field_of(std::string_view pointer) {
   const input::PointerTarget target = input::pointer_target(scenario::fields(), pointer);
   return target.is_number ? target.field : nullptr;
 }
 
-/// The number at a pointer of a tree; nothing where there is none.
+/// The number at a pointer of a tree; none where there is no number.
 std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
   const input::Node* node = input::node_at(root, pointer);
   return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
@@ -90,7 +90,7 @@ void EstimatedInputs::add(const std::string& name) {
   const input::Field* field = in_room ? field_of(pointer) : nullptr;
   if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
   const double start = number_at(pointer, name);
-  // A number may be missing because it must be: one of a pair, or a key of a thing that the scenario does not have.
+  // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.
   ScenarioReport report = examine(document_, {{pointer, start}});
   if (!report.scene) throw ScenarioError(std::move(report.errors), document_.file());
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
@@ -107,7 +107,8 @@ void EstimatedInputs::add_vertical_rate() {
   list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s() * axis_L[2], scale});
 }
 
-/// As the scenario's text has it; else the table's default; else the one that was computed.
+/// The number at a pointer: the one in the scenario's text, else the default in the table of keys, else the computed one.
+/// @throws ScenarioError where there is none of these
 double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
   if (const auto number = number_in(document_.root(), pointer)) return *number;
   const input::Field* field = field_of(pointer);

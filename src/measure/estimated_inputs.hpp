@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The scenario's numbers that a measurement is to estimate, by name: what they are, and the scenario with them changed.
+/// The scenario's numbers that are to be estimated from a measurement: finds them by name, and makes the scenario with other
+/// values of them.
 #pragma once
 
 #include <optional>
@@ -13,24 +14,24 @@
 namespace earthtop::measure {
 
 struct EstimatedInput {
-  std::string name;     ///< as it was asked for
-  std::string pointer;  ///< empty of omega_sin_latitude_rad_s
+  std::string name;     ///< as the user gave it
+  std::string pointer;  ///< JSON pointer; empty for omega_sin_latitude_rad_s
   std::string unit;
-  double start = 0;  ///< the scenario's, in `unit`
+  double start = 0;  ///< the scenario's value, in `unit`
   double scale =
-      1;  ///< the size against which a change is small: its own, a radian of an angle, the Earth's of its rate; 1 of what is 0
+      1;  ///< typical size, in `unit`: |start|, or 1 if that is 0; a radian for an angle; at least the Earth's for its rate
 };
 
 class EstimatedInputs {
  public:
-  /// @param base  the scenario of source and overrides
-  /// @throws ScenarioError for unknown or equal names, more than 8, and pointers where the scenario has no number
+  /// @param base  the scene that source and overrides make
+  /// @throws ScenarioError for unknown or repeated names, more than 8 names, and pointers at which the scenario has no number
   EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides, const Scene& base,
                   const std::vector<std::string>& names);
 
   const std::vector<EstimatedInput>& list() const { return list_; }
 
-  /// The scenario with these values, in the order of the list; nothing where one is out of its range.
+  /// The scene with these values, in the order of the list; none where a value is out of its range.
   std::optional<Scene> scene(const std::vector<double>& values) const;
 
  private:

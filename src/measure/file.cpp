@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured motion from a CSV file.
+// Reads a measured motion from a CSV file.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace {
 using input::CellKind, input::CsvReader;
 
 constexpr std::uint64_t kMostMeasuredRows = 200'000;
-constexpr double kLatestTime_s = 1e9;                               // the longest duration of a scenario
-constexpr double kNormSlack = 1e-3;                                 // of a measured axis
-constexpr double kLargestTilt_rad = std::numbers::pi * (1 + 1e-9);  // rounding, and the last digits of a table
+constexpr double kLatestTime_s = 1e9;                               // the longest duration that a scenario may have
+constexpr double kNormSlack = 1e-3;                                 // allowed deviation of a measured axis's length from 1
+constexpr double kLargestTilt_rad = std::numbers::pi * (1 + 1e-9);  // leaves room for rounding in the file's last digits
 
 class MeasurementReader {
  public:
@@ -61,7 +61,7 @@ class MeasurementReader {
       if (is_measured(cells)) read_value(cells, t_s);
   }
 
-  /// Whether the row has the quantity's numbers; complains where it has some of them, or one that is not finite.
+  /// Whether the row has all the quantity's numbers. Refuses a row that has only some of them, or one that is not finite.
   bool is_measured(const QuantityCells& cells) {
     const std::size_t numbers = cells.quantity == MeasuredQuantity::axis ? 3 : 1;
     std::size_t there = 0;

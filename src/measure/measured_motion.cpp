@@ -22,12 +22,12 @@ double azimuth_of(const Vec3<double>& n_L) {
   return horizontal_part(n_L) > 0 ? real::atan2(n_L[0], n_L[1]) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The nearest of all angles that are a number of turns from this one.
+/// The angle reduced by whole turns to -pi to pi (rad).
 double folded(double angle) { return std::remainder(angle, kWholeTurn); }
 
-/// The turn from the predicted to the measured axis, as an angle along growing tilt and one along growing azimuth, both at the
-/// measured axis; along North and East where that is vertical. (p x m) x m points from p to m at m, and is as long as the sine
-/// of the angle between them: nothing cancels for near axes.
+/// The turn from the predicted axis p to the measured axis m, as its components (rad) along growing tilt and along growing
+/// azimuth at m; along North and East where m is vertical. (p x m) x m points from p to m at m, and its length is the sine of
+/// the angle between them: no digits cancel where the axes are close.
 std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) {
   const double horizontal = horizontal_part(m_L);
   const double east = horizontal > 0 ? m_L[0] / horizontal : 0, north = horizontal > 0 ? m_L[1] / horizontal : 1;
@@ -39,7 +39,7 @@ std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) 
   return {angle * along_L.dot(down_L) / sine, angle * along_L.dot(clockwise_L) / sine};
 }
 
-/// The scenario to a time, in double, with nothing asked of it but the motion.
+/// Changes a scenario so that it runs to `end_s` in double precision, and asks for nothing but the motion.
 void prepare(Scenario& scenario, double end_s) {
   if (end_s > 0) scenario.duration_s = end_s;
   scenario.output_step_s = scenario.duration_s;
@@ -52,7 +52,7 @@ void prepare(Scenario& scenario, double end_s) {
   scenario.numerics.relative_tolerance = default_tolerance(Precision::bits53);
 }
 
-/// The row's residuals, one or two.
+/// Adds the residuals of measured values to a list: two for an axis, one for any other quantity.
 class RowResiduals {
  public:
   RowResiduals(const Measurement& measurement, std::vector<MeasurementResidual>& all) : measurement_(measurement), all_(all) {}
@@ -144,7 +144,7 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
 }
 
 VerdictReport verdict_at(const Scene& measured, double end_s, const Watch& watch, RunStatus& status) {
-  constexpr double kLooks = 200;  // at which bounds are looked at
+  constexpr double kLooks = 200;  // number of times at which bounds are checked
   Scenario scenario = measured.scenario();
   prepare(scenario, end_s);
   scenario.output_step_s = scenario.duration_s / kLooks;

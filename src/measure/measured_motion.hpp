@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The motion that a scenario predicts at measured times, and what a measurement differs from it by.
+/// The motion that a scenario predicts at measured times, and the residuals of a measurement against it.
 #pragma once
 
 #include <optional>
@@ -11,40 +11,42 @@
 
 namespace earthtop::measure {
 
-/// The measured times, each once, ascending; the release is the first (s).
+/// The measured times (s), each once, ascending; the first is that of the release, 0.
 std::vector<double> measured_times(const Measurement& measurement);
 
 /// Body axis 3 at one instant, and how far it has drifted from the non-rotating prediction.
 struct PredictedAxis {
   double t_s = 0;
   Vec3<double> n_L = Vec3<double>::Zero();
-  double drift_tilt_rad = 0;                ///< 0 where no drift was asked for
-  std::optional<double> drift_azimuth_rad;  ///< continuous; none where an axis is vertical, or no drift was asked for
+  double drift_tilt_rad = 0;                ///< (rad); 0 where no drift was asked for
+  std::optional<double> drift_azimuth_rad;  ///< (rad), continuous; none where an axis is vertical, or no drift was asked for
 };
 struct PredictedMotion {
   RunStatus status = RunStatus::completed;
   std::vector<PredictedAxis> axes;  ///< one for each time that was reached
 };
 
-/// A scenario's motion at these times, in double whatever its precision; its rows and what else it asks for are not looked at.
-/// @param times_s  ascending, from 0 on, none beyond the scenario's duration   @param drift  whether drifts are wanted, which
-/// take the non-rotating prediction as well: threefold work   @param watch  may end it early
+/// A scenario's motion at given times, computed in double precision whatever precision the scenario asks for. The scenario's
+/// rows and other requests are ignored.
+/// @param times_s  ascending, from 0 on, none later than the scenario's duration
+/// @param drift  whether drifts are wanted: these need the non-rotating prediction as well, which makes the work threefold
+/// @param watch  may end the work early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
 PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
 
 bool has_drifts(const Measurement& measurement);
 
-/// The verdict on a run of the scenario to this time, prepared as for `predict`.
-/// @param status  of the run: completed, or why there is no verdict
+/// The verdict on a run of the scenario to `end_s`, prepared as for `predict`.
+/// @param status  is set to the run's status: completed, or the reason why there is no verdict
 VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, RunStatus& status);
 
-/// A measurement's residuals against the motion at measured_times(), as many rows as were reached. Azimuths are folded to
-/// the nearest turn. The components of an axis are along directions that the measured axis alone decides, so that they do not
-/// turn as a prediction is varied.
-/// @throws ScenarioError, at the row's line, for the azimuth of an axis that the prediction has vertical
+/// A measurement's residuals against the motion at measured_times(), for the rows that the motion reached. Residuals of
+/// azimuths are reduced to -pi to pi. The components of an axis are taken along directions that depend on the measured axis
+/// alone, so that they do not turn when the prediction is varied.
+/// @throws ScenarioError, with the row's line, for a measured azimuth where the predicted axis is vertical
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion);
 
-/// What a residual may jump by where an angle goes round (rad); 0 where it cannot.
+/// The amount by which a residual jumps when its angle passes a full turn (rad); 0 where it cannot jump.
 double period_of(const MeasurementResidual& residual);
 
 }  // namespace earthtop::measure

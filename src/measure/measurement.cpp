@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured motion held against a scenario's.
+// Compares a measured motion with a scenario's, and fits the scenario's numbers to it.
 #include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +33,8 @@ ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, std
   return chi_squared;
 }
 
-/// A measurement may go on after the scenario's last row: what the scenario reads for a time (a table of a platform's motion)
-/// must reach as far.
+/// Adds overrides that extend the scenario to the last measured time, if that is later than its end. The data that the scenario
+/// reads for its duration (a table of a platform's motion) are then checked up to that time.
 Overrides with_duration(Overrides overrides, const Scenario& scenario, double last_s) {
   if (last_s <= scenario.duration_s) return overrides;
   overrides.emplace_back("/motion/duration_s", fmt::format("{}", last_s));
@@ -58,7 +58,8 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
   }
 }
 
-/// Two for each parameter's step, and as many for the derivatives of each of some iterations.
+/// The expected number of predictions of a fit: for each parameter two to find its step, and two for its derivative in each of
+/// some iterations.
 double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
 
 void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs,
@@ -80,7 +81,7 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
     problem.period.push_back(period_of(residual));
   }
   problem.stopped = [&] { return watch.asks_to_stop(); };
-  // How many predictions it takes is not known: each has the same part of what is left.
+  // The number of predictions is not known beforehand: each one reports the same part of the share that is left.
   const double part = 1 / expected_predictions(inputs.list().size());
   double share = 0;
   problem.residuals_at = [&](const std::vector<double>& values, std::vector<double>& residuals) {
@@ -118,7 +119,7 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   fill_estimates(report, fit);
 }
 
-/// Refuses rows that no computation can predict; notes what hangs on digits that are not known.
+/// Refuses rows that no computation can predict. Adds a note where the motion depends on digits that are not known.
 void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const Watch& watch) {
   RunStatus status = RunStatus::completed;
   const VerdictReport verdict = verdict_at(scene, measurement.values.back().t_s, watch, status);
@@ -191,7 +192,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   for (const MeasuredValue& value : measurement.values) ++counts[value.quantity];
   report.quantities.assign(counts.begin(), counts.end());
 
-  // In predictions, of which a verdict costs as many as its two integrations and the growth of disturbances do.
+  // The work of a verdict in units of a prediction's: two integrations, and the growth of disturbances.
   constexpr double kVerdict = 6;
   const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
   Parts parts(watch, 1 + kVerdict + of_fit);

@@ -7,7 +7,7 @@
 namespace earthtop::measure {
 namespace {
 
-constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // of a parameter's scale
+constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // parts of a parameter's scale
 constexpr double kWantedChange_rad = 1e-4;
 
 }  // namespace
@@ -24,7 +24,7 @@ std::vector<double> ScaledProblem::unscaled(const std::vector<double>& u) const 
 bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
   if (problem_.stopped()) throw Stopped();
   const bool predicted = problem_.residuals_at(unscaled(u), residuals_);
-  if (problem_.stopped()) throw Stopped();  // what was cut short is no missing prediction
+  if (problem_.stopped()) throw Stopped();  // a prediction that was cut short does not count as a missing one
   if (!predicted) return false;
   f.resize(static_cast<Eigen::Index>(residuals_.size()));
   for (std::size_t i = 0; i < residuals_.size(); ++i)
@@ -32,7 +32,7 @@ bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
   return f.allFinite();
 }
 
-/// To both sides or, where a range ends or a motion cannot be computed, to one.
+/// Takes differences to both sides or, where a range ends or a motion cannot be computed, to one side.
 bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative) {
   Eigen::VectorXd high, low;
   std::vector<double> above = u, below = u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A fit's problem as its arithmetic wants it: every number near 1, and derivatives.
+/// A fit's problem, scaled so that all numbers are near 1, with derivatives.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace earthtop::measure {
 /// The problem in parameters divided by their scales, 1 at the start, and residuals divided by their standard errors.
 class ScaledProblem {
  public:
-  struct Stopped {};  ///< thrown where the work was asked to stop
+  struct Stopped {};  ///< thrown if the work was asked to stop
 
   explicit ScaledProblem(const FitProblem& problem);
 
@@ -20,13 +20,13 @@ class ScaledProblem {
   std::size_t residuals() const { return problem_.standard_error.size(); }
   std::vector<double> unscaled(const std::vector<double>& u) const;
 
-  /// @returns whether there is a prediction
+  /// Computes the scaled residuals f at the scaled parameters u. @returns whether there is a prediction
   bool evaluate(const std::vector<double>& u, Eigen::VectorXd& f);
   /// Derivatives of residuals (rows) by parameters. @returns whether there are predictions
   bool jacobian(const std::vector<double>& u, Eigen::MatrixXd& J);
 
   enum class StepFound { yes, no_influence, no_prediction };
-  /// Sets the step of a parameter's differences.
+  /// Sets the step of the finite differences by which a parameter's derivatives are computed.
   StepFound find_step(const std::vector<double>& u, std::size_t parameter);
 
  private:

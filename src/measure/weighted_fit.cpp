@@ -25,19 +25,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostIterations = 100;
-constexpr double kConverged = 1e-3;  // of the standard errors, scaled ones where the scatter is larger than stated
-/// Directions of the parameters whose influence is less than this of the largest one's, each parameter's influence taken for 1:
-/// ten times what the differences are uncertain by.
+constexpr double kConverged = 1e-3;  // largest next step, in standard errors (scaled ones if the scatter is larger than stated)
+/// A direction in the space of parameters is not determined if its influence is less than this part of the largest one's, with
+/// each single parameter's influence scaled to 1. It is ten times the uncertainty of the differences.
 constexpr double kLeastInfluence = 1e-5;
-/// Where there is no prediction, the sum of squares is so much larger than at the last place that the step is taken back.
+/// Where there is no prediction, the residuals are made this much larger than any so far, so that GSL takes the step back.
 constexpr double kNoPrediction = 1e3;
 
-/// What C's callbacks need; an exception waits here until GSL has returned.
+/// The data of the callbacks that GSL, a C library, calls. An exception may not pass through C: it waits here until GSL has
+/// returned.
 struct Callbacks {
   ScaledProblem* problem;
   std::exception_ptr thrown;
-  double worst_norm = 0;      // of residuals so far
-  bool all_predicted = true;  // of the last iteration's trials
+  double worst_norm = 0;      // largest norm of the residuals so far
+  bool all_predicted = true;  // whether all trials of the last iteration had a prediction
 };
 
 std::vector<double> values_of(const gsl_vector* vector) {
@@ -107,14 +108,15 @@ class Influences {
   }
 
   double chi_squared() const { return chi_squared_; }
-  /// What the next full step would take of the sum of squares, as a root: in standard errors.
+  /// The size of the next full step in standard errors: the root of the amount by which that step, in the linear approximation,
+  /// would lessen the sum of squares.
   double next_step() const { return next_step_; }
 
   bool determine_all() const {
     return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > kLeastInfluence * gsl_vector_get(S_.get(), 0);
   }
-  /// The parameters in the direction that the data tell least of.
-  std::vector<std::size_t> least_told() const {
+  /// The parameters that take part in the direction which the data determine least.
+  std::vector<std::size_t> least_determined() const {
     std::vector<std::size_t> parameters;
     const std::size_t p = S_->size;
     for (std::size_t j = 0; j < p; ++j)
@@ -122,7 +124,7 @@ class Influences {
         parameters.push_back(j);
     return parameters;
   }
-  /// Of the parameters: (J^T J)^-1.
+  /// The covariance of the parameters, (J^T J)^-1.
   MatrixXd covariance() const {
     const auto p = static_cast<Index>(S_->size);
     MatrixXd half(p, p);
@@ -191,7 +193,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
     const Influences influences(workspace->J, workspace->f);
     if (!influences.determine_all()) {
       fit.outcome = FitOutcome::not_determined;
-      fit.undetermined = influences.least_told();
+      fit.undetermined = influences.least_determined();
       return fit;
     }
     const double scatter = n > p ? std::max(1.0, influences.chi_squared() / static_cast<double>(n - p)) : 1.0;
@@ -200,7 +202,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       fit.parameters = problem.unscaled(values_of(workspace->x));
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
       const MatrixXd covariance = scales.asDiagonal() * influences.covariance() * scales.asDiagonal();
-      fit.covariance = (covariance + covariance.transpose()) / 2;  // to the last bit
+      fit.covariance = (covariance + covariance.transpose()) / 2;  // symmetric to the last bit
       return fit;
     }
     if (status == GSL_ENOPROG || fit.iterations == kMostIterations) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Weighted nonlinear least squares of a few parameters, with an answer for everything that data may fail to say.
+/// Weighted nonlinear least squares for a few parameters, with a stated outcome where the data do not determine them.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,13 +11,13 @@
 
 namespace earthtop::measure {
 
-/// What is to be fitted. A residual is a measured less a predicted angle (rad).
+/// A problem of weighted least squares. A residual is a measured angle less the predicted one (rad).
 struct FitProblem {
   std::vector<double> start;
-  std::vector<double> scales;          ///< a change of a thousandth of it is small, of a parameter each
-  std::vector<double> standard_error;  ///< of a residual each (rad)
-  std::vector<double> period;          ///< what a residual may jump by where its angle goes round (rad); 0: it cannot
-  /// @returns whether there is a prediction for these parameters; a false one leaves no residuals
+  std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change
+  std::vector<double> standard_error;  ///< for each residual (rad)
+  std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
+  /// Computes the residuals. @returns whether there is a prediction for these parameters; if not, `residuals` has no meaning
   std::function<bool(const std::vector<double>& parameters, std::vector<double>& residuals)> residuals_at;
   std::function<bool()> stopped;
 };
@@ -25,23 +25,23 @@ struct FitProblem {
 struct Fit {
   FitOutcome outcome = FitOutcome::not_converged;
   std::string reason;
-  std::vector<std::size_t> undetermined;  ///< the parameters that the data do not tell, or not tell apart
+  std::vector<std::size_t> undetermined;  ///< the parameters that the data do not determine, or cannot distinguish
   std::vector<double> parameters;
   Eigen::MatrixXd covariance;  ///< of the parameters, from the stated standard errors
   int iterations = 0;
 };
 
-/// What the arithmetic of a prediction leaves uncertain in an angle (rad).
+/// The error of a predicted angle that the prediction's arithmetic causes, roughly (rad).
 inline constexpr double kPredictionError_rad = 1e-11;
 
-/// GSL's trust region (Levenberg-Marquardt) over central differences.
+/// Fits the parameters by GSL's trust region method (Levenberg-Marquardt) with central differences.
 ///
-/// The step of a difference changes no residual by more than 1e-4 rad: there the prediction's own error is 1e-7 of the
-/// difference, and a term of third order 1e-8 of it. No step is above a thousandth of the parameter's scale, so that for weak
-/// influences, such as the Earth's, the former grows to some 1e-6: such derivatives cost the estimate nothing, since they only
-/// lead to the least sum of squares, and its standard error its sixth digit.
+/// The step of a difference changes no residual by more than 1e-4 rad: at that size the prediction's own error is 1e-7 of the
+/// difference, and the term of third order 1e-8 of it. No step is above a thousandth of the parameter's scale, so that for weak
+/// influences, such as the Earth's, the first of these errors grows to about 1e-6. The estimate does not suffer from that,
+/// since derivatives only lead to the least sum of squares; the standard error loses its sixth digit.
 ///
-/// Converged is a fit whose next full step would be a thousandth of the standard errors.
+/// A fit has converged if its next full step would be at most a thousandth of the standard errors.
 Fit fit_weighted(const FitProblem& problem);
 
 }  // namespace earthtop::measure

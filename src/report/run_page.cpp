@@ -122,7 +122,7 @@ Figure parts_figure(const Run& run) {
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
   const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
   const bool has_azimuth = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
-    return azimuths_tell(&row.value[axis], &row.value[ref_axis], row.value[apart]);
+    return azimuths_are_meaningful(&row.value[axis], &row.value[ref_axis], row.value[apart]);
   });
   if (rate && has_azimuth && std::all_of(azimuth.begin(), azimuth.end(), [](double a) { return std::isfinite(a); })) {
     double offset = 0, count = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The columns of the result files after the time: those of trajectory.csv, made of the quantities of a row, and those of
-/// torques.csv, whose quantities stand here.
+/// The columns of the result files after the time: those of trajectory.csv, made from the table in drift/row_quantities.hpp,
+/// and those of torques.csv, whose table of quantities is in this directory.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace earthtop {
 
 class Scene;
 
-/// The column of times, the first one in every file.
+/// Name of the column of times (s), the first one in every file.
 inline constexpr std::string_view kTimeColumn = "t_s";
 
 /// One column of trajectory.csv.
@@ -30,9 +30,9 @@ struct Column {
 /// All columns of trajectory.csv after the time, in the file's order.
 const std::vector<Column>& trajectory_columns();
 
-/// A torque of the ledger, in its observer's axes (N m).
+/// A torque of the ledger, in the axes of the ledger's observer (N m).
 struct TorqueQuantity : ValuedQuantity<LedgerRow<double>, LedgerRow<float128>> {
-  bool (*present)(const Scene&);  ///< whether a scene has it: a share of the physical torques only where its effect acts
+  bool (*present)(const Scene&);  ///< whether a scene has it (an effect's torque: if the effect acts); null: always
 };
 
 /// The quantities of torques.csv after the time, in the file's order.

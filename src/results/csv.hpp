@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Numbers of a CSV line: shortest ones that read back to the same bits; what is not finite is an empty field.
+/// Writing of CSV files. A number is written in its shortest form that reads back to the same bits; a number that is not finite
+/// becomes an empty field.
 #pragma once
 
 #include <charconv>
@@ -20,9 +21,9 @@ inline void append_number(std::string& line, double value) {
   line.append(digits, end);
 }
 
-/// Header and rows to the sink, in pieces of whole lines: two million rows at once are a gigabyte.
-/// @param append_row  appends the line of a row, by its number, to a text
-/// @param watch  sees how far it is
+/// Writes header and rows to the sink in pieces of whole lines, because two million rows at once would take a gigabyte.
+/// @param append_row  is called with a text and the number of a row, and appends the row's line to the text
+/// @param watch  gets the progress
 template <class AppendRow>
 void write_csv(std::string header, std::size_t rows, AppendRow append_row, const std::function<void(std::string_view)>& sink,
                const Watch& watch) {

@@ -10,7 +10,7 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kDigits = 34;  // of a significand of 113 bits: as many as are the same for all numbers that round to it
+constexpr std::size_t kDigits = 34;  // significant digits that are written of a significand of 113 bits
 
 /// A natural number in base 10^9, least part first: large enough for every bit of a float128.
 class Natural {
@@ -27,7 +27,7 @@ class Natural {
     }
     for (; carry > 0; carry /= kBase) parts_.push_back(static_cast<std::uint32_t>(carry % kBase));
   }
-  /// By base^exponent, in pieces of base^piece that 32 bits hold.
+  /// Multiplies the number by base^exponent, by base^piece at a time, which must fit in 32 bits.
   void multiply_by_power(std::uint32_t base, int piece, int exponent) {
     std::uint32_t whole_piece = 1;
     for (int i = 0; i < piece; ++i) whole_piece *= base;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Numbers of extended precision as decimal digits, without a locale.
+/// Conversion of numbers of extended precision to decimal text, independent of the locale.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace earthtop {
 
-/// A number of a run in `precision`: float128 with 34 significant digits, correctly rounded from the exact value (ties to
-/// even), zeros at the end left out; long double and double in the shortest form that reads back to the same bits. Empty where
-/// the value is not finite.
+/// The decimal text of a number from a run in `precision`: for float128 34 significant digits, correctly rounded from the exact
+/// value (ties to even), zeros at the end left out; for long double and double the shortest form that reads back to the same
+/// bits. Empty where the value is not finite.
 std::string digits(float128 value, Precision precision);
 
 }  // namespace earthtop

@@ -16,7 +16,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Unit {
   const char* name;
-  double per_rad;  ///< how many of it a radian has
+  double per_rad;  ///< number of these units in a radian
 };
 
 Unit angle_unit(double largest_rad) {
@@ -33,7 +33,7 @@ Line make_line(const RunResult& result, const char* label, LineColor color, Line
   return line;
 }
 
-/// The size of what is drawn; numbers that are not finite are not.
+/// The larger of a and |b|, for the range of a picture; b is left out where it is not finite, since it is not drawn either.
 double largest(double a, double b) { return std::isfinite(b) ? std::max(a, std::abs(b)) : a; }
 
 Panel axis_panel(const RunResult& result, TimeUnit time) {

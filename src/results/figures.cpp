@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table itself.
+// The table of the members of summary.json.
 #include "results/figures.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 using R = const RunResult&;
 using I = std::size_t;
 
-// Values that take more than a member of the result.
+// Functions for values that are not simply a member of the result.
 
 const Json kLeftOut = Json(Json::value_t::discarded);
 
@@ -52,7 +52,7 @@ std::optional<double> largest(R r, T DriftRow::*member) {
   return most;
 }
 
-/// The mean of all rows' axes, which is where a precessing or nutating axis goes round.
+/// The mean of all rows' axes, about which a precessing or nutating axis moves.
 std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
   std::array<double, 3> mean{};
   const auto count = static_cast<double>(r.rows.size());
@@ -67,7 +67,7 @@ std::string_view to_word(Prediction prediction) { return prediction == Predictio
 Json relative_tolerance(const IntegrationReport& report) {
   return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
 }
-/// The status of an integration that ended before its time.
+/// The status of an integration that ended early; left out if it completed.
 Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
@@ -76,7 +76,7 @@ bool have_sensitivities(R r) { return r.sensitivities->unavailable.empty(); }
 Json why_unavailable(R r) { return have_sensitivities(r) ? kLeftOut : Json(r.sensitivities->unavailable); }
 const InputSensitivity& sensitivity(R r, I i) { return r.sensitivities->inputs[i]; }
 
-/// The input whose error makes most of the drift's error; null where no input has one.
+/// The name of the input whose error contributes most to the drift's error; null where no input has an error.
 Json largest_error_from(R r) {
   const auto& inputs = r.sensitivities->inputs;
   const auto most = std::max_element(inputs.begin(), inputs.end(),
@@ -90,7 +90,7 @@ Json libraries() {
   return versions;
 }
 
-// Rows of the table.
+// Functions that make the entries of the table.
 
 template <class Get>
 Json value_of(R r, I i) {
@@ -100,14 +100,14 @@ Json value_of(R r, I i) {
     return json_from(Get{}(r));
 }
 
-/// A figure that is compared, or a word. @param get  its value from the result, and where it is in a list from the element's
-/// number
+/// Entry of a figure that is compared, or of a word. @param get  gives its value from the result and, for a member of a list's
+/// elements, from the element's number
 template <class Get>
 constexpr SummaryMember compared(std::string_view path, FigureKind kind, FigureScope scope, KnownFrom known, Get,
                                  MemberForm form = MemberForm::value) {
   return {path, form, kind, scope, known, "", value_of<Get>, nullptr, false, false};
 }
-/// A member that is not compared. @param why  ends the sentence "It is not compared because ..."
+/// Entry of a member that is not compared. @param why  ends the sentence "It is not compared because ..."
 template <class Get>
 constexpr SummaryMember told(std::string_view path, KnownFrom known, std::string_view why, Get,
                              MemberForm form = MemberForm::value) {
@@ -118,7 +118,8 @@ constexpr SummaryMember work(std::string_view path, Get) {
   return {path, MemberForm::value, FigureKind::cost, FigureScope::any, KnownFrom::rows, "", value_of<Get>, nullptr, false,
           false};
 }
-/// @param count  1 where there is such an object, or how many elements the list has; none where the result has no such member
+/// Entry of an object or a list.
+/// @param count  gives 1 for an object, or the number of a list's elements; none where the result has no such member
 template <class Count>
 constexpr SummaryMember holder(std::string_view path, MemberForm form, Count, bool left_out = false) {
   return {path,
@@ -135,12 +136,12 @@ constexpr SummaryMember holder(std::string_view path, MemberForm form, Count, bo
 constexpr SummaryMember object(std::string_view path) {
   return holder(path, MemberForm::object, [](R) { return 1; });
 }
-/// @param is_there  whether the result has it; otherwise it is null
+/// Entry of an object. @param is_there  whether the result has it; otherwise it is null
 template <class IsThere>
 constexpr SummaryMember object_or_null(std::string_view path, IsThere) {
   return holder(path, MemberForm::object, [](R r) { return IsThere{}(r) ? std::optional(1) : std::nullopt; });
 }
-/// The same; otherwise the document lacks it.
+/// The same, but where the result does not have the object the document leaves it out.
 template <class IsThere>
 constexpr SummaryMember object_or_nothing(std::string_view path, IsThere) {
   return holder(
@@ -167,7 +168,7 @@ constexpr auto kMembers = [] {
   using enum FigureKind;
   using enum FigureScope;
   using MemberForm::document, MemberForm::vector, MemberForm::words;
-  // A figure is known at the end where no row between release and end is needed for it.
+  // A figure is "known at the end" if no row between release and end is needed for it.
   constexpr KnownFrom kAtEnd = KnownFrom::end, kFromRows = KnownFrom::rows;
   return std::array{
       told("$schema", kFromRows, kLabel, [](R) { return "earthtop-summary-1.json"; }),
@@ -245,7 +246,7 @@ constexpr auto kMembers = [] {
                [](R r) { return r.verdict.lyapunov_exponent_1_s; }),
       compared("growth_of_disturbances.round_off_grown_s", error, any, kAtEnd, [](R r) { return r.verdict.round_off_grown_s; }),
       compared("growth_of_disturbances.earth_grown_s", time, any, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
-      // When dry friction brought a motion to rest.
+      // The times at which dry friction brought a motion to rest.
       list("stops", [](R r) { return r.stops.size(); }),
       compared("stops.*.prediction", word, any, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); }),
       compared("stops.*.t_s", time, any, kFromRows, [](R r, I i) { return r.stops[i].t_s; }),
@@ -317,8 +318,8 @@ constexpr auto kMembers = [] {
                [](R r, I i) { return sensitivity(r, i).azimuth_rad; }),
       compared("sensitivities.inputs.*.axis_error_rad", derived, end, kAtEnd,
                [](R r, I i) { return sensitivity(r, i).axis_error_rad; }),
-      // The last reliable drift of the axis with what is known of its errors: from the inputs (a standard error, inputs
-      // independent) and from the numerics (a bound).
+      // The last reliable drift of the axis, with its errors: from the inputs (a standard error, for independent inputs) and
+      // from the numerics (a bound).
       object_or_nothing("uncertainty", [](R r) { return r.sensitivities && r.scene.scenario().uncertainty; }),
       compared("uncertainty.unavailable", word, end, kAtEnd, [](R r) { return why_unavailable(r); }),
       compared("uncertainty.axis_rad", derived, end, kAtEnd,

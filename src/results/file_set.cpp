@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a signal handler needs to know: the names that must not stay, and whether files are being put in place.
+// Data for a signal handler: the names that must not stay on disk, and whether files are being put in place.
 using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
@@ -101,11 +101,11 @@ bool discard_temporaries() noexcept {
   for (const auto& slot : names_on_disk)
     if (const char* name = slot.load()) ::unlink(name);
   for (auto slot = directories_made.rbegin(); slot != directories_made.rend(); ++slot)  // the innermost one first
-    if (const char* name = slot->load()) ::rmdir(name);                                 // only what is empty
+    if (const char* name = slot->load()) ::rmdir(name);                                 // rmdir removes it only if it is empty
   return true;
 }
 
-/// One file: its place, its new version and its old one, both beside it; an empty name where there is none.
+/// One file of the set: its place, and the temporary names of its new (`next`) and its old version (`last`) beside it.
 struct FileSet::File {
   File(const fs::path& dir, std::string_view its_name)
       : name(its_name), place(dir / its_name), next(dir / temporary_name(its_name)), last(dir / temporary_name(its_name)) {}
@@ -137,9 +137,9 @@ struct FileSet::File {
   std::string name;
   fs::path place, next, last;
   KnownName known{next.c_str()};
-  bool is_written = false;    // `next` is on disk
-  bool is_in_place = false;   // and has become `place`
-  bool is_set_aside = false;  // `last` is what was at `place`
+  bool is_written = false;    // the new version is on disk as `next`
+  bool is_in_place = false;   // the new version has been moved to `place`
+  bool is_set_aside = false;  // the old version has been moved to `last`
 };
 
 FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Watch& watch)
@@ -178,7 +178,8 @@ void FileSet::make_directory() {
   if (error) throw WriteError(dir_.string(), error.message());
 }
 
-/// Temporaries that are there while the lock is held belong to nobody. Where there is no lock, they stay.
+/// Removes temporary files left for `name`. While this run holds the lock they belong to no running process; without a lock
+/// that is not known, and they stay.
 void FileSet::remove_left(std::string_view name) const {
   if (!locked_) return;
   for (const fs::path& left : temporaries(dir_, name)) ::unlink(left.c_str());
@@ -218,7 +219,7 @@ FileSet::File& FileSet::file(std::string_view name) {
 
 void FileSet::add(std::string_view name, const std::function<void(const Sink&)>& produce) {
   File& file = this->file(name);
-  // A file of this name is of a killed run with the same process number.
+  // If a file of this name exists, a killed run with the same process number left it.
   if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail_to_write(file.place, errno);
   Descriptor descriptor(::open(file.next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (descriptor.get() < 0) fail_to_write(file.place, errno);
@@ -236,7 +237,7 @@ void FileSet::add(std::string_view name, std::string_view content) {
   add(name, [&](const Sink& sink) { sink(content); });
 }
 
-/// Makes the names themselves last. Some file systems cannot sync a directory (EINVAL): then there is nothing to do.
+/// Makes the changes of names in the directory durable. Some file systems cannot sync a directory (EINVAL); that is ignored.
 void FileSet::sync() const {
   if (directory_ >= 0 && ::fsync(directory_) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Files that change together: all of them are replaced, or none.
+/// A set of files that change together: either all of them are replaced, or none.
 #pragma once
 
 #include <filesystem>
@@ -14,35 +14,39 @@
 
 namespace earthtop {
 
-/// @throws WriteError for the file, with what errno means by `error`
+/// @throws WriteError always, for the file, with the system's message for the errno value `error`
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
-/// The next version of the files of a directory. The last of their names is the seal: where it is, the others belong to it.
+/// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
+/// complete and belong to it.
 ///
 /// Every file is complete on disk under a temporary name (`.NAME.PID-N.tmp`) before anything is changed. Then the old seal is
-/// taken away, the others are replaced, and the new seal is put in place, with the directory synced in between. A failure
-/// puts everything back as it was; a crash in these few system calls leaves a directory without its seal, the old and the
-/// new one under temporary names. Links are replaced, never followed. What a killed run left behind is removed by the next.
+/// taken away, the others are replaced, and the new seal is put in place, with the directory synced in between. After a
+/// failure everything is put back as it was. A crash during these few system calls leaves a directory without its seal, with
+/// the old and the new seal under temporary names. Links are replaced, never followed. Temporary files that a killed run left
+/// are removed by the next run.
 class FileSet {
  public:
-  /// Makes the directory and keeps others from writing there meanwhile (where the file system can lock).
-  /// @param names  the files that make up the whole; the seal last
-  /// @param watch  may stop it until `commit` puts the first file in place: then Interrupted is thrown   @throws WriteError
+  /// Makes the directory and locks it, so that no other run writes there meanwhile (where the file system can lock).
+  /// @param names  all files of the set; the seal last
+  /// @param watch  may stop the work until `commit` puts the first file in place; Interrupted is then thrown
+  /// @throws WriteError
   FileSet(std::filesystem::path dir, std::span<const std::string_view> names, const Watch& watch = {});
-  /// Unless committed: no temporary is left, nor a directory made for nothing.
+  /// Unless the set was committed, removes its temporary files and the directories that it made.
   ~FileSet();
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
 
   using Sink = std::function<void(std::string_view)>;
-  /// Writes one file under a temporary name. @throws WriteError, Interrupted, what `produce` throws
+  /// Writes one file under a temporary name. @throws WriteError; Interrupted; all that `produce` throws
   void add(std::string_view name, const std::function<void(const Sink&)>& produce);
   void add(std::string_view name, std::string_view content);
 
-  /// Puts the added files in place and removes the others of the names. @throws WriteError: everything is as it was
+  /// Puts the added files in place, and removes files of the set that were not added. @throws WriteError; then everything is as
+  /// it was before.
   void commit();
 
-  /// Temporaries for `name` in `dir`, of a killed run or a running one.
+  /// Temporary files for `name` in `dir` that a killed run left or a running one uses.
   static std::vector<std::filesystem::path> temporaries(const std::filesystem::path& dir, std::string_view name);
 
  private:
@@ -59,8 +63,8 @@ class FileSet {
 
   std::filesystem::path dir_;
   Watch watch_;
-  std::vector<std::filesystem::path> made_;   // directories, the outermost first
-  std::vector<std::shared_ptr<void>> known_;  // keeps their names known to `discard_temporaries`
+  std::vector<std::filesystem::path> made_;   // directories that this set made, the outermost first
+  std::vector<std::shared_ptr<void>> known_;  // keep the names of these directories known to `discard_temporaries`
   std::vector<std::unique_ptr<File>> files_;
   int directory_ = -1;
   bool locked_ = false;

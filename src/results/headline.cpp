@@ -12,7 +12,7 @@
 namespace earthtop {
 namespace {
 
-/// The row of time `t`; a k x step that rounding has moved is still that row.
+/// The row at time `t`, which may differ from the row's time k x step by rounding; null where there is none.
 const DriftRow* row_at(const RunResult& result, double t) {
   const double slack = 1e-9 * std::min(result.scene.scenario().output_step_s, result.scene.scenario().duration_s);
   const auto row = std::find_if(result.rows.begin(), result.rows.end(),
@@ -22,7 +22,7 @@ const DriftRow* row_at(const RunResult& result, double t) {
 
 std::optional<double> finite(std::optional<double> value) { return value && std::isfinite(*value) ? value : std::nullopt; }
 
-/// Figures of the summary have dotted names, columns have none.
+/// Whether the name is that of a figure of the summary: those have a dot, names of columns have none.
 bool is_figure(std::string_view quantity) { return quantity.find('.') != std::string_view::npos; }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
   if (result.verdict.from_s && check.at_s.value_or(result.scene.scenario().duration_s) >= *result.verdict.from_s) {
-    check.computed.reset();  // past the verdict's time it is no figure
+    check.computed.reset();  // a value after the time until which the drift is reliable means nothing
     return check;
   }
   check.difference = *check.computed - check.stated.value;

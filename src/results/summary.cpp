@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The summary, or a part of it, from the table of its members; and what stands beside it.
+// Makes the summary, or a part of it, from the table of its members, and the timing.
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const Json kNothing = Json(Json::value_t::discarded);
 
 bool is_holder(const SummaryMember& member) { return member.form == MemberForm::object || member.form == MemberForm::list; }
 
-/// The first step of a dotted path, which is taken from it.
+/// Removes the first step of a dotted path, and returns it.
 std::string_view take_step(std::string_view& path) {
   const std::size_t dot = path.find('.');
   const std::string_view step = path.substr(0, dot);
@@ -31,7 +31,8 @@ std::string_view take_step(std::string_view& path) {
   return step;
 }
 
-/// The relation of a path to a member's, in which a star is any step.
+/// The relation of a path to a member's path, in which a star stands for any step: the path lies apart from the member, above
+/// it, at it, or below it.
 enum class Relation { apart, above, same, below };
 Relation relation(std::string_view path, std::string_view member) {
   while (!path.empty() && !member.empty()) {
@@ -42,7 +43,7 @@ Relation relation(std::string_view path, std::string_view member) {
   return path.empty() ? Relation::above : Relation::below;
 }
 
-/// The same document with null for every number.
+/// The document with every number replaced by null.
 Json without_numbers(Json json) {
   if (json.is_number()) return nullptr;
   for (Json& part : json)
@@ -50,7 +51,8 @@ Json without_numbers(Json json) {
   return json;
 }
 
-/// A member's own value in a result, without the members that it holds; discarded where it is left out.
+/// A member's value in a result, or an empty object or list without the members that it holds; a discarded value where the
+/// member is left out.
 Json own_value(const SummaryMember& member, const RunResult& result, std::size_t element, bool has_numbers) {
   if (!is_holder(member)) {
     Json value = member.value(result, element);
@@ -61,7 +63,7 @@ Json own_value(const SummaryMember& member, const RunResult& result, std::size_t
   return member.form == MemberForm::object ? Json::object() : Json(*count, Json::object());
 }
 
-/// Puts a member where it belongs. @param path  the rest of its path below `at`
+/// Puts a member into a document. @param path  the rest of the member's path, below `at`
 void put(Json& at, std::string_view path, const SummaryMember& member, const RunResult& result, std::size_t element,
          bool has_numbers) {
   const std::string_view step = take_step(path);
@@ -75,7 +77,7 @@ void put(Json& at, std::string_view path, const SummaryMember& member, const Run
   }
 }
 
-/// @param wanted  whether the member is needed
+/// The summary with those of its members that are wanted. @param wanted  whether a member is needed
 template <class Wanted>
 Json document_of(const RunResult& result, const Wanted& wanted) {
   Json document = Json::object();
@@ -87,14 +89,14 @@ Json document_of(const RunResult& result, const Wanted& wanted) {
   return document;
 }
 
-/// The number of a list's element in its path; none where it is none.
+/// The number of a list's element from a step of a path; none where the step is no number.
 std::optional<std::size_t> element_number(std::string_view step) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), number);
   return error == std::errc() && end == step.data() + step.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Text from a user may be anything; bytes that are not UTF-8 become U+FFFD instead of an exception.
+/// Writes JSON as text. Bytes of a user's text that are not UTF-8 become U+FFFD, instead of an exception.
 std::string dump(const Json& json) { return json_with_escapes(written_replacing(json, 2)) + '\n'; }
 
 std::string host_name() {

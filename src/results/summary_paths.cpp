@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A summary.json can have the members of the table of figures. Its copy of the scenario can have all keys that are written for
-// scenarios made up here to have everything that a scenario can have.
+// Checks the paths of members of summary.json. A summary can have the members in the table of figures, and its copy of the
+// scenario can have any key of a scenario. These keys are found by writing scenarios, made up here, that have everything.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Scenarios have one thing or another in the same place; so many kinds of made-up ones have each of them.
+/// The number of made-up scenarios. A scenario has one of several alternatives in some places; among so many, each occurs.
 constexpr int kKinds = 4;
 
 BodySpec any_body(int kind) {
@@ -34,7 +34,7 @@ ReleaseSpec any_release(int kind) {
   return release;
 }
 
-/// Every optional key of a scenario; where only one of several can stand, the one of this kind.
+/// A scenario with every optional key; where only one of several alternatives is possible, `kind` decides which one.
 Scenario any_scenario(int kind) {
   Scenario scenario;
   scenario.body = any_body(kind);
@@ -65,10 +65,11 @@ Scenario any_scenario(int kind) {
   return scenario;
 }
 
-/// A list: how many elements it has depends on the run. Arrays of numbers are vectors, of the same size in every run.
+/// Whether an array is a list, whose number of elements depends on the run. Arrays of numbers are vectors or matrices instead,
+/// of the same size in every run.
 bool is_list(const Json& array) { return !array.empty() && !array.front().is_number() && !array.front().is_array(); }
 
-/// Adds to a document what another one has; a list keeps one element, with the members of all.
+/// Adds the members of `more` to `all`. A list keeps one element, which gets the members of all elements.
 void join(Json& all, Json more) {
   if (more.is_object()) {
     if (!all.is_object()) all = Json::object();
@@ -82,7 +83,7 @@ void join(Json& all, Json more) {
   }
 }
 
-/// An example of what may stand at a member, in its form.
+/// An example of a member's value, in the member's form.
 Json example_of(const SummaryMember& member) {
   Json example;
   RunResult result;

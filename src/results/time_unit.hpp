@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The unit in which a picture's time reads best.
+/// The unit of time that suits a picture's time axis.
 #pragma once
 
 namespace earthtop {
 
 struct TimeUnit {
   const char* name;
-  double per_s;  ///< how many of it a second has
+  double per_s;  ///< number of these units in a second
 };
 
 inline TimeUnit time_unit(double duration_s) {

@@ -11,7 +11,7 @@
 namespace earthtop {
 namespace {
 
-/// The torques that a scene has columns of.
+/// The torques that have columns in a scene's torques.csv.
 std::vector<const TorqueQuantity*> torques_of(const Scene& scene) {
   std::vector<const TorqueQuantity*> torques;
   for (const TorqueQuantity& torque : torque_quantities())

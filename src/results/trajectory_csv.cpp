@@ -23,7 +23,7 @@ void append_row(std::string& text, const DriftRow& row) {
   text += '\n';
 }
 
-/// The time is a double in every precision: it is written as one.
+/// Appends the line of a row of extended precision. The time is a double in every precision, and is written as one.
 void append_row(std::string& text, const ExtendedDriftRow& row, Precision precision) {
   append_number(text, static_cast<double>(row.t_s));
   for (const DriftQuantity& quantity : kDriftQuantities)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The unit that a name ends with, as all names of the program do: "drift.axis_final_rad" -> "rad".
+/// The unit of a quantity, taken from the ending of its name: "drift.axis_final_rad" -> "rad". All names of the program that
+/// have a unit end with it.
 #pragma once
 
 #include <string_view>

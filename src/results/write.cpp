@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// summary.json, which names the scenario, is the seal of the others.
+/// summary.json names the scenario, and is the seal of the file set: it comes last in the list.
 constexpr std::string_view kSummary = "summary.json";
 constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", kSummary};
 
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.c
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, dir.string());
 }
 
-/// The scenario whose results `summary` holds; empty if it is not a summary that this program wrote.
+/// The SHA-256 of the scenario whose results `summary` holds; empty if the file is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
   constexpr std::uintmax_t kLargest = 64U << 20U;
   std::error_code error;
@@ -44,7 +44,7 @@ std::string scenario_of(const fs::path& summary) {
   return json.at(hash).get<std::string>();
 }
 
-/// @throws WriteError where it cannot be known
+/// Whether something is at the path, a dangling link included. @throws WriteError where that cannot be known
 bool is_there(const fs::path& path) {
   struct stat status = {};
   if (::lstat(path.c_str(), &status) == 0) return true;
@@ -52,7 +52,7 @@ bool is_there(const fs::path& path) {
   return false;
 }
 
-/// Refuses what must not be overwritten in an existing directory.
+/// Refuses an existing directory whose files must not be overwritten. @throws ScenarioError
 void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   for (const std::string_view name : kFiles)
     if (std::error_code error; fs::is_directory(fs::symlink_status(dir / name, error)))
@@ -115,7 +115,7 @@ double writing_seconds(const Scenario& scenario) {
 void write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
   check_output_directory(dir, result.scene, force);
   FileSet files(dir, kFiles, watch);
-  check_present_files(dir, result.scene, force);  // once more: no other run writes there now
+  check_present_files(dir, result.scene, force);  // once more, since no other run can write there while the directory is locked
   files.add("trajectory.csv",
             [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });
   if (result.ledger)

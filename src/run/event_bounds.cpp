@@ -15,7 +15,7 @@ constexpr double kLeast = 1e-12;
 /// Returns the bound on the drift's error when the drift passes the threshold (rad). It combines the bound of the rows before
 /// with the distance of the two integrations at the passing, the second one's extrapolated to the first one's time.
 template <class T>
-T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, int safety) {
+T bound_at_passing(const TwoIntegrations<T>& made, const AxisDriftSample<T>& passing, int safety) {
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   T stated = T(0);  // error that the method states for the rows, interpolated to the passing
@@ -29,7 +29,7 @@ T bound_at_passing(const TwoIntegrations<T>& made, const AxisLook<T>& passing, i
     stated = std::max(stated, sample.drift_error);
     bound.include(sample.measures, made.second.samples[i].measures, sample.state.epsilon);
   }
-  const AxisLook<T>& other = *made.second.threshold->passing;
+  const AxisDriftSample<T>& other = *made.second.threshold->passing;
   const T later = passing.t - other.t;
   const Vec3<T> apart = passing.difference - (other.difference + later * other.difference_rate);
   const T distance = std::max(norm(apart), T(real::abs(passing.rate * later)));
@@ -70,7 +70,7 @@ struct Judged {
 
 template <class T>
 Judged judge_passing(const ThresholdRecord<T>& record, T threshold, T bound) {
-  const AxisLook<T>& passing = *record.passing;
+  const AxisDriftSample<T>& passing = *record.passing;
   if (record.unresolved || !(bound < threshold)) return {ThresholdCrossing::uncertain};
   const T early = passing.t - first_within(record, threshold, bound).value_or(T(0));
   const std::optional<T> near = passing.rate > T(0) ? time_to(bound, passing.rate, record.curvature) : std::nullopt;

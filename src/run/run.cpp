@@ -31,7 +31,7 @@ IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions option
   if (!options.stops_beyond_estimate || row_of(options.method).equations != MethodEquations::own) return options;
   Work work = scene.cost(options).work;
   if (!is_exact(options.method)) work.steps = std::max(work.steps, kShortRun);
-  options.step_limit = std::min(options.step_limit, limit_of(work).steps);
+  options.step_limit = std::min(options.step_limit, work_limit_for(work).steps);
   return options;
 }
 
@@ -43,7 +43,7 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   made.options = within_estimate(scene, scene.choice().options);
   made.other_options = second_options(scene, made.options);
   const Watch& watch = run_options.watch;
-  const RunSeconds seconds = watch.is_told() ? scene.estimate().seconds : RunSeconds();
+  const RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
   Parts parts(watch, seconds.all());
 
   made.first =
@@ -115,7 +115,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   std::optional<Selection> selection;
   RunOptions after = options;
   if (scene.scenario().effects.automatic) {
-    const double choice = options.watch.is_told() ? selection_seconds(scene) : 0;
+    const double choice = options.watch.has_progress() ? selection_seconds(scene) : 0;
     const double share = choice > 0 ? choice / estimated_run_seconds(scene) : 0;
     selection = select_effects(modelled, options.watch.part(0, share, "choice of effects"));
     after.watch = options.watch.part(share, 1);

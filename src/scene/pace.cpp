@@ -240,10 +240,10 @@ Paced paced(const Scene& scene) {
   pace.rows = scene.rows();
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
-  pace.settled_rad = swinging * (time - friction.swung_s());
+  pace.undamped_rest_rad = swinging * (time - friction.swung_s());
   // The limit keeps a scene from being refused only because of the sampling that rounding causes.
   constexpr double kMostLooks = 1e9;
-  pace.looks_rad =
+  pace.watched_angle_rad =
       std::max(scene.fastest_rate_rad_s() * time, std::min(kMostLooks, looks_at_rounding(scene) * pace.turning_rad));
   pace.damping = friction.damping();
   pace.halts = friction.halts();

@@ -12,8 +12,8 @@
 namespace earthtop::study {
 namespace {
 
-constexpr std::size_t kMostListed = 1000;  // points listed in the document
-constexpr std::size_t kMostLevels = 500;   // groups of one axis for which means are listed
+constexpr std::size_t kMaxListedPoints = 1000;  // points listed in the document
+constexpr std::size_t kMostLevels = 500;        // groups of one axis for which means are listed
 constexpr std::size_t kMostFailures = 20;
 constexpr int kBins = 10;  // intervals of a range from which the design draws
 
@@ -74,10 +74,10 @@ void Gathering::include(const PointResult& point) {
   } else {
     include_values(point);
   }
-  if (points_.size() <= kMostListed) list(point);
+  if (points_.size() <= kMaxListedPoints) list(point);
 }
 
-Json Gathering::points() const { return points_.size() <= kMostListed ? points_ : Json(); }
+Json Gathering::points() const { return points_.size() <= kMaxListedPoints ? points_ : Json(); }
 
 Json Gathering::marginals() const {
   Json axes = Json::object();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be said of a study before it is computed: its identity, its size and cost, and whether its points can be run.
+// Questions about a study that are answered before it is computed: its identity, its size and cost, and whether its points
+// can be run.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace earthtop {
 
 namespace {
 
-enum Tag : int { kStudyText, kChunk, kResults, kGoHome };
+enum Tag : int { kStudyText, kChunk, kResults, kStop };
 
 /// A received message.
 struct Message {
@@ -110,7 +110,7 @@ StudyProcesses::~StudyProcesses() {
   if (is_first()) {
     while (session_->under_way > 0)  // after an error: receive what workers are still sending
       if (const auto message = next_message(); message && message->tag == kResults) --session_->under_way;
-    for (int worker = 1; worker < session_->size; ++worker) session_->outbox.send(worker, kGoHome, "");
+    for (int worker = 1; worker < session_->size; ++worker) session_->outbox.send(worker, kStop, "");
     session_->outbox.wait();
   }
   MPI_Finalize();
@@ -127,7 +127,7 @@ void StudyProcesses::serve(const Watch& watch) {
     const auto message = next_message();
     if (!message) {
       nap();
-    } else if (message->tag == kGoHome) {
+    } else if (message->tag == kStop) {
       return;
     } else if (message->tag == kStudyText) {
       study = study_from(message->bytes);

@@ -146,8 +146,8 @@ class ChunkSize {
 };
 
 /// The main loop of the process that holds the store: hands out chunks and stores results.
-StudyProgress conduct(const Study& study, const StudyRunOptions& options, Store& store, Workforce& workforce, unsigned workers,
-                      double seconds_a_point) {
+StudyProgress run_points(const Study& study, const StudyRunOptions& options, Store& store, Workforce& workforce,
+                         unsigned workers, double seconds_a_point) {
   const std::uint64_t count = point_count(study).value_or(0);
   const StudyShard& shard = options.shard;
   StudyProgress progress;
@@ -219,7 +219,7 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   const unsigned workers = spread_out ? options.processes->workers() : options.jobs > 0 ? options.jobs : cores;
   const auto workforce = spread_out ? make_processes(study, *options.processes) : make_threads(study, workers, options.watch);
   const double seconds_a_point = expected.core_seconds / static_cast<double>(expected.points);
-  report.progress = conduct(study, options, store, *workforce, workers, seconds_a_point);
+  report.progress = run_points(study, options, store, *workforce, workers, seconds_a_point);
   report.failed = store.failed_count();
   report.interrupted = options.watch.asks_to_stop();
   store.finish();

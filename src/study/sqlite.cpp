@@ -22,7 +22,7 @@ Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(
   sqlite3_busy_timeout(opened, 200);  // ms
 }
 
-void Connection::be_patient() {
+void Connection::wait_for_locks() {
   patient_ = true;
   sqlite3_busy_timeout(database_.get(), 10'000);  // ms
 }

@@ -53,7 +53,7 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
               shard);
   sqlite::Connection& connection = *store.connection_;
   set_up(connection);
-  connection.be_patient();
+  connection.wait_for_locks();
   store.begin();
   connection.execute("CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
   std::string table = "CREATE TABLE point (number INTEGER PRIMARY KEY, status TEXT NOT NULL, reason TEXT, scenario_sha256 TEXT";
@@ -91,7 +91,7 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   }
   if (facts["format"] != kFormat) refuse_store(file, "is no study's store of this version");
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
-  connection->be_patient();
+  connection->wait_for_locks();
   const ScenarioSource base{facts["base_file"], facts["base"]};
   Study study = parse_study({facts["name"] + ".json", facts["study"]}, base);
   study.name = facts["name"];

@@ -69,7 +69,7 @@ class Threads : public Workforce {
         waiting_.pop_front();
         busy_.push_back({&progress, chunk.size()});
       }
-      std::vector<PointResult> results = compute(study_, collector_, chunk, watch_.telling(&progress));
+      std::vector<PointResult> results = compute(study_, collector_, chunk, watch_.with_progress(&progress));
       {
         const std::lock_guard lock(mutex_);
         results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));

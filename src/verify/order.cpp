@@ -17,11 +17,11 @@ long fewest_parts(const Scenario& scenario) {
   return std::lround(std::ceil(scenario.output_step_s / *scenario.numerics.step_s));
 }
 
-constexpr double kFiner = 1.01;  // ratio of successive step counts in a search for resonances, over two octaves
+constexpr double kStepCountRatio = 1.01;  // ratio of successive step counts in a search for resonances, over two octaves
 
 /// Number of steps from row to row, summed over all trajectories of a criterion.
 double steps_of(const CriterionSpec& criterion, double fewest) {
-  return fewest * (criterion.quantity == "step_resonance" ? (4 - 1) / (kFiner - 1) : 1 + 2);
+  return fewest * (criterion.quantity == "step_resonance" ? (4 - 1) / (kStepCountRatio - 1) : 1 + 2);
 }
 
 /// Errors of a scene's rotating motion with its method at various steps, relative to a Taylor series solution at its finest
@@ -67,7 +67,7 @@ double resonance(StepErrors& errors, double parts) {
   double worst = 0;
   for (int octave = 0; octave < 2; ++octave) {
     std::vector<double> x, y;
-    for (const double end = 2 * parts; parts < end; parts *= kFiner) {
+    for (const double end = 2 * parts; parts < end; parts *= kStepCountRatio) {
       x.push_back(real::log(std::round(parts)));
       y.push_back(real::log(errors.at(std::lround(parts))));
     }
@@ -89,9 +89,9 @@ double order_work(const CriterionSpec& criterion, const Runs& runs) {
   const Scene scene = runs.scene(criterion.set);
   if (!scene.scenario().numerics.step_s) return 0;
   // The work is for one motion, whereas the estimate is for two integrations of two motions and their deviation.
-  constexpr double kOfEstimate = 0.15;
+  constexpr double kShareOfEstimate = 0.15;
   const auto fewest = static_cast<double>(fewest_parts(scene.scenario()));
-  return kOfEstimate * scene.estimate().seconds.all() * steps_of(criterion, fewest) / fewest;
+  return kShareOfEstimate * scene.estimate().seconds.all() * steps_of(criterion, fewest) / fewest;
 }
 
 double order_error(const CriterionSpec& criterion, Runs& runs) {

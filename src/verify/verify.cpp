@@ -24,7 +24,7 @@ const Kind& kind_of(const CriterionSpec& criterion) {
 }
 
 /// Approximate number of runs of a scene when all methods must give exactly zero.
-constexpr double kMethodsHeld = 8;
+constexpr double kApproximateMethodCount = 8;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -55,7 +55,7 @@ std::vector<double> work_of(const std::vector<CriterionSpec>& criteria, const Ru
     }
     if (known.insert(criterion.set).second) work += runs.scene(criterion.set).estimate().seconds.all();
     if (takes == RunsTaken::that_and_unchanged && known.insert(Changes()).second) work += runs.scene().estimate().seconds.all();
-    if (takes == RunsTaken::all_methods) work *= kMethodsHeld;
+    if (takes == RunsTaken::all_methods) work *= kApproximateMethodCount;
   }
   return all;
 }

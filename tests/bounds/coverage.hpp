@@ -23,9 +23,10 @@ struct Coverage {
   bool tight() const { return axis.tight() && attitude.tight(); }
 };
 
-/// What a run is compared with: the same scene in 113 bits, or in 64 bits at the least tolerance. The rounding of 64 bits is
-/// 2,048 times finer than a double's, and they take a hundredth of the time. If an error comes near its bound by this measure,
-/// 113 bits have to decide, because closed forms in unstable scenes are more exact than any integration in 64 bits.
+/// The solution with which a run is compared: the same scene in 113 bits, or in 64 bits at the least tolerance. The rounding of
+/// 64 bits is 2,048 times finer than a double's, and they take a hundredth of the time that 113 bits take. If an error comes
+/// near its bound by this measure, 113 bits have to decide, because closed forms in unstable scenes are more exact than any
+/// integration in 64 bits.
 enum class Truth { bits113, bits64 };
 
 /// Runs the scene, and computes the truth by extrapolation of the general model in body axes in float128; where that would take

@@ -17,7 +17,7 @@
 namespace earthtop::test {
 namespace {
 
-/// `less_square`, near - y^2 in long double, must be as exact as with a fused multiplication, though it uses none: where the
+/// `minus_square`, near - y^2 in long double, must be as exact as with a fused multiplication, though it uses none: where the
 /// difference cancels all but the last bits, and where it does not, over all magnitudes of double.
 TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
   std::mt19937_64 engine(3);
@@ -25,7 +25,7 @@ TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
   for (int k = 0; k < 2000; ++k) {
     const long double y = std::ldexp(1 + static_cast<long double>(unit(engine)) + 1e-18L * unit(engine), k - 1000);
     const long double near = k % 3 == 0 ? y * y : y * y * (1 + (k % 3 == 1 ? 1e-18L : 1.0L) * (unit(engine) - 0.5));
-    const long double exact = -std::fma(y, y, -near), made = less_square<long double>(near, y);
+    const long double exact = -std::fma(y, y, -near), made = minus_square<long double>(near, y);
     EXPECT_LE(std::abs(made - exact), std::numeric_limits<long double>::epsilon() * std::abs(exact)) << k;
   }
 }

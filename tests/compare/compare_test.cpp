@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What decides a verdict besides the numbers: the scenario, the tolerances, the cost, and which quantities are compared.
+/// Verdicts depend on more than the numbers: on the scenario, the tolerances, the cost, and which quantities are compared.
 #include "earthtop/compare/compare.hpp"
 
 #include <gtest/gtest.h>

@@ -282,7 +282,7 @@ void change_summary(const ChangedCopy& copy, const SummaryChange& change) {
   write_text(copy.path() / "summary.json", testing::text_of(summary));
 }
 
-// What a summary says about itself must not decide how much of it is compared, neither in the reference nor in the candidate.
+// Neither the reference's summary nor the candidate's may decide, by what it says about itself, how much of it is compared.
 TEST(Mutation, ASummaryCannotTalkItsWayThrough) {
   const SummaryChange changes[] = {
       [](auto& s) { s["attitude_bound_rad"] = 1e3; },

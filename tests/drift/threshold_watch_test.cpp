@@ -20,8 +20,8 @@ struct Wave {
   double derivative(double t) const {
     return slope + size * rate * std::sin(rate * t + phase) + second * second_rate * std::cos(second_rate * t);
   }
-  AxisLook<double> look(double t) const {
-    AxisLook<double> look;
+  AxisDriftSample<double> look(double t) const {
+    AxisDriftSample<double> look;
     look.t = t, look.axis = at(t), look.rate = derivative(t);
     look.difference_rate = Vec3<double>(derivative(t), size * rate, second * second_rate);
     return look;

@@ -26,20 +26,20 @@ DriftMeasures<float128> exact_drift(const Scenario& scenario) {
 }
 
 /// The scenario's number that belongs to an input, and how much it changes with the input.
-struct Knob {
+struct InputHandle {
   std::function<double&(Scenario&)> number;
   double input_per_number = 1;
 };
 
-std::array<Knob, kInputNames.size()> knobs(const Scenario& scenario) {
+std::array<InputHandle, kInputNames.size()> knobs(const Scenario& scenario) {
   const double I1 = scenario.body.inertia_kg_m2[0][0];
-  return {Knob{[](Scenario& s) -> double& { return s.site.latitude_deg; }},
-          Knob{[](Scenario& s) -> double& { return s.site.gravity_m_s2; }},
-          Knob{[](Scenario& s) -> double& { return s.release.spin_rad_s; }},
-          Knob{[](Scenario& s) -> double& { return s.release.tilt_deg; }},
-          Knob{[](Scenario& s) -> double& { return s.rotation_rate_rad_s; }},
-          Knob{[](Scenario& s) -> double& { return s.body.inertia_kg_m2[2][2]; }, 1 / I1},
-          Knob{[](Scenario& s) -> double& { return s.body.center_of_mass_m[2]; }}};
+  return {InputHandle{[](Scenario& s) -> double& { return s.site.latitude_deg; }},
+          InputHandle{[](Scenario& s) -> double& { return s.site.gravity_m_s2; }},
+          InputHandle{[](Scenario& s) -> double& { return s.release.spin_rad_s; }},
+          InputHandle{[](Scenario& s) -> double& { return s.release.tilt_deg; }},
+          InputHandle{[](Scenario& s) -> double& { return s.rotation_rate_rad_s; }},
+          InputHandle{[](Scenario& s) -> double& { return s.body.inertia_kg_m2[2][2]; }, 1 / I1},
+          InputHandle{[](Scenario& s) -> double& { return s.body.center_of_mass_m[2]; }}};
 }
 
 void expect_exact_derivatives(const Scenario& scenario) {

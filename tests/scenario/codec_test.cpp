@@ -18,17 +18,18 @@ namespace {
 
 using input::Field, input::FieldKind;
 
-/// What a key needs beside it, and its value where the one made up for its kind would not be legal there.
+/// The way in which the test sets one key: the overrides that the key needs beside it (`base`), and its value where the one
+/// made up for its kind would not be legal (else empty).
 struct Setting {
   Overrides base;
   std::string value = "";
-  Overrides instead = {};           ///< where the key cannot be changed alone
+  Overrides instead = {};           ///< overrides made instead of it, where the key cannot be changed alone
   bool has_one_value_only = false;  ///< the key may be given, but says nothing new
 };
 
 const std::string kStart = "2026-11-22T12:00:00Z";
 
-/// By the beginning of the pointer pattern; the longest one counts.
+/// The settings by the beginning of a key's pointer pattern. The longest beginning in the table that fits a key counts.
 const std::map<std::string, Setting>& settings() {
   static const auto* all = new std::map<std::string, Setting>{
       {"", {}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scenario resolves to, and that each part of it is made once.
+// These tests check the scene that a scenario resolves to, and that each part of it is made only once.
 #include "earthtop/scene/scene.hpp"
 
 #include <gtest/gtest.h>

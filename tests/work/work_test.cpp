@@ -56,8 +56,8 @@ DriftProblem<double> understated() {
   const Scenario s = long_enough();
   DriftProblem<double> problem = Scene(s).problem<double>();
   problem.pace.turning_rad = 1;
-  problem.pace.looks_rad = 0;
-  problem.pace.settled_rad = problem.pace.damping = 0;
+  problem.pace.watched_angle_rad = 0;
+  problem.pace.undamped_rest_rad = problem.pace.damping = 0;
   problem.pace.rows = 1;
   return problem;
 }
@@ -77,7 +77,7 @@ TEST(WorkLimit, AnIntegrationStopsWithItsRowsAtTenTimesTheEstimate) {
     EXPECT_EQ(stopped.status, RunStatus::step_limit) << to_string(method);
     EXPECT_EQ(stopped.samples.size(), again.samples.size());
     const auto steps = static_cast<double>(stopped.counters.accepted + stopped.counters.rejected);
-    const WorkLimit limit = limit_of(estimated_work(problem.pace, options, false));
+    const WorkLimit limit = work_limit_for(estimated_work(problem.pace, options, false));
     // A step that has begun is not broken off.
     EXPECT_TRUE(steps >= static_cast<double>(limit.steps) ||
                 (stopped.counters.evaluations >= limit.evaluations && stopped.counters.evaluations < limit.evaluations + 1000));
@@ -103,11 +103,11 @@ TEST(WorkLimit, AnIntegrationThatStandsStillStops) {
     const IntegrationOptions options = options_of(method);
     const auto stopped = integrate_drift(problem, options);
     EXPECT_EQ(stopped.status, RunStatus::step_limit) << to_string(method);
-    EXPECT_LT(stopped.counters.evaluations, limit_of(estimated_work(gentle, options, false)).evaluations + 1000);
+    EXPECT_LT(stopped.counters.evaluations, work_limit_for(estimated_work(gentle, options, false)).evaluations + 1000);
   }
   const GrowthReport growth = disturbance_growth(problem, MotionKind::reference, s.duration_s, 1e-7);
   EXPECT_FALSE(growth.completed);
-  const WorkLimit limit = limit_of(variational_work(gentle, s.duration_s, 1e-7));
+  const WorkLimit limit = work_limit_for(variational_work(gentle, s.duration_s, 1e-7));
   EXPECT_LE(growth.counters.accepted + growth.counters.rejected, limit.steps);
 }
 

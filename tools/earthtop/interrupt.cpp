@@ -19,12 +19,12 @@
 namespace earthtop::tool {
 namespace {
 
-constexpr std::int64_t kMillisecond = 1'000'000;       // ns
-constexpr std::int64_t kGrace = 100 * kMillisecond;    // processor time allowed for an orderly end
-constexpr std::int64_t kNoLimit = 0;                   // disarms a timer
-constexpr std::int64_t kMoment = 10 * kMillisecond;    // processor time allowed for steps that must not be interrupted
-constexpr std::int64_t kIdle = 2000 * kMillisecond;    // time by the clock; a process that uses less
-constexpr std::int64_t kHardlyAny = kMillisecond / 2;  // processor time than this meanwhile is stuck
+constexpr std::int64_t kMillisecond = 1'000'000;                // ns
+constexpr std::int64_t kGrace = 100 * kMillisecond;             // processor time allowed for an orderly end
+constexpr std::int64_t kNoLimit = 0;                            // disarms a timer
+constexpr std::int64_t kMoment = 10 * kMillisecond;             // processor time allowed for steps that must not be interrupted
+constexpr std::int64_t kIdle = 2000 * kMillisecond;             // time by the clock; a process that uses less
+constexpr std::int64_t kStuckProcessorTime = kMillisecond / 2;  // processor time than this meanwhile is stuck
 
 // The state shared with the signal handlers. One thread starts the work, but any thread may receive a signal.
 std::atomic<int> g_signal = 0;
@@ -87,7 +87,7 @@ extern "C" void on_timer(int, siginfo_t* info, void*) {
   const int error = errno;
   const std::int64_t now = processor_time();
   const bool is_wall = info->si_value.sival_int == 1;
-  if (!is_wall || now - g_used_before.exchange(now) < kHardlyAny)
+  if (!is_wall || now - g_used_before.exchange(now) < kStuckProcessorTime)
     end_at_once();
   else
     set(g_wall_timer, kIdle);
@@ -138,7 +138,7 @@ OrderlyEnd::~OrderlyEnd() {
   set(g_wall_timer, kNoLimit);
 }
 
-void keep_what_is_there() {
+void lift_time_limit() {
   set(g_processor_timer, kNoLimit);
   set(g_wall_timer, kNoLimit);
   g_stop = false;

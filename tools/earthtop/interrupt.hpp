@@ -29,7 +29,7 @@ class OrderlyEnd {
 
 /// Lifts the time limit after a signal, so that what has been computed can be kept. Another signal still ends the program at
 /// once.
-void keep_what_is_there();
+void lift_time_limit();
 
 /// 128 + the signal that was received.
 int interrupted_status();

@@ -67,12 +67,12 @@ std::string progress_text(double share, std::string_view phase, double seconds) 
   return fmt::format("{:3.0f}%  {}{}{}", std::floor(100 * share), phase, !phase.empty() && !left.empty() ? ", " : "", left);
 }
 
-class ProgressDisplay::Teller {
+class ProgressDisplay::DisplayThread {
  public:
-  Teller(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
+  DisplayThread(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
     if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
   }
-  ~Teller() {
+  ~DisplayThread() {
     if (!thread_.joinable()) return;
     {
       const std::lock_guard lock(mutex_);
@@ -81,8 +81,8 @@ class ProgressDisplay::Teller {
     done_.notify_one();
     thread_.join();
   }
-  Teller(const Teller&) = delete;
-  Teller& operator=(const Teller&) = delete;
+  DisplayThread(const DisplayThread&) = delete;
+  DisplayThread& operator=(const DisplayThread&) = delete;
 
   bool is_shown() const { return line_.is_shown(); }
 
@@ -113,7 +113,8 @@ class ProgressDisplay::Teller {
   std::thread thread_;
 };
 
-ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress) : teller_(std::make_unique<Teller>(wanted, progress)) {}
+ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress)
+    : teller_(std::make_unique<DisplayThread>(wanted, progress)) {}
 
 ProgressDisplay::~ProgressDisplay() = default;
 

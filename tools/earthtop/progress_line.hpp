@@ -57,8 +57,8 @@ class ProgressDisplay {
   void aside(const std::function<void()>& say);
 
  private:
-  class Teller;  // owns a thread
-  std::unique_ptr<Teller> teller_;
+  class DisplayThread;  // owns a thread
+  std::unique_ptr<DisplayThread> teller_;
 };
 
 }  // namespace earthtop::tool

@@ -69,7 +69,7 @@ RequestedScene read_scene(const RunArguments& arguments) {
 }
 
 /// Reports a run that was interrupted and leaves nothing, and whether --partial would have kept its rows.
-int tell_of_nothing(const RunResult& result, const RunArguments& arguments) {
+int report_nothing_kept(const RunResult& result, const RunArguments& arguments) {
   if (!result.solution_is_whole)
     return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scene.scenario().duration_s));
   const char* message =
@@ -95,13 +95,13 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   run.was_interrupted = run.result.status == RunStatus::interrupted;
   run.is_written = !run.was_interrupted || is_partial(run.result);
   if (!run.is_written) return run;
-  if (run.was_interrupted) keep_what_is_there();
+  if (run.was_interrupted) lift_time_limit();
   try {
     write_results(run.result, dir, arguments.force, watch.part(1 - share, 1, "writing"));
   } catch (const Interrupted&) {
     if (!arguments.partial) throw;
     run.was_interrupted = true;
-    keep_what_is_there();
+    lift_time_limit();
     write_results(run.result, dir, arguments.force);
   }
   if (!run.was_interrupted) progress.reach(1);
@@ -131,7 +131,7 @@ int run_verb(const RunArguments& arguments) try {
   check_output_directory(dir, scene, arguments.force);
 
   const auto [result, is_written, was_interrupted] = run_and_write(scene, dir, arguments);
-  if (!is_written) return tell_of_nothing(result, arguments);
+  if (!is_written) return report_nothing_kept(result, arguments);
   if (was_interrupted)
     message(fmt::format(
         "earthtop: error: interrupted; {} in {}",

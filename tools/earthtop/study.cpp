@@ -78,7 +78,7 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
 }
 
 /// Reports the end of a shard; its points alone are not shown as a study.
-void tell_of_shard(const StudyRunReport& report, const StudyArguments& arguments) {
+void print_shard_report(const StudyRunReport& report, const StudyArguments& arguments) {
   if (arguments.json)
     print_json(JsonObject()
                    .put("store", report.store.string())
@@ -155,7 +155,7 @@ int study_verb(const StudyArguments& arguments) {
     write_study_results(report.store);
     tell_results(report.store, arguments.json, arguments.quiet);
   } else {
-    tell_of_shard(report, arguments);
+    print_shard_report(report, arguments);
   }
   if (report.failed == 0) return kDone;
   message(fmt::format("earthtop: {} of {} points failed; the reasons are in the table", report.failed, report.progress.wanted));

@@ -204,7 +204,8 @@ void write_threshold(Page& page, const RunResult& result) {
 
 void write_trend(Page& page, const RunResult& result) {
   const bool has_azimuth = std::all_of(result.rows.begin(), result.rows.end(), [](const DriftRow& row) {
-    return !row.drift_reliable || (row.drift_azimuth_rad && azimuths_tell(row.axis_L, row.ref_axis_L, row.drift_axis_rad));
+    return !row.drift_reliable ||
+           (row.drift_azimuth_rad && azimuths_are_meaningful(row.axis_L, row.ref_axis_L, row.drift_axis_rad));
   });
   if (const auto secular = reliable_drift(result).secular; secular && has_azimuth) {
     page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",

@@ -18,8 +18,8 @@
 
 namespace earthtop {
 
-/// What a contender computes: the rotating motion alone (of a symmetric top only the axis, or the whole attitude), or both
-/// motions and their deviation as a run does.
+/// The task of a contender: the rotating motion alone (`axis`: only the axis of a symmetric top; `motion`: the whole attitude),
+/// or, as in a run, both motions and their deviation (`drift`).
 enum class Workload { axis, motion, drift };
 std::string_view to_string(Workload workload);
 

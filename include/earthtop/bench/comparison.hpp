@@ -27,8 +27,8 @@ std::vector<BenchFamily> families(const BenchReport& report);
 /// The errors at which costs are compared (rad).
 inline constexpr std::array<double, 3> kEqualErrors = {1e-6, 1e-9, 1e-12};
 
-/// What it costs a family to reach an error (s): interpolated between two of its entries, or else (`at_most`) the cost of the
-/// cheapest entry that is more exact.
+/// The time that a family needs to reach an error (s): interpolated between two of its entries, or else (`at_most`) the time of
+/// the cheapest entry that is more exact.
 struct FamilyCost {
   double seconds = 0;
   bool at_most = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What moved between two results: physical measures of their difference, each held against a tolerance that says where it
-/// comes from.
+/// Comparison of two results: the differences between them in physical measures, each checked against a tolerance that states
+/// where it comes from.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@
 namespace earthtop {
 
 enum class Profile {
-  bitwise,     ///< every digit
-  regression,  ///< the same scene computed otherwise: what both error bounds and rounding leave open
-  physics,     ///< another program or model: a thousandth of the Earth's effect in this scene
+  bitwise,     ///< no tolerance: every digit must be equal
+  regression,  ///< the same scene computed otherwise: as much as both error bounds and rounding allow
+  physics,     ///< another program or model: up to a thousandth of the Earth's effect in this scene
 };
 std::string_view to_string(Profile profile);
 
-/// A difference passes up to max(absolute, relative x the quantity's largest size in the reference, bounds x the sum of both
-/// results' error bounds). What is not given is 0.
+/// A difference passes if it is at most max(absolute, relative x the quantity's largest size in the reference, bounds x the sum
+/// of both results' error bounds). A part that is not given counts as 0.
 struct ToleranceRule {
-  std::optional<double> absolute;  ///< unit of the quantity
+  std::optional<double> absolute;  ///< in the unit of the quantity
   std::optional<double> relative;
   std::optional<double> bounds;
 };
 
-/// A profile and what a file changes of it.
+/// A profile, and the changes that a tolerance file makes to it.
 struct Tolerances {
   Profile profile = Profile::regression;
   std::map<std::string, ToleranceRule> rules;  ///< by the quantity's name
-  std::optional<double> steps_ratio;           ///< most that steps and evaluations may grow by
-  std::optional<double> seconds_ratio;         ///< the same of the wall time
-  std::string file;                            ///< where the rules stand; empty for a profile alone
+  std::optional<double> steps_ratio;           ///< largest allowed ratio of steps and of evaluations, new to reference
+  std::optional<double> seconds_ratio;         ///< largest allowed ratio of wall times, new to reference
+  std::string file;                            ///< the tolerance file; empty for a profile alone
 };
 
 /// Reads a tolerance file. @throws ScenarioError with all its errors; ReadError
@@ -45,72 +45,72 @@ Tolerances read_tolerances(const std::string& file);
 
 struct CompareOptions {
   Tolerances tolerances;
-  std::string mapping;                  ///< file that says what a foreign CSV's columns are; empty for none
-  std::vector<std::string> may_change;  ///< pointers of scenario keys in which the two may differ; "/" for all
-  bool may_lack_rows = false;           ///< rows and results of the reference that are not in the other one
-  bool with_curves = false;             ///< keep the differences over time, for a picture
-  Watch watch;                          ///< sees how far it is
+  std::string mapping;                  ///< file that states the meaning of a foreign CSV's columns; empty for none
+  std::vector<std::string> may_change;  ///< JSON pointers of scenario keys in which the two may differ; "/" for all
+  bool may_lack_rows = false;           ///< whether rows and results of the reference may be missing in the candidate
+  bool with_curves = false;             ///< whether to keep the differences over time, for a picture
+  Watch watch;                          ///< gets the progress of the comparison
 };
 
 /// Whether a difference is more than the two computations' errors explain.
 enum class Change {
-  none,           ///< not a bit
+  none,           ///< equal to the last bit
   within_errors,  ///< at most the sum of both error bounds
   above_errors,
   unknown,  ///< no bounds are known
 };
 std::string_view to_string(Change change);
 
-/// Largest differences in as many spans of time, with the tolerance there.
+/// A difference over time: the largest difference in each of several spans of time, with the tolerance there.
 struct DifferenceCurve {
   std::vector<double> t_s, difference, tolerance;
 };
 
 /// One quantity of a pair of results.
 struct QuantityVerdict {
-  std::string name;  ///< a measure of the rows, or a dotted path of summary.json; the unit is in it
+  std::string name;  ///< a measure of the rows, or a dotted path of summary.json; it ends with the unit
   bool passed = true;
   std::string reason;          ///< why it failed where no number says so, e.g. that it is missing; else empty
-  std::uint64_t compared = 0;  ///< rows, or 1
-  double largest = 0;          ///< difference
-  std::string where;           ///< of the largest, e.g. "t = 3.1 s"; empty of a figure of the summary
-  std::optional<double> at_s;  ///< the same as a time
-  double tolerance = 0;        ///< there
-  std::string origin;          ///< of that tolerance
-  double share = 0;            ///< largest part of its tolerance that any difference takes; infinite beyond a tolerance of 0
+  std::uint64_t compared = 0;  ///< number of rows compared; 1 for a figure of the summary
+  double largest = 0;          ///< largest difference
+  std::string where;           ///< place of the largest difference, e.g. "t = 3.1 s"; empty for a figure of the summary
+  std::optional<double> at_s;  ///< time of the largest difference
+  double tolerance = 0;        ///< tolerance at the largest difference
+  std::string origin;          ///< where that tolerance comes from, in words
+  double share = 0;            ///< largest ratio of a difference to its tolerance; infinite for one above a tolerance of 0
   std::optional<double> first_violation_s;
-  std::string first_violation;   ///< the same in words; empty where there is none
-  std::uint64_t violations = 0;  ///< rows
+  std::string first_violation;   ///< the first violation in words; empty where there is none
+  std::uint64_t violations = 0;  ///< number of rows that fail
   Change change = Change::none;
   std::optional<double> errors;               ///< sum of both error bounds where the difference is largest
-  std::optional<double> interpolation_error;  ///< of the reference between its rows; counted to the tolerance
+  std::optional<double> interpolation_error;  ///< of the reference between its rows; added to the tolerance
   DifferenceCurve curve;
 };
 
-/// What is wrong with a pair beside its quantities.
+/// A fault of a pair that belongs to no single quantity.
 struct CompareFinding {
   std::string kind;  ///< "other scenario", "missing rows", "missing column", "not finite", ...
   std::string text;
 };
 
-/// Work and time of the new result over those of the reference.
+/// One measure of cost for both results. The limit is on the ratio candidate / reference.
 struct CostRatio {
   std::string name;  ///< "steps", "evaluations", "seconds"
   double reference = 0, candidate = 0;
-  std::optional<double> limit;  ///< where one was asked for
+  std::optional<double> limit;  ///< largest allowed ratio, where one was asked for
   bool passed() const { return !limit || candidate <= *limit * reference; }
 };
 
-/// One result held against its reference.
+/// The comparison of one result with its reference.
 struct PairReport {
-  std::string name;  ///< in a directory of many: the path below it
+  std::string name;  ///< in a directory of several results: the path below it
   std::string reference, candidate;
-  std::string refusal;  ///< why the two cannot be compared; then nothing else is there
+  std::string refusal;  ///< why the two cannot be compared; then all else is empty
   std::vector<CompareFinding> findings;
   std::vector<std::string> notes;  ///< what was not compared, and what was allowed
-  std::vector<std::string> hints;  ///< what a large difference looks like
-  std::uint64_t rows = 0;          ///< compared
-  std::optional<double> until_s;   ///< rows after it were not compared, because a verdict does not trust them
+  std::vector<std::string> hints;  ///< guesses at the cause of a large difference
+  std::uint64_t rows = 0;          ///< number of rows compared
+  std::optional<double> until_s;   ///< later rows were not compared, because a result's verdict does not trust them
   std::vector<QuantityVerdict> quantities;
   std::vector<CostRatio> cost;
   bool passed() const;
@@ -122,21 +122,21 @@ struct CompareReport {
   std::string tolerances_file;
   std::vector<PairReport> pairs;
   bool passed() const;
-  bool refused() const;  ///< one of the pairs at least
+  bool refused() const;  ///< whether at least one of the pairs was refused
 };
 
 /// Compares two results, two directories of results, two study stores, or a foreign CSV with any of the first.
 /// @throws ScenarioError for input that is empty, truncated or not readable as what it should be, and where the times differ
-/// and the reference's rows are too far apart to interpolate between them; in a directory of many that is the pair's
-/// `refusal`. ReadError.
+/// and the reference's rows are too far apart to interpolate between them; in a directory of several results such an error
+/// becomes the pair's `refusal`. ReadError for a file that cannot be read.
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options);
 
 /// As JSON ("earthtop-comparison-1.json") with a final newline.
 std::string comparison_json(const CompareReport& report);
-/// As JUnit XML: a suite a pair, a case a quantity.
+/// As JUnit XML: one test suite for each pair, one test case for each quantity.
 std::string comparison_junit(const CompareReport& report);
-/// Differences over time with their tolerances, of the first pair that failed, or of the first.
+/// A figure of the differences over time with their tolerances, for the first pair that failed, or the first pair if none did.
 Figure comparison_figure(const CompareReport& report);
 
 /// Replaces `reference` by `candidate`: a results directory by its files, a study store by the store, a compact reference

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What an integration finds out about the time at which the axis drift first passes a threshold.
+/// The record that an integration keeps about the time at which the axis drift first passes a threshold.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace earthtop {
 
 /// The axis drift at one instant, and how fast it changes.
 template <class T>
-struct AxisLook {
+struct AxisDriftSample {
   T t = T(0);
   T axis = T(0);                              ///< angle between the two axes (rad)
   T rate = T(0);                              ///< time derivative of that angle
@@ -19,20 +19,21 @@ struct AxisLook {
   Vec3<T> difference_rate = Vec3<T>::Zero();  ///< its time derivative: bounds how fast the drift changes where `rate` is 0
 };
 
-/// What one integration tells about the threshold. Times are in the integration's own unit until `in_seconds` converts them.
+/// The findings of one integration about the threshold. Times are in the integration's own unit until `in_seconds` converts
+/// them.
 ///
 /// An error of the drift moves the passing. By how much can be told only when that error is known, which is after the
 /// integration. So the record keeps what is needed to tell it: near the passing, the drift's rate and curvature; farther away,
 /// the times at which the drift came within some part of the threshold below it, and exceeded it by that part.
 template <class T>
 struct ThresholdRecord {
-  static constexpr int kParts = 60;    ///< number of parts of the threshold that are used: 1, 1/2, 1/4, ...
-  std::optional<AxisLook<T>> passing;  ///< the first passing; none if there was none
-  T curvature = T(0);                  ///< second derivative of the drift there
-  T resolved = T(0);                   ///< how long before and after the passing rate and curvature describe the drift
-  T highest = T(0);                    ///< the largest drift before the passing, or of the whole run if there is none
-  T turned_back = T(0);                ///< the largest drift before the passing from which the drift then fell
-  bool fell_after = false;             ///< whether the drift came back below the threshold after the passing
+  static constexpr int kParts = 60;           ///< number of parts of the threshold that are used: 1, 1/2, 1/4, ...
+  std::optional<AxisDriftSample<T>> passing;  ///< the first passing; none if there was none
+  T curvature = T(0);                         ///< second derivative of the drift there
+  T resolved = T(0);                          ///< how long before and after the passing rate and curvature describe the drift
+  T highest = T(0);                           ///< the largest drift before the passing, or of the whole run if there is none
+  T turned_back = T(0);                       ///< the largest drift before the passing from which the drift then fell
+  bool fell_after = false;                    ///< whether the drift came back below the threshold after the passing
   bool unresolved = false;  ///< whether the drift oscillates faster than it was looked at: it may have passed earlier
   T last_t = T(0);          ///< time of the last look
   /// For each part: the earliest time at which the drift may have been less than that part of the threshold below it.

@@ -27,16 +27,16 @@ Vec3<T> apparent_gravity_L(const Site& site) {
 /// The direction of the Earth's rotation axis in laboratory axes (unit vector) for a site whose pole or plumb line departs from
 /// the ellipsoid's [earth_orientation.hpp].
 template <class T>
-Vec3<T> departing_celestial_axis_L(const Site& site);
-extern template Vec3<double> departing_celestial_axis_L(const Site&);
-extern template Vec3<long double> departing_celestial_axis_L(const Site&);
-extern template Vec3<float128> departing_celestial_axis_L(const Site&);
+Vec3<T> corrected_celestial_axis_L(const Site& site);
+extern template Vec3<double> corrected_celestial_axis_L(const Site&);
+extern template Vec3<long double> corrected_celestial_axis_L(const Site&);
+extern template Vec3<float128> corrected_celestial_axis_L(const Site&);
 
 /// The direction of the Earth's rotation axis in laboratory axes (unit vector): (0, cos phi, sin phi), exact at the poles and
 /// the equator, unless the site has a departing pole or plumb line.
 template <class T>
 Vec3<T> celestial_axis_L(const Site& site) {
-  if (!site.follows_ellipsoid()) return departing_celestial_axis_L<T>(site);
+  if (!site.follows_ellipsoid()) return corrected_celestial_axis_L<T>(site);
   const SinCos<T> phi = sin_cos_degrees(T(site.latitude_deg));
   return Vec3<T>(T(0), phi.cos, phi.sin);
 }

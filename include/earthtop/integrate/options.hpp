@@ -64,7 +64,7 @@ inline bool takes_reduced_form(bool reducible, const IntegrationOptions& options
   return (options.observer == Observer::laboratory || splits) && reducible;
 }
 
-/// What an integration cost.
+/// The work that an integration did.
 struct StepCounters {
   std::int64_t accepted = 0;
   std::int64_t rejected = 0;

@@ -17,10 +17,11 @@ struct Pace {
   double joints = 0;               ///< number of other times at which steps must end
   double turning_rad = 0;          ///< angle that the fastest motion turns through, as seen from the body
   double reduced_turning_rad = 0;  ///< the same angle in the reduced form, which leaves the spin out
-  double settled_rad = 0;  ///< angle that a motion would have turned through after friction stopped it: it still bounds steps
-  double looks_rad = 0;    ///< largest angle that the watched angles turn through
-  double damping = 0;      ///< time integral of the fastest rate at which friction damps a motion (dimensionless)
-  double halts = 0;        ///< how often a motion stops or reverses, so that its friction jumps
+  double undamped_rest_rad =
+      0;  ///< angle that a motion would have turned through after friction stopped it: it still bounds steps
+  double watched_angle_rad = 0;  ///< largest angle that the watched angles turn through
+  double damping = 0;            ///< time integral of the fastest rate at which friction damps a motion (dimensionless)
+  double halts = 0;              ///< how often a motion stops or reverses, so that its friction jumps
   bool known() const { return duration_s > 0; }
 };
 
@@ -51,6 +52,6 @@ struct WorkLimit {
 };
 /// The limit that belongs to an estimate.
 /// @param least_evaluations  granted in any case: ten times the tenth of a second below which the estimate promises nothing
-WorkLimit limit_of(const Work& estimate, double least_evaluations = 1e6);
+WorkLimit work_limit_for(const Work& estimate, double least_evaluations = 1e6);
 
 }  // namespace earthtop

@@ -71,7 +71,7 @@ Vec3<S> mixed_times(const Mat3<T>& m, const Vec3<S>& v) {
   return product;
 }
 
-/// What the torques depend on in a motion, in body axes.
+/// The quantities of a motion on which the applied torques depend, in body axes.
 template <class S>
 struct SeenFromBody {
   Vec3<S> w_IB_B = Vec3<S>::Zero();      ///< inertial rate of the body

@@ -14,7 +14,7 @@ namespace earthtop {
 /// hardly moves.
 /// @param axis_L, ref_axis_L  unit vectors (East, North, Up)   @param apart_rad  angle between them
 template <class Vector>
-bool azimuths_tell(const Vector& axis_L, const Vector& ref_axis_L, double apart_rad) {
+bool azimuths_are_meaningful(const Vector& axis_L, const Vector& ref_axis_L, double apart_rad) {
   return std::min(real::hypot(axis_L[0], axis_L[1]), real::hypot(ref_axis_L[0], ref_axis_L[1])) >= apart_rad;
 }
 

@@ -6,10 +6,10 @@
 
 namespace earthtop::lanes {
 
-/// The rows of `Block::constants`. b and its rest belong to the reference; k, of_axis_rate and of_cross to the deviation, see
+/// The rows of `Block::constants`. b and its rest belong to the reference; k, axis_rate_factor and cross_factor to the deviation, see
 /// `ReducedDriftConstants`.
 struct DriftConstants {
-  enum : int { b, b_rest, k, of_axis_rate, of_cross, moment_ratio, gravity, epsilon, W_scaled, kCount = W_scaled + 3 };
+  enum : int { b, b_rest, k, axis_rate_factor, cross_factor, moment_ratio, gravity, epsilon, W_scaled, kCount = W_scaled + 3 };
 };
 static_assert(DriftConstants::kCount <= kMostConstants);
 /// The component groups of the state n, u, a, w, y, V. The inertial state has further variables, which no group measures.

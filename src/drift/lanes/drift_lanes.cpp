@@ -37,8 +37,8 @@ class ReducedTopDrift : public ReducedDriftSystem<double, O> {
     put(Constants::b, constants.b.value);
     put(Constants::b_rest, constants.b.rest);
     put(Constants::k, constants.k);
-    put(Constants::of_axis_rate, constants.of_axis_rate);
-    put(Constants::of_cross, constants.of_cross);
+    put(Constants::axis_rate_factor, constants.axis_rate_factor);
+    put(Constants::cross_factor, constants.cross_factor);
     put(Constants::moment_ratio, this->top().moment_ratio);
     put(Constants::gravity, model_.apparent_gravity_L[2]);
     put(Constants::epsilon, model_.epsilon);

@@ -13,11 +13,14 @@ namespace earthtop {
 /// The constants of the motion that the reduced deviation equations read.
 template <class T>
 struct ReducedDriftConstants {
-  NutationRate<T> b;         ///< b of the reference
-  T k;                       ///< deviation of the spin, divided by epsilon
-  T of_axis_rate, of_cross;  ///< factors of s and of n x V in dV/dt
+  NutationRate<T> b;                 ///< b of the reference
+  T k;                               ///< deviation of the spin, divided by epsilon
+  T axis_rate_factor, cross_factor;  ///< factors of s and of n x V in dV/dt
   ReducedDriftConstants(const ReducedTop<T>& top, T w3, T spin_deviation, T epsilon)
-      : b(top, w3), k(spin_deviation), of_axis_rate((T(1) - top.spin_ratio) * k), of_cross(b.value - epsilon * of_axis_rate) {}
+      : b(top, w3),
+        k(spin_deviation),
+        axis_rate_factor((T(1) - top.spin_ratio) * k),
+        cross_factor(b.value - epsilon * axis_rate_factor) {}
 };
 
 /// The series of the state n, u, a, w, y, V.
@@ -64,8 +67,8 @@ class ReducedDriftSeries {
     store_vector(factor * first_.cross(kFrame), next, 6);
     next[9] = factor * (-epsilon * epsilon * second_.sum_of_three(kDot) / T(2));
     store_vector(factor * (Vec3<T>(second_.vector(kScalar) + epsilon * second_.cross(kVector)) / T(2)), next, 10);
-    store_vector(factor * (first_.cross(kRates) + constants_.of_axis_rate * s + constants_.of_cross * first_.cross(kAcross) +
-                           moment_ * second_.cross(kTorque)),
+    store_vector(factor * (first_.cross(kRates) + constants_.axis_rate_factor * s +
+                           constants_.cross_factor * first_.cross(kAcross) + moment_ * second_.cross(kTorque)),
                  next, 13);
   }
 

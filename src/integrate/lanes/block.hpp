@@ -39,7 +39,7 @@ struct Block {
   Row squares[kMostGroups];  ///< the largest size that each group has had, squared
   // Results of the last step.
   Row step;                         ///< its length
-  Row unfinite;                     ///< 0 if every component of the state is finite, otherwise NaN
+  Row not_finite;                   ///< 0 if every component of the state is finite, otherwise NaN
   Row first_turn, second_turn;      ///< largest first and second coefficients of all turning groups, squared
   Row rest_before[kMostVariables];  ///< `rest` at the beginning of the step
   /// The series of the step, in an order that the kernel chooses.

@@ -161,7 +161,7 @@ struct Chunk {
     const Pack log_h = smaller(log_step(block, chunk, c, order), log_step(block, chunk, c, order - 1));
     const Pack h = smaller(power_of_two(log_h), load(block.longest, chunk));
     store(block.step, chunk, h);
-    Pack change[n], unfinite{};
+    Pack change[n], not_finite{};
     find_change(c, order, h, block.rest, chunk, change);
     // The sum is compensated: what rounding leaves out of it goes into the next step's.
     for (int i = 0; i < n; ++i) {
@@ -169,9 +169,9 @@ struct Chunk {
       store(block.rest_before[i], chunk, load(block.rest[i], chunk));
       store(block.rest[i], chunk, change[i] - (sum - x));
       store(block.x[i], chunk, sum);
-      unfinite += sum - sum;
+      not_finite += sum - sum;
     }
-    store(block.unfinite, chunk, unfinite);
+    store(block.not_finite, chunk, not_finite);
     Pack first{}, second{};
     for (int g = 0; g < Series::kGroupCount; ++g) {
       const Group group = Series::kGroups[g];

@@ -87,7 +87,7 @@ class Lane {
   bool accept() {
     ++counters_.accepted;
     counters_.evaluations += block_.order;
-    if (!(at(block_.unfinite) == 0.0)) return end(RunStatus::not_finite);
+    if (!(at(block_.not_finite) == 0.0)) return end(RunStatus::not_finite);
     step_ = at(block_.step);
     lands_ = step_ >= clock_.remaining();
     if (!lands_ && step_ < least_step<double>()) return end(RunStatus::step_underflow);
