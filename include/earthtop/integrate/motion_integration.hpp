@@ -30,7 +30,7 @@ struct MotionProblem {
 template <class T>
 WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, double relative_tolerance) {
   if (!problem.pace.known()) return {};
-  return limit_of(variational_work(problem.pace, time_s, relative_tolerance));
+  return work_limit_for(variational_work(problem.pace, time_s, relative_tolerance));
 }
 
 /// Whether these options select the reduced form (reduced_top.hpp) for this model. With ModelForm::automatic they do for a
