@@ -20,7 +20,10 @@ void check_member(const Section& solid, std::string_view key, Need need, std::st
   if (need == Need::required && !solid.has(key)) {
     solid.require(key);
   } else if (need == Need::none && solid.has(key)) {
-    const char* instead = key == "inner_radius_m" ? "; only a ring and a sphere have one" : "; leave it out";
+    std::string hollow;  // the shapes that have an inner radius
+    for (const ShapeRule& rule : kShapeRules)
+      if (rule.inner_radius != Need::none) hollow += fmt::format("{}a {}", hollow.empty() ? "" : " and ", rule.word);
+    const std::string instead = key == "inner_radius_m" ? fmt::format("; only {} have one", hollow) : "; leave it out";
     solid.refuse_key(key, fmt::format("a {} has no {}{}", shape, key, instead));
   }
 }
