@@ -118,7 +118,8 @@ TEST(Scene, EstimatesTheSumOfItsPhases) {
   EXPECT_DOUBLE_EQ(seconds.all(), seconds.solution + seconds.bound + seconds.rows + seconds.sensitivities + seconds.ledger);
   EXPECT_EQ(top.estimate().solution.steps, top.cost(top.choice().options).work.steps);
   EXPECT_GT(Scene(testing::asymmetric_top()).estimate().seconds.growth, 0);
-  const RunSeconds& less = Scene(testing::toy_top()).estimate().seconds;
+  const Scene plain = testing::toy_top();
+  const RunSeconds& less = plain.estimate().seconds;
   EXPECT_EQ(less.ledger, 0);
   EXPECT_EQ(less.sensitivities, 0);
 }
