@@ -60,7 +60,7 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 
 }  // namespace
 
-EstimatedInputs::EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides,
+EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                  const Scene& base, const std::vector<std::string>& names)
     : document_(std::move(source), overrides), base_(base) {
   if (names.size() > kMostEstimates)

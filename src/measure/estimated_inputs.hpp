@@ -26,7 +26,7 @@ class EstimatedInputs {
  public:
   /// @param base  the scene that source and overrides make
   /// @throws ScenarioError for unknown or repeated names, more than 8 names, and pointers at which the scenario has no number
-  EstimatedInputs(ScenarioSource source, std::vector<std::pair<std::string, std::string>> overrides, const Scene& base,
+  EstimatedInputs(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides, const Scene& base,
                   const std::vector<std::string>& names);
 
   const std::vector<EstimatedInput>& list() const { return list_; }

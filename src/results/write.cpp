@@ -71,7 +71,7 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   }
   // A run that was killed while it put its files in place left the summary under a temporary name.
   const auto left = FileSet::temporaries(dir, kSummary);
-  const std::string ours = scene.sha256();
+  const std::string& ours = scene.sha256();
   if (std::any_of(left.begin(), left.end(), [&](const fs::path& path) { return scenario_of(path) == ours; })) return;
   for (const std::string_view name : kFiles)
     if (is_there(dir / name))
