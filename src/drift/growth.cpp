@@ -292,12 +292,6 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
   return point == rises.end() ? std::nullopt : std::optional(point->t_s);
 }
 
-std::optional<double> growth_tolerance(const MotionProblem<double>& problem) {
-  constexpr double kClose = 1e-13;
-  if (marginal_top(problem) || is_regular(problem)) return std::nullopt;
-  return is_integrable(problem) ? kClose : kCoarseGrowthTolerance;
-}
-
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                                 const Watch& watch) {
   return problem.model.kind == SceneKind::plain ? follow<SceneKind::plain>(problem, kind, duration_s, tolerance, watch)

@@ -6,6 +6,7 @@
 
 #include "closed_form/principal_axes.hpp"
 #include "earthtop/closed_form/exact_motion.hpp"
+#include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
 
 namespace earthtop {
@@ -103,6 +104,12 @@ bool is_regular(const MotionProblem<double>& problem) {
   const ReducedTop<double> top = reduced_top(model);
   const SymmetricTop<double> symmetric{top.I1, top.I3, model.mass_moment_B[2] * norm(model.apparent_gravity_L)};
   return far([&](const Vec3<double>& w) { return LagrangeTop<double>(symmetric, problem.release.q_LB, w).parameter(); });
+}
+
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem) {
+  constexpr double kClose = 1e-13;
+  if (marginal_top(problem) || is_regular(problem)) return std::nullopt;
+  return is_integrable(problem) ? kClose : kCoarseGrowthTolerance;
 }
 
 }  // namespace earthtop
