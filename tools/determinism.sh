@@ -123,9 +123,8 @@ documents() {
   "$program" explain scenarios/asymmetric-top.json >"$out/explain.txt"
   "$program" run scenarios/toy-top.json --set /motion/duration_s=2 --set /report/sensitivities=true --set '/numerics/ledger="body"' \
     --out "$work/told" --force >"$out/run.txt"
-  local cases=(scenarios/hard/{h04,h13,h16}*.json)
-  [[ $short == 1 ]] || cases+=(scenarios/hard/{h01,h03,h08,h09,h10,h15,h22,h26,t01,t07}*.json)
-  "$program" verify "${cases[@]}" --json >"$out/verify.json"
+  local cases=(scenarios/hard/{h01,h03,h04,h08,h09,h10,h13,h15,h16,h22,h26,t01,t07}*.json)
+  [[ $short == 1 ]] || "$program" verify "${cases[@]}" --json >"$out/verify.json" # takes minutes with sanitizers
   # A difference is an answer, too (status 1).
   "$program" compare "$work/results/method-taylor" "$work/results/method-dopri5" --allow-change / --json >"$out/compare.json" ||
     [[ $? -eq 1 ]]
