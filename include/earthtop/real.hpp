@@ -127,5 +127,12 @@ T hypot(T x, T y, T z = T(0)) {
   return m * sqrt(sx * sx + sy * sy + sz * sz);
 }
 
+/// A quantity that is constant along the exact motion. For a number it is the number itself; a scalar that records a Taylor
+/// series takes it as constant over a step.
+template <class T>
+constexpr const T& conserved(const T& x) {
+  return x;
+}
+
 }  // namespace real
 }  // namespace earthtop

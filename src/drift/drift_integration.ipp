@@ -7,6 +7,7 @@
 
 #include "drift/closed_form_drift.hpp"
 #include "drift/drift_system.hpp"
+#include "drift/driven_reduced_drift.hpp"
 #include "drift/long_horizon_drift.hpp"
 #include "drift/reduced_drift_system.hpp"
 #include "drift/release_rates.hpp"
@@ -63,8 +64,11 @@ DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const Integratio
 
 template <class T, Observer O>
 DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
-  ReducedDriftSystem<T, O> system(problem.model, problem.release, problem.units);
-  return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
+  const auto integrate = [&](auto&& system) {
+    return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
+  };
+  if (is_reducible(problem.model)) return integrate(ReducedDriftSystem<T, O>(problem.model, problem.release, problem.units));
+  return integrate(DrivenReducedDrift<T, O>(problem.model, problem.release, problem.units));
 }
 
 }  // namespace
@@ -78,20 +82,19 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
     else
       throw std::logic_error("long_horizon is built for double only");
   }
-  const bool reduced = takes_reduced_form(problem.model, options);
+  const bool reduced = takes_reduced_form(problem.model, options), composed = options.method == Method::taylor;
   switch (options.observer) {
     case Observer::laboratory:
       if (reduced) return integrate_reduced<T, Observer::laboratory>(problem, options, watch);
       return integrate_as<T, Observer::laboratory>(problem, options, watch);
     case Observer::body:
       if (reduced) throw std::logic_error("the reduced form has no body axes");
-      if ((problem.rotating == RotatingMotion::composed && problem.model.applied.coulomb == T(0)) ||
-          options.method == Method::taylor)
+      if (composed || (problem.rotating == RotatingMotion::composed && problem.model.applied.coulomb == T(0)))
         return integrate_as<T, Observer::body, RotatingMotion::composed>(problem, options, watch);
       return integrate_as<T, Observer::body>(problem, options, watch);
     case Observer::inertial:
       if (reduced) return integrate_reduced<T, Observer::inertial>(problem, options, watch);
-      if (problem.rotating == RotatingMotion::composed)
+      if (composed || problem.rotating == RotatingMotion::composed)
         return integrate_as<T, Observer::inertial, RotatingMotion::composed>(problem, options, watch);
       return integrate_as<T, Observer::inertial>(problem, options, watch);
   }

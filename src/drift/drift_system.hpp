@@ -8,11 +8,13 @@
 #include "drift/deviation_state.hpp"
 #include "drift/resting_motions.hpp"
 #include "drift/taylor/general_drift_series.hpp"
+#include "drift/taylor/record_drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/motion_system.hpp"
+#include "integrate/taylor/recorded_series.hpp"
 
 namespace earthtop {
 
@@ -61,11 +63,20 @@ struct DriftShape {
   }
 };
 
+/// The base class that names a system's Taylor series: written by hand for plain scenes in body axes, recorded for all others.
+/// Both exist only where the rotating motion is composed.
+template <class T, Observer O, SceneKind K, RotatingMotion R>
+struct DriftSeriesOf {
+  using Base = std::conditional_t<R != RotatingMotion::composed, WithoutSeries,
+                                  std::conditional_t<O == Observer::body && K == SceneKind::plain,
+                                                     WithSeries<GeneralDriftSeries<T>>,
+                                                     WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>>>;
+};
+
 /// @tparam O  the observer whose equations are integrated; known at compile time, so that the right-hand side has no branch
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
-class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain && R == RotatingMotion::composed,
-                                              WithSeries<GeneralDriftSeries<T>>, WithoutSeries> {
+class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
   static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
@@ -113,7 +124,12 @@ class DriftSystem : public std::conditional_t<O == Observer::body && K == SceneK
     store_deviation(deviation_rate, dxdt);
   }
 
-  GeneralDriftSeries<T> series() const { return GeneralDriftSeries<T>(model_); }
+  auto series() const {
+    if constexpr (O == Observer::body && K == SceneKind::plain)
+      return GeneralDriftSeries<T>(model_);
+    else
+      return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_drift<T>(model_, O, x, t); });
+  }
 
   /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
   /// @param w_XB_B  in natural units

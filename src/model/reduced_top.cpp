@@ -7,9 +7,9 @@ namespace earthtop {
 
 template <class T>
 ReducedTop<T> reduced_top(const Model<T>& model) {
-  if (!is_reducible(model)) throw std::logic_error("reduced_top: not a symmetric top under gravity and the Earth's rotation");
   ReducedTop<T> top;
   top.axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+  if (top.axis < 0) throw std::logic_error("reduced_top: not a symmetric top");
   const int across = (top.axis + 1) % 3;
   top.I1 = model.I_BP_B(across, across);
   top.I3 = model.I_BP_B(top.axis, top.axis);

@@ -52,7 +52,8 @@ bool has_long_horizon(const Scene& scene) {
 MethodChoice choose_method(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   IntegrationOptions asked = scenario.numerics;
-  if (scenario.effects.applied.coulomb_N_m != 0) {
+  const bool series = !scene.method_refusal(Method::taylor);
+  if (scenario.effects.applied.coulomb_N_m != 0 && !(series && (asked.method == Method::taylor || asked.method == Method::automatic))) {
     asked.observer = Observer::body;  // in body axes the state of a motion at rest is simplest
     asked.form = ModelForm::general;
     if (asked.method == Method::automatic) {
@@ -83,7 +84,7 @@ MethodChoice choose_method(const Scene& scene) {
     options.method = Method::long_horizon;
     return {options, "a fast symmetric top over many nutations: exact flows step over them"};
   }
-  if (asked.observer == Observer::laboratory && scene.form(asked) == ModelForm::reduced)
+  if (asked.observer == Observer::laboratory && scene.form(with_taylor(scene)) == ModelForm::reduced)
     return {with_taylor(scene), "a symmetric top, integrated without its spin: Taylor series take the fewest operations"};
   IntegrationOptions options = with_taylor(scene);
   options.observer = Observer::body;

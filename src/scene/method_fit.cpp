@@ -24,6 +24,27 @@ std::optional<std::string> need_plain_scene(std::string_view word, const Scene& 
   return std::nullopt;
 }
 
+/// Returns the least spin (rad/s) that friction may leave a symmetric top within the run, at most that at release.
+double least_spin_left(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  const double I3 = scene.body<double>().I_BP_B(2, 2), w3 = std::abs(scene.release<double>().w_XB_B[2]);
+  return w3 - applied.coulomb_N_m * scene.scenario().duration_s / I3;
+}
+
+/// Refuses a scene whose friction has a corner on the way: dry friction, quadratic drag and a disc's drag have no Taylor series
+/// where the rate that they brake goes through zero. It cannot do so while a symmetric top keeps most of its spin.
+std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
+  constexpr double kOfTheSpin = 0.5, kOfTheRate = 0.05;
+  const double w3 = std::abs(scene.release<double>().w_XB_B[2]);
+  const bool spins = least_spin_left(scene) >= kOfTheSpin * w3 && w3 > kOfTheRate * scene.fastest_rate_rad_s();
+  if (spins && scene.symmetry_axis() == 2 && !applied.gimbal && scene.scenario().effects.all_on()) return std::nullopt;
+  return quoted(word) +
+         " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it is made for symmetric "
+         "tops that keep most of their spin; take \"auto\"";
+}
+
 std::optional<std::string> need_closed_form(std::string_view word, const Scene& scene) {
   if (auto reason = need_plain_scene(word, scene)) return reason;
   switch (scene.closed_form_kind()) {
@@ -98,7 +119,7 @@ double closed_form_turn_rate_rad_s(const Scene& scene) {
 
 std::optional<std::string> refuse_method(Method method, const Scene& scene) {
   const MethodRow& row = row_of(method);
-  if (scene.scenario().effects.applied.coulomb_N_m != 0 && !row.finds_stops) {
+  if (scene.scenario().effects.applied.coulomb_N_m != 0 && !row.finds_stops && row.fit != MethodFit::smooth) {
     std::string finders;
     for (const MethodRow& other : kMethodRows)
       if (other.finds_stops && other.method != Method::automatic)
@@ -108,7 +129,7 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene) {
   }
   switch (row.fit) {
     case MethodFit::any: break;
-    case MethodFit::plain: return need_plain_scene(row.word, scene);
+    case MethodFit::smooth: return need_smooth_scene(row.word, scene);
     case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
     case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);
     case MethodFit::closed_form: return need_closed_form(row.word, scene);

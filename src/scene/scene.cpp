@@ -137,7 +137,9 @@ const MethodChoice& Scene::choice() const {
   return parts_->choice.get([this] { return choose_method(*this); });
 }
 ModelForm Scene::form(const IntegrationOptions& options) const {
-  return takes_reduced_form(is_reducible(), options) ? ModelForm::reduced : ModelForm::general;
+  const bool driven = !is_plain() && options.method == Method::taylor && symmetry_axis() >= 0;
+  const bool reducible = is_reducible() || (driven && is_reducible_when_driven(model<double>()));
+  return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }
 
 IntegrationCost Scene::cost(const IntegrationOptions& options) const { return cost_of(*this, options); }

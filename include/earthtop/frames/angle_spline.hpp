@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "earthtop/frames/angle_table.hpp"
@@ -33,6 +34,15 @@ class AngleSpline {
   T angle_acceleration(T t) const {
     const Piece& p = piece(t);
     return T(2) * p.half_acceleration + T(6) * (t - p.start) * p.sixth_jerk;
+  }
+  /// The coefficients of the powers of (t' - t) of the angle, up to the cube, just after t. A t that is earlier than a joint only
+  /// by rounding counts as the joint.
+  std::array<T, 4> cubic(T t) const {
+    const Piece& p = piece(t + T(64) * real::epsilon<T>() * (real::abs(t) + T(1)));
+    const T u = t - p.start;
+    return {p.angle + u * (p.rate + u * (p.half_acceleration + u * p.sixth_jerk)),
+            p.rate + u * (T(2) * p.half_acceleration + u * T(3) * p.sixth_jerk), p.half_acceleration + u * T(3) * p.sixth_jerk,
+            p.sixth_jerk};
   }
 
   /// The largest absolute values of rate and acceleration within the table.

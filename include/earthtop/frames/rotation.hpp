@@ -28,7 +28,8 @@ struct Quaternion {
 /// The rotation matrix of q / |q|. Dividing by the norm keeps a norm that drifts from scaling a torque.
 template <class T>
 Mat3<T> rotation_matrix(const Quaternion<T>& q) {
-  const T s = T(2) / q.squared_norm();
+  using real::conserved;
+  const T s = conserved(T(T(2) / q.squared_norm()));
   const T x = q.v[0], y = q.v[1], z = q.v[2], w = q.w;
   const T wx = s * w * x, wy = s * w * y, wz = s * w * z;
   const T xx = s * x * x, xy = s * x * y, xz = s * x * z;
@@ -79,7 +80,8 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
 template <class T>
 Vec3<T> turn_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {
   const Vec3<T> yu = y.cross(u);
-  const T s = T(2) / (w * w + epsilon * epsilon * y.dot(y));
+  using real::conserved;
+  const T s = conserved(T(T(2) / (w * w + epsilon * epsilon * y.dot(y))));
   return s * (w * yu + epsilon * y.cross(yu));
 }
 /// (R(e)^T - 1) u / epsilon for the same e.

@@ -2,7 +2,9 @@
 /// The tidal acceleration: the attraction of the Moon and the Sun at the site, less their attraction of the Earth as a whole.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "earthtop/frames/earth.hpp"
@@ -80,16 +82,65 @@ class TideSeries {
     if (!is_zero(amplitude_L_)) a += real::sin(pulsation_ * t_s + phase_) * amplitude_L_;
     return (unit_s_ * unit_s_) * a;
   }
+  /// Puts the coefficients of the powers of (t' - t) of the acceleration into rows, one for each order from 0 on.
+  void expand(T t, std::span<std::array<T, 3>> rows) const {
+    for (std::array<T, 3>& row : rows) row = {T(0), T(0), T(0)};
+    const T t_s = t * unit_s_;
+    if (pieces_) expand(*pieces_, t_s, rows);
+    if (!is_zero(amplitude_L_)) {
+      const SinCos<T> both = real::sin_cos(T(pulsation_ * t_s + phase_));
+      const T cycle[4] = {both.sin, both.cos, -both.sin, -both.cos};
+      T factor = T(1);
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) rows[k][i] += factor * cycle[k % 4] * amplitude_L_[static_cast<int>(i)];
+        factor *= pulsation_ / T(k + 1);
+      }
+    }
+    T power = unit_s_ * unit_s_;
+    for (std::array<T, 3>& row : rows) {
+      for (T& value : row) value *= power;
+      power *= unit_s_;
+    }
+  }
 
  private:
   static bool is_zero(const Vec3<T>& v) { return v[0] == T(0) && v[1] == T(0) && v[2] == T(0); }
 
+  /// The number of the piece that a time lies in, or the nearest one; `halves` is the time in half pieces from the beginning.
+  static int piece_at(const ChebyshevPieces& pieces, T halves) {
+    const int last = static_cast<int>(pieces.coefficients.size()) / ChebyshevPieces::kTerms - 1;
+    // Compared before the conversion to int: so no time, not even NaN, gives an index out of range.
+    return !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
+  }
+
+  /// The coefficients of the powers of time (s), from those of the Chebyshev polynomials: T_(n+1) = 2 x T_n - T_(n-1), as
+  /// polynomials in the distance from x.
+  static void expand(const ChebyshevPieces& pieces, T t_s, std::span<std::array<T, 3>> rows) {
+    constexpr std::size_t kTerms = ChebyshevPieces::kTerms;
+    const T halves = (t_s - T(pieces.begin_s)) / T(pieces.half_piece_s);
+    const int piece = piece_at(pieces, halves);
+    const T x = halves - T(2 * piece + 1);
+    const Vec3<double>* c = &pieces.coefficients[static_cast<std::size_t>(piece) * kTerms];
+    std::array<T, kTerms> before{}, now{}, sum[3] = {};
+    now[0] = T(1);
+    for (std::size_t n = 0; n < kTerms; ++n) {
+      for (std::size_t k = 0; k <= n; ++k)
+        for (std::size_t i = 0; i < 3; ++i) sum[i][k] += T(c[n][static_cast<int>(i)]) * now[k];
+      std::array<T, kTerms> next{};
+      const T factor = n == 0 ? T(1) : T(2);
+      for (std::size_t k = 0; k <= n + 1 && k < kTerms; ++k)
+        next[k] = factor * (x * now[k] + (k > 0 ? now[k - 1] : T(0))) - (n == 0 ? T(0) : before[k]);
+      before = now, now = next;
+    }
+    T factor = T(1);
+    for (std::size_t k = 0; k < kTerms && k < rows.size(); ++k, factor /= T(pieces.half_piece_s))
+      for (std::size_t i = 0; i < 3; ++i) rows[k][i] += factor * sum[i][k];
+  }
+
   /// Clenshaw's recurrence, bracketed so that each step waits for only one product and one sum of the step before.
   static Vec3<T> value(const ChebyshevPieces& pieces, T t_s) {
     const T halves = (t_s - T(pieces.begin_s)) / T(pieces.half_piece_s);
-    const int last = static_cast<int>(pieces.coefficients.size()) / ChebyshevPieces::kTerms - 1;
-    // Compared before the conversion to int: so no time, not even NaN, gives an index out of range.
-    const int piece = !(halves > T(0)) ? 0 : halves < T(2 * last) ? static_cast<int>(halves / T(2)) : last;
+    const int piece = piece_at(pieces, halves);
     const T x = halves - T(2 * piece + 1);
     const Vec3<double>* c = &pieces.coefficients[static_cast<std::size_t>(piece) * ChebyshevPieces::kTerms];
     const T twice_x = T(2) * x;

@@ -35,7 +35,7 @@ enum class Precision { bits53, bits64, bits113 };
 enum class Need { required, optional, none };
 
 /// The class of scenes that a method can integrate; scene/method_fit.cpp defines each class and refuses other scenes.
-enum class MethodFit { any, plain, symmetric_top, fast_symmetric_top, closed_form };
+enum class MethodFit { any, smooth, symmetric_top, fast_symmetric_top, closed_form };
 
 /// The equations that `bench` uses to compare a method: the method's own variables, or these forms of the equations of motion.
 enum class MethodEquations { own, reduced, body, reduced_and_body, reduced_body_and_laboratory };
@@ -191,7 +191,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
     {.method = Method::taylor,
      .word = "taylor",
      .most_digits = Precision::bits113,
-     .fit = MethodFit::plain,
+     .fit = MethodFit::smooth,
      .bench_tolerances = {1e-2, 1e-3, 1e-5, 1e-8, 1e-11, 1e-14},
      .place_in_menus = 1,
      .place_in_bench = 3,

@@ -34,10 +34,12 @@ WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, doub
 }
 
 /// Whether these options select the reduced form (reduced_top.hpp) for this model. With ModelForm::automatic they do for a
-/// reducible model, if the observer is the laboratory, or inertial with the method `splitting`, which has no general form.
+/// reducible model, if the observer is the laboratory, or inertial with the method `splitting`, which has no general form. With
+/// applied torques, a tide or a platform only the Taylor series have the reduced form.
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
-  return takes_reduced_form(is_reducible(model), options);
+  const bool driven = options.method == Method::taylor && is_reducible_when_driven(model);
+  return takes_reduced_form(is_reducible(model) || driven, options);
 }
 
 /// The part of a motion that is wanted. In the reduced form a symmetric top's axis takes six variables, its attitude nine.

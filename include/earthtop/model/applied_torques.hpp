@@ -88,21 +88,32 @@ Vec3<S> gravity_gradient_torque(const GradientTerm<T>& term, const Mat3<T>& I_BP
   return S(term.strength) * direction_B.cross(mixed_times(I_BP_B, direction_B));
 }
 
+/// c of the friction torque -c w that is the same about all axes: viscous, quadratic and dry.
+template <class T, class S>
+S friction_coefficient(const AppliedTorques<T>& applied, const Vec3<S>& w_PB) {
+  using real::sqrt;
+  S coefficient = S(applied.viscous);
+  if (applied.quadratic != T(0) || applied.coulomb != T(0)) {
+    const S rate = sqrt(S(w_PB[0] * w_PB[0] + w_PB[1] * w_PB[1] + w_PB[2] * w_PB[2]));
+    coefficient += S(applied.quadratic) * rate;
+    if (applied.coulomb != T(0) && is_above_zero(rate)) coefficient += S(applied.coulomb) / rate;
+  }
+  return coefficient;
+}
+/// c of the torque -c w3 of a disc in air, for the spin w3.
+template <class T, class S>
+S disc_drag_coefficient(const AppliedTorques<T>& applied, const S& w3_PB) {
+  using real::abs, real::fifth_root, real::sqrt;
+  const S spin = abs(w3_PB);
+  const S fifth = fifth_root(spin), square = fifth * fifth;
+  return S(applied.disc_laminar) * sqrt(spin) + S(applied.disc_turbulent) * square * square;
+}
 /// Torques that oppose the rate relative to the platform.
 template <class T, class S>
 Vec3<S> friction_torque(const AppliedTorques<T>& applied, const Vec3<S>& w_PB_B) {
-  using real::abs, real::fifth_root, real::sqrt;
-  Vec3<S> torque = S(-applied.viscous) * w_PB_B;
-  if (applied.quadratic != T(0) || applied.coulomb != T(0)) {
-    const S rate = sqrt(S(w_PB_B[0] * w_PB_B[0] + w_PB_B[1] * w_PB_B[1] + w_PB_B[2] * w_PB_B[2]));
-    torque -= S(S(applied.quadratic) * rate) * w_PB_B;
-    if (applied.coulomb != T(0) && is_above_zero(rate)) torque -= S(S(applied.coulomb) / rate) * w_PB_B;
-  }
-  if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) {
-    const S spin = abs(S(w_PB_B[2]));
-    const S fifth = fifth_root(spin), square = fifth * fifth;
-    torque[2] -= (S(applied.disc_laminar) * sqrt(spin) + S(applied.disc_turbulent) * square * square) * w_PB_B[2];
-  }
+  Vec3<S> torque = S(-friction_coefficient(applied, w_PB_B)) * w_PB_B;
+  if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0))
+    torque[2] -= disc_drag_coefficient(applied, w_PB_B[2]) * w_PB_B[2];
   return torque;
 }
 

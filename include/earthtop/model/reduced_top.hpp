@@ -49,7 +49,19 @@ bool is_reducible(const Model<T>& model) {
   return model.kind == SceneKind::plain && symmetry_axis(model.I_BP_B, model.mass_moment_B) >= 0;
 }
 
-/// @throws std::logic_error for a model that is not reducible
+/// Whether a model is a symmetric top in any scene whose torques do not depend on the angle of spin (reduced_torques.hpp). A
+/// gimbal's constraint and left-out torques of [F] are not written in that form; a disc spins about body axis 3.
+template <class T>
+bool is_reducible_when_driven(const Model<T>& model) {
+  const AppliedTorques<T>& applied = model.applied;
+  const TorqueWeights<T>& weights = model.weights;
+  const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+  const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
+  return axis >= 0 && !applied.level_axis && (axis == 2 || !has_disc) && weights.coriolis == T(1) &&
+         weights.transverse == T(1) && weights.centrifugal == T(1);
+}
+
+/// @throws std::logic_error for a model that is not a symmetric top
 template <class T>
 ReducedTop<T> reduced_top(const Model<T>& model);
 extern template ReducedTop<double> reduced_top(const Model<double>&);
@@ -60,7 +72,8 @@ extern template ReducedTop<float128> reduced_top(const Model<float128>&);
 /// use the same formula. Otherwise a drift of the spin phase, which does not move the axis, would leave a spurious torque.
 template <class T>
 T moment_factor(const ReducedTop<T>& top, const Vec3<T>& n) {
-  return top.moment_ratio * (T(3) - n.dot(n)) / T(2);
+  using real::conserved;
+  return top.moment_ratio * (T(3) - conserved(T(n.dot(n)))) / T(2);
 }
 template <class T>
 Vec3<T> mass_moment_along(const ReducedTop<T>& top, const Vec3<T>& n) {

@@ -20,7 +20,7 @@
 namespace earthtop::taylor {
 
 /// @tparam System  has the `Shape` of its states, and a `Series` that finds the coefficients:
-///   start(x)                    is given the state at the beginning of a step
+///   start(x), or start(x, t)    is given the state at the beginning of a step, and its time if it asks for it
 ///   extend(k, x_k, x_next)      finds the coefficients of order k + 1 from those of order k; called for k = 0, 1, 2, ...
 template <class T, class System>
 class TaylorStepper {
@@ -42,7 +42,7 @@ class TaylorStepper {
   void initialize(const State& x, T t, T longest = T(0)) {
     x_ = x;
     rest_.fill(T(0));
-    time_ = t;
+    time_ = t, time_rest_ = T(0);
     limit_step(longest);
   }
   /// Adds digits of the initial state for which its numbers have no room.
@@ -52,7 +52,10 @@ class TaylorStepper {
   /// Takes one step from the current state. @returns the times of its beginning and end
   std::pair<T, T> do_step(Series& series) {
     coefficients_[0] = x_;
-    series.start(x_);
+    if constexpr (requires { series.start(x_, time_); })
+      series.start(x_, time_);
+    else
+      series.start(x_);
     for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
     degree_ = order_;
     step_ = choose_step();
@@ -66,7 +69,9 @@ class TaylorStepper {
       x_[i] = sum;
     }
     const T before = time_;
-    time_ += step_;
+    const T advance = step_ + time_rest_;
+    time_ = before + advance;
+    time_rest_ = advance - (time_ - before);
     return {before, time_};
   }
 
@@ -141,7 +146,7 @@ class TaylorStepper {
   double log_tolerance_;
   const GroupScales<T, typename System::Shape>* scales_;
   int order_, degree_ = 0;
-  T longest_ = T(0), time_ = T(0), step_ = T(0);
+  T longest_ = T(0), time_ = T(0), time_rest_ = T(0), step_ = T(0);
   State x_{}, rest_{}, rest_before_{};  ///< the state, and what its sums left out: at the end and the beginning of the step
   std::array<State, kMostOrder<T> + 1> coefficients_{};
 };

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The equations of a symmetric top's reference and deviation without its spin, with applied torques, a tide or a moving pivot.
+/// They are those of reduced_drift_system.hpp, with two differences: the torques are found by the formulas of
+/// reduced_torques.hpp, as pairs; and the spin w3 and its deviation k change,
+///
+///   dw3/dt = tau_n / I3 ,  dk/dt = (the same of the rotating motion - that of the reference) / epsilon
+///
+/// The state, all in the axes of the observer:
+///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a   [9] w3 less that at release   [10] its integral over time
+///   [11] w   [12,15) y   [15,18) V   [18] k
+#pragma once
+
+#include <array>
+
+#include "drift/deviation_state.hpp"
+#include "earthtop/model/reduced_torques.hpp"
+#include "model/applied_motion.ipp"
+#include "integrate/group_norms.hpp"
+#include "integrate/state_vectors.hpp"
+
+namespace earthtop {
+
+/// The shape of a state. Spin and phase are measured against a full spin and against one radian, not against their changes.
+struct DrivenReducedShape {
+  static constexpr std::size_t kSize = 19;
+  static constexpr auto groups() {
+    return std::array<ComponentGroup, 7>{
+        {{0, 3, 1.0}, {3, 3, 1e-3}, {6, 3, 1.0}, {9, 1, 1e-3}, {10, 1, 2.0}, {11, 1, 1.0}, {12, 7, 1e-5}}};
+  }
+};
+
+/// @tparam T  a number, or a scalar that records operations   @tparam O  laboratory, or inertial
+template <class T, Observer O>
+struct DrivenReducedEquations {
+  static_assert(O != Observer::body);
+  static constexpr std::size_t kSize = DrivenReducedShape::kSize;
+  using State = std::array<T, kSize>;
+
+  Model<T> model;
+  ReducedTop<T> top;
+  T w3;         ///< inertial spin of the reference at release
+  T b, b_rest;  ///< (I3/I1) w3, and its rounding error
+
+  void operator()(const State& x, State& dxdt, T t) const {
+    const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
+    const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
+    const T &spin_change = x[9], &w = x[11], &k = x[18], &epsilon = model.epsilon;
+    const Vec3<T> s = u.cross(n), v = V + k * n;
+    const auto turned_back = [&](const Vec3<T>& vector) { return turn_back_minus_one_scaled(w, y, epsilon, vector); };
+    const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, turned_back); };
+
+    const AxisTorques<Paired<T>> torques = axis_torques<T, Paired<T>>(
+        top, model.applied, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, v, t, see));
+    const T nutation = b + (b_rest + top.spin_ratio * spin_change);
+    const Vec3<T> du = part(torques.across, &Paired<T>::ref) - nutation * s;
+    const T spinning = (T(1) - top.spin_ratio) * k;
+    const Vec3<T> dV = u.cross(V) + spinning * s + (nutation - epsilon * spinning) * Vec3<T>(n.cross(V)) +
+                       part(torques.across, &Paired<T>::diff);
+    Vec3<T> d = v;
+    if constexpr (O == Observer::laboratory) d -= model.W_IL_L_scaled + epsilon * turned_back(model.W_IL_L_scaled);
+
+    store_vector(s, dxdt, 0);
+    store_vector(du, dxdt, 3);
+    store_vector(Vec3<T>(Vec3<T>(n.cross(s)).cross(a)), dxdt, 6);
+    dxdt[9] = torques.along.ref;
+    dxdt[10] = spin_change;
+    dxdt[11] = -epsilon * epsilon * y.dot(d) / T(2);
+    store_vector(Vec3<T>((w * d + epsilon * y.cross(d)) / T(2)), dxdt, 12);
+    store_vector(dV, dxdt, 15);
+    dxdt[18] = torques.along.diff;
+  }
+
+ private:
+  static Vec3<T> part(const Vec3<Paired<T>>& pair, T Paired<T>::*member) {
+    return {pair[0].*member, pair[1].*member, pair[2].*member};
+  }
+  Vec3<Paired<T>> pair(const Vec3<T>& reference, const Vec3<T>& difference) const {
+    Vec3<Paired<T>> both;
+    for (int i = 0; i < 3; ++i) both[i] = Paired<T>(reference[i], reference[i] + model.epsilon * difference[i], difference[i]);
+    return both;
+  }
+
+  /// A vector of the laboratory as both motions see it, in the reference's axes.
+  /// @param u_L  for the reference   @param change_L  its change by the Earth's rate over epsilon
+  template <class TurnedBack>
+  Vec3<Paired<T>> seen(const Vec3<T>& u_L, const Vec3<T>& change_L, const T& t, const TurnedBack& turned_back) const {
+    Vec3<T> change = change_L;
+    if constexpr (O == Observer::inertial) {
+      const LaboratoryTurn<T> turn = laboratory_turn(model, t);
+      change += turn_minus_one_scaled(turn.w, turn.v_scaled, model.epsilon, Vec3<T>(u_L + model.epsilon * change_L));
+    }
+    return pair(u_L, Vec3<T>(turned_back(u_L) + change + model.epsilon * turned_back(change)));
+  }
+
+  template <class See>
+  SeenBesideAxis<Paired<T>> both_motions(const Vec3<T>& n, const Vec3<T>& u, const T& spin_change, const Vec3<T>& v, const T& t,
+                                         const See& see) const {
+    SeenBesideAxis<Paired<T>> seen;
+    for (int i = 0; i < 3; ++i) seen.n[i] = Paired<T>(n[i]);
+    const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
+    seen.field = see(field.reference_L, field.difference_L_scaled);
+    const Vec3<T> unchanged = Vec3<T>::Zero();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L, unchanged);
+    if (!model.applied.friction()) return seen;
+    seen.w_IB = pair(Vec3<T>(u + (w3 + spin_change) * n), v);
+    seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
+    return seen;
+  }
+};
+
+}  // namespace earthtop

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The Taylor series of a recorded right-hand side, for the stepper (taylor_stepper.hpp).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "integrate/taylor/program.hpp"
+
+namespace earthtop {
+
+/// @tparam N  number of components of the state
+template <class T, std::size_t N>
+class RecordedSeries {
+ public:
+  using State = std::array<T, N>;
+  /// Records the right-hand side as it is at a state and a time: where it branches, on the branch that belongs to them.
+  using Record = std::function<taylor::Operations<T>(const State& x, T t)>;
+
+  explicit RecordedSeries(Record record) : record_(std::move(record)) {}
+
+  void start(const State& x, T t) {
+    if (is_recorded_) {
+      program_.start(x, t);
+      if (program_.guards_hold()) return;
+    }
+    program_ = taylor::Program<T>(record_(x, t));
+    program_.start(x, t);
+    is_recorded_ = true;
+  }
+  void extend(int k, const State& x, State& next) {
+    program_.extend(k, x, next);
+    const T order = T(k + 1);
+    for (T& value : next) value /= order;
+  }
+
+ private:
+  Record record_;
+  taylor::Program<T> program_;
+  bool is_recorded_ = false;
+};
+
+}  // namespace earthtop
