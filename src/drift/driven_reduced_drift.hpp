@@ -23,20 +23,20 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
         top_(reduced_top(model)),
         b_(top_, w_XB_B_[top_.axis]),
-        equations_{model, top_, w_XB_B_[top_.axis], b_.value, b_.rest},
+        equations_{model, top_, w_XB_B_[top_.axis], initial_rate_deviation_B(model)[top_.axis], b_.value, b_.rest},
         frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
     return RecordedSeries<T, kSize>([this](const State& x, T t) {
-      return record_driven_top<T>(equations_.model, top_, equations_.w3, b_, O, x, t);
+      return record_driven_top<T, O>(equations_, x, t);
     });
   }
 
   /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
   State initial_state() const {
     const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
-    const Vec3<T> difference_B = initial_rate_deviation_B();
+    const Vec3<T> difference_B = initial_rate_deviation_B(equations_.model);
     State x{};
     store_vector(R_LB.col(top_.axis), x, 0);
     store_vector(times(R_LB, transverse(w_XB_B_)), x, 3);
@@ -85,9 +85,9 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
     return frame_.attitude(load_vector(x, 0), load_vector(x, 6), t) * steady_turn(top_.axis, x[10], T(1));
   }
   /// (w_IB_rot - w_IB_ref) / epsilon at release.
-  Vec3<T> initial_rate_deviation_B() const {
+  Vec3<T> initial_rate_deviation_B(const Model<T>& model) const {
     if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
-    return transposed_times(rotation_matrix(release_.q_LB), equations_.model.W_IL_L_scaled);
+    return transposed_times(rotation_matrix(release_.q_LB), model.W_IL_L_scaled);
   }
   Vec3<T> transverse(Vec3<T> v_B) const {
     v_B[top_.axis] = T(0);

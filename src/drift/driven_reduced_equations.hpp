@@ -38,35 +38,40 @@ struct DrivenReducedEquations {
 
   Model<T> model;
   ReducedTop<T> top;
-  T w3;         ///< inertial spin of the reference at release
-  T b, b_rest;  ///< (I3/I1) w3, and its rounding error
+  T w3;            ///< inertial spin of the reference at release
+  T k_at_release;  ///< its deviation
+  T b, b_rest;     ///< (I3/I1) w3, and its rounding error
 
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
     const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
-    const T &spin_change = x[9], &w = x[11], &k = x[18], &epsilon = model.epsilon;
+    const bool friction = model.applied.friction();
+    const T &w = x[11], &epsilon = model.epsilon;
+    const T spin_change = friction ? x[9] : T(0), k = friction ? x[18] : k_at_release;
     const Vec3<T> s = u.cross(n), v = V + k * n;
-    const auto turned_back = [&](const Vec3<T>& vector) { return turn_back_minus_one_scaled(w, y, epsilon, vector); };
-    const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, turned_back); };
+    const Mat3<T> M = turn_back_minus_one_matrix(w, y, epsilon);
+    const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, M); };
 
     const AxisTorques<Paired<T>> torques = axis_torques<T, Paired<T>>(
-        top, model.applied, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, v, t, see));
+        top, model.applied, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, V, k, t, see));
     const T nutation = b + (b_rest + top.spin_ratio * spin_change);
-    const Vec3<T> du = part(torques.across, &Paired<T>::ref) - nutation * s;
     const T spinning = (T(1) - top.spin_ratio) * k;
-    const Vec3<T> dV = u.cross(V) + spinning * s + (nutation - epsilon * spinning) * Vec3<T>(n.cross(V)) +
-                       part(torques.across, &Paired<T>::diff);
+    const Vec3<T> across = n.cross(V);
     Vec3<T> d = v;
-    if constexpr (O == Observer::laboratory) d -= model.W_IL_L_scaled + epsilon * turned_back(model.W_IL_L_scaled);
+    if constexpr (O == Observer::laboratory) d -= model.W_IL_L_scaled + epsilon * times(M, model.W_IL_L_scaled);
 
     store_vector(s, dxdt, 0);
-    store_vector(du, dxdt, 3);
-    store_vector(Vec3<T>(Vec3<T>(n.cross(s)).cross(a)), dxdt, 6);
+    store_vector(Vec3<T>(part(torques.across, &Paired<T>::ref) - nutation * s), dxdt, 3);
+    // The frame turns at the part of u that is normal to n, whatever the error of u; u.n is constant along the exact motion.
+    using real::conserved;
+    store_vector(Vec3<T>(Vec3<T>(u - conserved(T(u.dot(n))) * n).cross(a)), dxdt, 6);
     dxdt[9] = torques.along.ref;
     dxdt[10] = spin_change;
     dxdt[11] = -epsilon * epsilon * y.dot(d) / T(2);
     store_vector(Vec3<T>((w * d + epsilon * y.cross(d)) / T(2)), dxdt, 12);
-    store_vector(dV, dxdt, 15);
+    store_vector(Vec3<T>(u.cross(V) + spinning * s + (nutation - epsilon * spinning) * across +
+                         part(torques.across, &Paired<T>::diff)),
+                 dxdt, 15);
     dxdt[18] = torques.along.diff;
   }
 
@@ -82,19 +87,19 @@ struct DrivenReducedEquations {
 
   /// A vector of the laboratory as both motions see it, in the reference's axes.
   /// @param u_L  for the reference   @param change_L  its change by the Earth's rate over epsilon
-  template <class TurnedBack>
-  Vec3<Paired<T>> seen(const Vec3<T>& u_L, const Vec3<T>& change_L, const T& t, const TurnedBack& turned_back) const {
+  /// @param M  turn_back_minus_one_matrix of the deviation
+  Vec3<Paired<T>> seen(const Vec3<T>& u_L, const Vec3<T>& change_L, const T& t, const Mat3<T>& M) const {
     Vec3<T> change = change_L;
     if constexpr (O == Observer::inertial) {
       const LaboratoryTurn<T> turn = laboratory_turn(model, t);
       change += turn_minus_one_scaled(turn.w, turn.v_scaled, model.epsilon, Vec3<T>(u_L + model.epsilon * change_L));
     }
-    return pair(u_L, Vec3<T>(turned_back(u_L) + change + model.epsilon * turned_back(change)));
+    return pair(u_L, Vec3<T>(times(M, u_L) + change + model.epsilon * times(M, change)));
   }
 
   template <class See>
-  SeenBesideAxis<Paired<T>> both_motions(const Vec3<T>& n, const Vec3<T>& u, const T& spin_change, const Vec3<T>& v, const T& t,
-                                         const See& see) const {
+  SeenBesideAxis<Paired<T>> both_motions(const Vec3<T>& n, const Vec3<T>& u, const T& spin_change, const Vec3<T>& V, const T& k,
+                                         const T& t, const See& see) const {
     SeenBesideAxis<Paired<T>> seen;
     for (int i = 0; i < 3; ++i) seen.n[i] = Paired<T>(n[i]);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
@@ -103,7 +108,9 @@ struct DrivenReducedEquations {
     for (std::size_t i = 0; i < 2; ++i)
       if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L, unchanged);
     if (!model.applied.friction()) return seen;
-    seen.w_IB = pair(Vec3<T>(u + (w3 + spin_change) * n), v);
+    const T spin = w3 + spin_change;
+    seen.u = pair(u, V);
+    seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;
   }

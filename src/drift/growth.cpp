@@ -9,134 +9,124 @@
 #include <cmath>
 #include <limits>
 
+#include "drift/compass_variations.hpp"
+#include "drift/driven_reduced_variations.hpp"
 #include "drift/stability.hpp"
+#include "drift/variations.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "earthtop/model/applied_motion.hpp"
-#include "earthtop/model/equations.hpp"
+#include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
 namespace {
-
-constexpr std::size_t kDisturbances = 3, kMotionSize = 7, kSize = kMotionSize + 6 * kDisturbances;
-using State = std::array<double, kSize>;  // q, w, then theta and dw of each disturbance
 
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
 constexpr double kSignificantEFoldings = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
-constexpr int kStages = 13;                  // of Fehlberg's method of order 8
 constexpr double kTurning = 1e-10;           // rad, a step: dry friction turns round with the motion, and disturbances jump
 
-Vec3<double> vector_at(const State& x, std::size_t i) { return {x[i], x[i + 1], x[i + 2]}; }
-void put(const Vec3<double>& v, State& x, std::size_t i) {
-  for (std::size_t k = 0; k < 3; ++k) x[i + k] = v[static_cast<int>(k)];
-}
-Motion<double> motion_in(const State& x) { return {{x[0], vector_at(x, 1)}, vector_at(x, 4)}; }
-void put(const Motion<double>& motion, State& x) {
-  x[0] = motion.q.w;
-  put(motion.q.v, x, 1);
-  put(motion.m, x, 4);
-}
-
-/// The right-hand side of the motion and of the variational equations of its disturbances.
-template <bool kEarth, SceneKind K>
-struct Variations {
-  const Model<double>* model;
-
-  void operator()(const State& x, State& dxdt, double t) const {
-    const Motion<double> motion = motion_in(x);
-    const PivotField<double> field = pivot_field<K>(*model, t);
-    const Vec3<double>& field_L = kEarth ? field.rotating_L : field.reference_L;
-    Motion<double> rate = body_equation<kEarth, K>(*model, motion, field_L);
-    const Vec3<double>& w = motion.m;
-    const bool applied = K == SceneKind::full && model->applied.any;
-    const Vec3<double> w_LB_B = kEarth ? Vec3<double>(w - transposed_times(rotation_matrix(motion.q), model->W_IL_L)) : w;
-    if (applied) rate.m += times(model->I_BP_B_inverse, applied_torque_B(*model, t, motion.q, w_LB_B, kEarth));
-    put(rate, dxdt);
-    const Vec3<double> L_B = times(model->I_BP_B, w), field_B = transposed_times(rotation_matrix(motion.q), field_L);
-    for (std::size_t i = kMotionSize; i < kSize; i += 6) {
-      const Vec3<double> theta = vector_at(x, i), dw = vector_at(x, i + 3);
-      put(Vec3<double>(theta.cross(w) + dw), dxdt, i);
-      Vec3<double> torque_B = times(model->I_BP_B, dw).cross(w) + L_B.cross(dw) +
-                              field_torque(model->mass_moment_B, Vec3<double>(field_B.cross(theta)));
-      if (applied) torque_B += applied_torque_change_B(*model, t, motion.q, w_LB_B, kEarth, theta, dw);
-      put(times(model->I_BP_B_inverse, torque_B), dxdt, i + 3);
-    }
-  }
-};
-
-/// Restricts disturbances to those that a gimbal allows. The gimbal keeps u.e3 = 0 and therefore w_LB.h = 0, with h = u x e3
-/// and u = Up as seen from the body. A disturbance that keeps both has theta.h = 0 and d(w_LB).h = -w_LB.dh, with
-/// dh = (u x theta) x e3 and d(w_LB) = dw - (R^T W) x theta. Any departure from that is taken away along h.
-template <bool kEarth>
-class GimbalFreedom {
- public:
-  GimbalFreedom(const Model<double>& model, const Motion<double>& motion)
-      : w_LB_B_(motion.m), W_B_(Vec3<double>::Zero()), up_B_(Vec3<double>(rotation_matrix(motion.q).row(2).transpose())) {
-    if constexpr (kEarth) W_B_ = transposed_times(rotation_matrix(motion.q), model.W_IL_L);
-    w_LB_B_ -= W_B_;
-    h_ = up_B_.cross(Vec3<double>::UnitZ());
-    h_square_ = h_.dot(h_);
-  }
-  void restrict(Vec3<double>& theta, Vec3<double>& dw) const {
-    theta -= (theta.dot(h_) / h_square_) * h_;
-    const Vec3<double> dh = Vec3<double>(up_B_.cross(theta)).cross(Vec3<double>::UnitZ());
-    const Vec3<double> dw_LB = dw - W_B_.cross(theta);
-    dw -= ((dw_LB.dot(h_) + w_LB_B_.dot(dh)) / h_square_) * h_;
-  }
-
- private:
-  Vec3<double> w_LB_B_, W_B_, up_B_, h_;
-  double h_square_ = 0;
-};
-
 /// Follows the sizes of the disturbances, and brings them back to 1 before they overflow.
-template <bool kEarth>
+template <class System>
 class Follower {
  public:
-  Follower(const Model<double>& model, double fastest_rate, State& x) : model_(&model), rate_(fastest_rate) {
+  using State = typename System::State;
+  Follower(const System& system, double fastest_rate, State& x) : system_(&system), rate_(fastest_rate) {
     constexpr double kDirections[kDisturbances][6] = {{1, 1, 1, 1, 1, 1}, {1, -1, 1, -1, 1, -1}, {1, 1, -1, -1, 0, 0}};
-    for (std::size_t d = 0; d < kDisturbances; ++d)
-      for (std::size_t k = 0; k < 6; ++k) x[kMotionSize + 6 * d + k] = kDirections[d][k] * (k < 3 ? 1 : rate_);
-    restrict(x);
-    for (std::size_t d = 0; d < kDisturbances; ++d) scale(x, d, 1 / size(x, d));
+    for (std::size_t d = 0; d < kDisturbances; ++d) {
+      const double(&c)[6] = kDirections[d];
+      system.put_disturbance({c[0], c[1], c[2]}, {c[3] * rate_, c[4] * rate_, c[5] * rate_}, x, d);
+    }
+    system.restrict(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) system.scale(x, d, 1 / size(x, d));
   }
   /// Takes in the state after a step. @returns the logarithm of the largest growth of the three disturbances
   double include(State& x) {
-    restrict(x);
+    system_->restrict(x);
+    has_rescaled_ = false;
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < kDisturbances; ++d) {
       const double grown = size(x, d);
       largest = std::max(largest, log_scale_[d] + real::log(grown));
       if (!(grown > kRescaled)) continue;
       log_scale_[d] += real::log(grown);
-      scale(x, d, 1 / grown);
+      system_->scale(x, d, 1 / grown);
+      has_rescaled_ = true;
     }
     return largest;
   }
+  /// Whether the last state taken in was changed.
+  bool has_rescaled() const { return has_rescaled_; }
 
  private:
-  void restrict(State& x) const {
-    if (!model_->applied.level_axis) return;
-    const GimbalFreedom<kEarth> freedom(*model_, motion_in(x));
-    for (std::size_t i = kMotionSize; i < kSize; i += 6) {
-      Vec3<double> theta = vector_at(x, i), dw = vector_at(x, i + 3);
-      freedom.restrict(theta, dw);
-      put(theta, x, i);
-      put(dw, x, i + 3);
-    }
-  }
   double size(const State& x, std::size_t d) const {
-    const std::size_t at = kMotionSize + 6 * d;
-    return real::hypot(norm(vector_at(x, at)), norm(vector_at(x, at + 3)) / rate_);
-  }
-  static void scale(State& x, std::size_t d, double factor) {
-    for (std::size_t k = 0; k < 6; ++k) x[kMotionSize + 6 * d + k] *= factor;
+    return real::hypot(norm(system_->theta(x, d)), norm(system_->dw(x, d)) / rate_);
   }
 
-  const Model<double>* model_;
+  const System* system_;
   double rate_;
   std::array<double, kDisturbances> log_scale_ = {};
+  bool has_rescaled_ = false;
+};
+
+enum class Step { taken, rejected, failed };
+
+/// Steps of Fehlberg's method of order 8.
+template <class System>
+class EmbeddedSteps {
+ public:
+  using State = typename System::State;
+  EmbeddedSteps(const System& system, const State&, double tolerance, double first_step, double shortest)
+      : system_(&system),
+        stepper_(boost::numeric::odeint::make_controlled<Fehlberg>(tolerance, tolerance)),
+        dt_(first_step),
+        shortest_(shortest) {}
+  /// Takes a step, not beyond the end.
+  Step take(State& x, double& t, double end, std::int64_t& evaluations) {
+    dt_ = std::min(dt_, end - t);
+    if (dt_ < std::min(shortest_, end - t)) return Step::failed;
+    evaluations += kStages;
+    if (stepper_.try_step(*system_, x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
+    return t + dt_ > t ? Step::rejected : Step::failed;
+  }
+  void restart(const State&, double) {}
+
+ private:
+  using Fehlberg = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
+  static constexpr int kStages = 13;
+  const System* system_;
+  typename boost::numeric::odeint::result_of::make_controlled<Fehlberg>::type stepper_;
+  double dt_, shortest_;
+};
+
+/// Steps of a Taylor series.
+template <class System>
+class SeriesSteps {
+ public:
+  using State = typename System::State;
+  SeriesSteps(const System& system, const State& x, double tolerance, double, double)
+      : series_(system.series()), stepper_(tolerance, scales_) {
+    restart(x, 0);
+  }
+  Step take(State& x, double& t, double end, std::int64_t& evaluations) {
+    stepper_.limit_step(end - t);
+    stepper_.do_step(series_);
+    evaluations += stepper_.evaluations();
+    const double step = stepper_.current_time_step();
+    if (!(step > 0) || !(t + step > t) || !all_finite(stepper_.current_state())) return Step::failed;
+    t = step < end - t ? stepper_.current_time() : end;
+    x = stepper_.current_state();
+    scales_.include(x);
+    return Step::taken;
+  }
+  void restart(const State& x, double t) {
+    scales_.include(x);
+    stepper_.initialize(x, t);
+  }
+
+ private:
+  GroupScales<double, typename System::Shape> scales_;
+  typename System::Series series_;
+  taylor::TaylorStepper<double, System> stepper_;
 };
 
 /// The slope of a line fitted to values over the second half of the duration, each weighted by the length of its step.
@@ -220,8 +210,10 @@ class Departure {
   Vec3<double> up_B_, w_B_;
 };
 
-template <bool kEarth, SceneKind K>
-GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
+/// @tparam kEarth  whether to follow the motion on the rotating Earth, or the non-rotating prediction
+template <bool kEarth, class System, class Steps>
+GrowthReport follow(System system, const MotionProblem<double>& problem, double duration_s, double tolerance,
+                    const Watch& watch) {
   const Model<double>& model = problem.model;
   const double rate = problem.fastest_rate, end = problem.units.time_from_s(duration_s);
   const auto seconds = [&](double t) { return real::scale(t, problem.units.time_exponent); };
@@ -229,38 +221,37 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   Motion<double> release{problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B)};
   if (kEarth && problem.release.X == RatesRelativeTo::laboratory)
     release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
-  State x;
-  put(release, x);
-  Follower<kEarth> follower(model, rate, x);
+  typename System::State x = system.initial_state(release);
+  Follower<System> follower(system, rate, x);
   const Departure departure(model, release, rate);
   CriticalSpin critical_spin(model);
   critical_spin.include(0, release);
   LateSlope late(end);
 
-  namespace odeint = boost::numeric::odeint;
-  auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance);
+  // Dry friction turns round with the motion, and disturbances jump: there no step is long enough.
+  const double shortest = model.applied.coulomb != 0 ? kTurning / rate : 0;
+  Steps steps(system, x, tolerance, std::min(end, 0.1 / rate), shortest);
   GrowthReport report;
-  double t = 0, dt = std::min(end, 0.1 / rate);
+  double t = 0;
   const WorkLimit limit = variational_limit(problem, duration_s, tolerance);
   const std::int64_t most = std::min(kMostGrowthSteps, limit.steps);
-  std::int64_t steps = 0;
+  std::int64_t count = 0;
   StepCounters& counters = report.counters;
-  for (; t < end && steps < most; ++steps) {
+  for (; t < end && count < most; ++count) {
     if (watch.asks_to_stop()) return report;
-    if (steps % 64 == 0) watch.reach(t / end);
-    dt = std::min(dt, end - t);
-    if (model.applied.coulomb != 0 && dt < std::min(kTurning / rate, end - t)) return report;
+    if (count % 64 == 0) watch.reach(t / end);
     const double before = t;
-    counters.evaluations += kStages;
-    if (stepper.try_step(Variations<kEarth, K>{&model}, x, t, dt) == odeint::fail) {
+    const Step step = steps.take(x, t, end, counters.evaluations);
+    if (step == Step::failed) return report;
+    if (step == Step::rejected) {
       ++counters.rejected;
-      if (!(t + dt > t)) return report;
       continue;
     }
     ++counters.accepted;
     const double log_growth = follower.include(x);
+    if (follower.has_rescaled()) steps.restart(x, t);
     if (!std::isfinite(log_growth)) return report;
-    const Motion<double> motion = motion_in(x);
+    const Motion<double> motion = system.motion(x);
     const double log_regular = real::log(1 + rate * t);
     critical_spin.include(t, motion);
     late.include(t, t - before, log_growth - log_regular);
@@ -273,15 +264,37 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }
-  report.completed = steps < most;
+  report.completed = count < most;
   return report;
 }
 
-template <SceneKind K>
-GrowthReport follow(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
-                    const Watch& watch) {
-  return kind == MotionKind::rotating ? follow<true, K>(problem, duration_s, tolerance, watch)
-                                      : follow<false, K>(problem, duration_s, tolerance, watch);
+/// Whether a motion is that of a driven symmetric top or of a compass, with equations that have a Taylor series all along.
+bool has_spinless_series(const MotionProblem<double>& problem, double duration_s) {
+  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[2]);
+  return (is_reducible_when_driven(problem.model) || is_compass(problem.model)) &&
+         friction_stays_smooth(problem.model, w3, problem.fastest_rate, problem.units.time_from_s(duration_s));
+}
+
+template <bool kEarth>
+GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
+  const auto by = [&]<class System, template <class> class Steps>(const System& system) {
+    return follow<kEarth, System, Steps<System>>(system, problem, duration_s, tolerance, watch);
+  };
+  const Model<double>& model = problem.model;
+  if (model.kind == SceneKind::plain) {
+    using System = GeneralVariations<kEarth, SceneKind::plain>;
+    return by.template operator()<System, EmbeddedSteps>(System(model));
+  }
+  if (has_spinless_series(problem, duration_s)) {
+    if (is_compass(model)) {
+      using Compass = CompassVariations<kEarth>;
+      return by.template operator()<Compass, SeriesSteps>(Compass(problem));
+    }
+    using System = DrivenReducedVariations<kEarth>;
+    return by.template operator()<System, SeriesSteps>(System(problem));
+  }
+  using System = GeneralVariations<kEarth, SceneKind::full>;
+  return by.template operator()<System, EmbeddedSteps>(System(model));
 }
 
 }  // namespace
@@ -294,8 +307,8 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
 
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                                 const Watch& watch) {
-  return problem.model.kind == SceneKind::plain ? follow<SceneKind::plain>(problem, kind, duration_s, tolerance, watch)
-                                                : follow<SceneKind::full>(problem, kind, duration_s, tolerance, watch);
+  return kind == MotionKind::rotating ? follow<true>(problem, duration_s, tolerance, watch)
+                                      : follow<false>(problem, duration_s, tolerance, watch);
 }
 
 }  // namespace earthtop

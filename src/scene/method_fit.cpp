@@ -4,6 +4,7 @@
 
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
+#include "earthtop/model/reduced_torques.hpp"
 #include "earthtop/model/release.hpp"
 #include "scene/parts.hpp"
 
@@ -24,22 +25,13 @@ std::optional<std::string> need_plain_scene(std::string_view word, const Scene& 
   return std::nullopt;
 }
 
-/// Returns the least spin (rad/s) that friction may leave a symmetric top within the run, at most that at release.
-double least_spin_left(const Scene& scene) {
-  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
-  const double I3 = scene.body<double>().I_BP_B(2, 2), w3 = std::abs(scene.release<double>().w_XB_B[2]);
-  return w3 - applied.coulomb_N_m * scene.scenario().duration_s / I3;
-}
-
-/// Refuses a scene whose friction has a corner on the way: dry friction, quadratic drag and a disc's drag have no Taylor series
-/// where the rate that they brake goes through zero. It cannot do so while a symmetric top keeps most of its spin.
+/// Refuses a scene whose friction has a corner on the way, where no series exists.
 std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
-  constexpr double kOfTheSpin = 0.5, kOfTheRate = 0.05;
-  const double w3 = std::abs(scene.release<double>().w_XB_B[2]);
-  const bool spins = least_spin_left(scene) >= kOfTheSpin * w3 && w3 > kOfTheRate * scene.fastest_rate_rad_s();
-  if (spins && scene.symmetry_axis() == 2 && !applied.gimbal && scene.scenario().effects.all_on()) return std::nullopt;
+  if (friction_stays_smooth(scene.model<double>(), scene.release<double>().w_XB_B[2], scene.fastest_rate_rad_s(),
+                            scene.scenario().duration_s))
+    return std::nullopt;
   return quoted(word) +
          " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it is made for symmetric "
          "tops that keep most of their spin; take \"auto\"";

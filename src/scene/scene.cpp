@@ -138,7 +138,7 @@ const MethodChoice& Scene::choice() const {
 }
 ModelForm Scene::form(const IntegrationOptions& options) const {
   const bool driven = !is_plain() && options.method == Method::taylor && symmetry_axis() >= 0;
-  const bool reducible = is_reducible() || (driven && is_reducible_when_driven(model<double>()));
+  const bool reducible = is_reducible() || (driven && (is_reducible_when_driven(model<double>()) || is_compass(model<double>())));
   return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }
 

@@ -90,6 +90,20 @@ Vec3<T> turn_back_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<
   return turn_minus_one_scaled(w, Vec3<T>(-y), epsilon, u);
 }
 
+/// The matrix (R(e)^T - 1) / epsilon for the same e: s (-w [y]x + epsilon (y y^T - y.y)) with s = 2 / |e|^2.
+template <class T>
+Mat3<T> turn_back_minus_one_matrix(T w, const Vec3<T>& y, T epsilon) {
+  using real::conserved;
+  const T s = conserved(T(T(2) / (w * w + epsilon * epsilon * y.dot(y))));
+  const T f = epsilon * s;
+  const T wx = s * (w * y[0]), wy = s * (w * y[1]), wz = s * (w * y[2]);
+  const T xx = f * (y[0] * y[0]), yy = f * (y[1] * y[1]), zz = f * (y[2] * y[2]);
+  const T xy = f * (y[0] * y[1]), yz = f * (y[1] * y[2]), zx = f * (y[2] * y[0]);
+  Mat3<T> M;
+  M << -yy - zz, wz + xy, zx - wy, xy - wz, -xx - zz, wx + yz, wy + zx, yz - wx, -xx - yy;
+  return M;
+}
+
 /// An attitude R_AB, stored as a unit quaternion.
 template <class T>
 class Rotation {

@@ -38,7 +38,7 @@ WorkLimit variational_limit(const MotionProblem<T>& problem, double time_s, doub
 /// applied torques, a tide or a platform only the Taylor series have the reduced form.
 template <class T>
 bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options) {
-  const bool driven = options.method == Method::taylor && is_reducible_when_driven(model);
+  const bool driven = options.method == Method::taylor && (is_reducible_when_driven(model) || is_compass(model));
   return takes_reduced_form(is_reducible(model) || driven, options);
 }
 

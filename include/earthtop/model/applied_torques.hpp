@@ -88,13 +88,13 @@ Vec3<S> gravity_gradient_torque(const GradientTerm<T>& term, const Mat3<T>& I_BP
   return S(term.strength) * direction_B.cross(mixed_times(I_BP_B, direction_B));
 }
 
-/// c of the friction torque -c w that is the same about all axes: viscous, quadratic and dry.
+/// c of the friction torque -c w that is the same about all axes: viscous, quadratic and dry.   @param square  w.w
 template <class T, class S>
-S friction_coefficient(const AppliedTorques<T>& applied, const Vec3<S>& w_PB) {
+S friction_coefficient(const AppliedTorques<T>& applied, const S& square) {
   using real::sqrt;
   S coefficient = S(applied.viscous);
   if (applied.quadratic != T(0) || applied.coulomb != T(0)) {
-    const S rate = sqrt(S(w_PB[0] * w_PB[0] + w_PB[1] * w_PB[1] + w_PB[2] * w_PB[2]));
+    const S rate = sqrt(square);
     coefficient += S(applied.quadratic) * rate;
     if (applied.coulomb != T(0) && is_above_zero(rate)) coefficient += S(applied.coulomb) / rate;
   }
@@ -111,7 +111,8 @@ S disc_drag_coefficient(const AppliedTorques<T>& applied, const S& w3_PB) {
 /// Torques that oppose the rate relative to the platform.
 template <class T, class S>
 Vec3<S> friction_torque(const AppliedTorques<T>& applied, const Vec3<S>& w_PB_B) {
-  Vec3<S> torque = S(-friction_coefficient(applied, w_PB_B)) * w_PB_B;
+  const S square = w_PB_B[0] * w_PB_B[0] + w_PB_B[1] * w_PB_B[1] + w_PB_B[2] * w_PB_B[2];
+  Vec3<S> torque = S(-friction_coefficient(applied, square)) * w_PB_B;
   if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0))
     torque[2] -= disc_drag_coefficient(applied, w_PB_B[2]) * w_PB_B[2];
   return torque;

@@ -61,6 +61,17 @@ bool is_reducible_when_driven(const Model<T>& model) {
          weights.transverse == T(1) && weights.centrifugal == T(1);
 }
 
+/// Whether a model is a wheel symmetric about body axis 3 in a gimbal that keeps it level in the laboratory: a compass. Its
+/// reduced form has one angle and the spin.
+template <class T>
+bool is_compass(const Model<T>& model) {
+  const TorqueWeights<T>& weights = model.weights;
+  const Platform<T>& platform = model.platform;
+  const bool rests = platform.turn.never_turns() && norm(platform.pivot_offset_P) == T(0);
+  return model.applied.level_axis && rests && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 &&
+         weights.coriolis == T(1) && weights.transverse == T(1) && weights.centrifugal == T(1);
+}
+
 /// @throws std::logic_error for a model that is not a symmetric top
 template <class T>
 ReducedTop<T> reduced_top(const Model<T>& model);

@@ -14,7 +14,8 @@ namespace earthtop {
 template <class S>
 struct SeenBesideAxis {
   Vec3<S> n;      ///< the axis of symmetry
-  Vec3<S> w_IB;   ///< inertial rate of the body
+  Vec3<S> u;      ///< inertial rate of the body normal to the axis
+  S w3;           ///< that along the axis
   Vec3<S> w_IP;   ///< inertial rate of the platform, or of the laboratory if there is none
   Vec3<S> field;  ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
@@ -41,13 +42,32 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const AppliedTorques<T>& a
     torques.across += S(S(factor) * dot(seen.n, u)) * Vec3<S>(u.cross(seen.n));
   }
   if (!applied.friction()) return torques;
-  const Vec3<S> w_PB = seen.w_IB - seen.w_IP;
-  const S spin = dot(seen.n, w_PB), coefficient = friction_coefficient(applied, w_PB);
-  torques.across -= S(coefficient * S(T(1) / top.I1)) * Vec3<S>(w_PB - spin * seen.n);
+  // The rate relative to the platform, normal to the axis and along it.
+  const S carried = dot(seen.n, seen.w_IP), spin = seen.w3 - carried;
+  const Vec3<S> across = seen.u - Vec3<S>(seen.w_IP - carried * seen.n);
+  const S coefficient = friction_coefficient(applied, S(dot(across, across) + spin * spin));
+  torques.across -= S(coefficient * S(T(1) / top.I1)) * across;
   S along = coefficient;
   if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) along += disc_drag_coefficient(applied, spin);
   torques.along = -(along * S(T(1) / top.I3)) * spin;
   return torques;
+}
+
+/// Whether friction has no corner on the way of a motion, so that the equations have a Taylor series all along. Dry friction,
+/// quadratic drag and a disc's drag have one where the rate that they brake goes through zero; it cannot do so while a symmetric
+/// top keeps half of its spin, which is all that dry friction takes within the duration at most.
+/// @param w3, fastest_rate, duration  spin at release, and rate and duration of the whole motion, in the model's units
+template <class T>
+bool friction_stays_smooth(const Model<T>& model, T w3, T fastest_rate, T duration) {
+  const AppliedTorques<T>& applied = model.applied;
+  const bool has_corner = applied.coulomb != T(0) || applied.quadratic != T(0) || applied.disc_laminar != T(0) ||
+                          applied.disc_turbulent != T(0);
+  if (!has_corner) return true;
+  constexpr double kOfTheSpin = 0.5, kOfTheRate = 0.05;
+  const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+  const T spin = real::abs(w3);
+  return axis == 2 && (is_reducible_when_driven(model) || is_compass(model)) && spin > T(kOfTheRate) * fastest_rate &&
+         applied.coulomb * duration <= T(1 - kOfTheSpin) * spin * model.I_BP_B(2, 2);
 }
 
 }  // namespace earthtop

@@ -5,8 +5,9 @@
 
 #include <span>
 
+#include "drift/compass_equations.hpp"
+#include "drift/driven_reduced_equations.hpp"
 #include "earthtop/integrate/options.hpp"
-#include "earthtop/model/reduced_top.hpp"
 #include "integrate/taylor/operations.hpp"
 
 namespace earthtop {
@@ -22,18 +23,20 @@ extern template taylor::Operations<float128> record_drift(const Model<float128>&
                                                           float128);
 
 /// The equations of a symmetric top in driven_reduced_equations.hpp.
-/// @param w3  inertial spin of the reference at release   @param b  (I3/I1) w3
-template <class T>
-taylor::Operations<T> record_driven_top(const Model<T>& model, const ReducedTop<T>& top, T w3, const NutationRate<T>& b,
-                                        Observer observer, std::span<const T> x, T t);
-extern template taylor::Operations<double> record_driven_top(const Model<double>&, const ReducedTop<double>&, double,
-                                                             const NutationRate<double>&, Observer, std::span<const double>,
-                                                             double);
-extern template taylor::Operations<long double> record_driven_top(const Model<long double>&, const ReducedTop<long double>&,
-                                                                  long double, const NutationRate<long double>&, Observer,
-                                                                  std::span<const long double>, long double);
-extern template taylor::Operations<float128> record_driven_top(const Model<float128>&, const ReducedTop<float128>&, float128,
-                                                               const NutationRate<float128>&, Observer,
-                                                               std::span<const float128>, float128);
+template <class T, Observer O>
+taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>& equations, std::span<const T> x, T t);
+/// The equations of a wheel in a gimbal in compass_equations.hpp.
+template <class T, Observer O>
+taylor::Operations<T> record_compass(const CompassEquations<T, O>& equations, std::span<const T> x, T t);
+#define EARTHTOP_RECORD_TOP(T, O)                                                                                       \
+  extern template taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
+  extern template taylor::Operations<T> record_compass(const CompassEquations<T, O>&, std::span<const T>, T);
+EARTHTOP_RECORD_TOP(double, Observer::laboratory)
+EARTHTOP_RECORD_TOP(double, Observer::inertial)
+EARTHTOP_RECORD_TOP(long double, Observer::laboratory)
+EARTHTOP_RECORD_TOP(long double, Observer::inertial)
+EARTHTOP_RECORD_TOP(float128, Observer::laboratory)
+EARTHTOP_RECORD_TOP(float128, Observer::inertial)
+#undef EARTHTOP_RECORD_TOP
 
 }  // namespace earthtop

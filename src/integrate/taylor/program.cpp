@@ -2,8 +2,10 @@
 #include "integrate/taylor/program.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <stdexcept>
+#include <bit>
+#include <functional>
+#include <map>
+#include <tuple>
 
 #include "integrate/taylor/products.hpp"
 
@@ -94,34 +96,30 @@ class Program<T>::Builder {
   }
   bool is_joined(int place) const { return list_[index(place)].kind == Kind::linear && uses_[index(place)] == 1; }
 
-  /// Brings the operations into an order of levels, and within a level of kinds, and gives them lanes.
+  /// Brings the operations into runs: again and again, all operations of one kind whose operands are there. Sums and products
+  /// take turns where they can, so that the runs are long.
   void place(Program& program) {
-    std::vector<int> level(list_.size(), 0);
     sums_.resize(list_.size());
+    std::vector<int> waiting;
     for (std::size_t i = 0; i < list_.size(); ++i) {
-      const Operation<T>& o = list_[i];
       if (!needed(i) || is_joined(static_cast<int>(i))) continue;
-      int deepest = -1;
-      if (o.kind == Kind::linear) {
-        collect(static_cast<int>(i), T(1), sums_[i].terms, sums_[i].number);
-        for (const Term& term : sums_[i].terms) deepest = std::max(deepest, level[index(term.place)]);
-      } else {
-        for_operands(o, [&](int operand) { deepest = std::max(deepest, level[index(operand)]); });
-      }
-      level[i] = deepest + 1;
-      order_.push_back(static_cast<int>(i));
+      waiting.push_back(static_cast<int>(i));
+      if (list_[i].kind != Kind::linear) continue;
+      collect(static_cast<int>(i), T(1), sums_[i].terms, sums_[i].number);
+      // Sums of one length make one run: lengths are filled up by terms of a factor 0.
+      std::ranges::stable_sort(sums_[i].terms, std::greater{}, [](const Term& term) { return term.factor; });
+      const std::size_t length = std::bit_ceil(sums_[i].terms.size());
+      while (sums_[i].terms.size() < length) sums_[i].terms.push_back({sums_[i].terms.front().place, T(0)});
     }
-    const auto rank = [&](int place) {
-      const std::size_t i = index(place);
-      const Operation<T>& o = list_[i];
-      // A cosine follows its sine.
-      const int at = o.kind == Kind::cosine ? level[index(o.b)] : level[i];
-      const Kind kind = o.kind == Kind::cosine ? Kind::sine : o.kind;
-      return std::tuple(at, !is_early(i), kind, is_by_held(i), sums_[i].terms.size(), o.kind == Kind::cosine ? o.b : place, o.kind);
-    };
-    std::ranges::sort(order_, {}, rank);
     new_place_.assign(list_.size(), -1);
-    for (std::size_t i = 0; i < order_.size(); ++i) new_place_[index(order_[i])] = static_cast<int>(i);
+    while (!waiting.empty()) {
+      std::map<Group, std::vector<int>> ready;
+      for (const int place : waiting)
+        if (is_ready(place)) ready[group_of(place)].push_back(place);
+      const auto longest = std::ranges::max_element(ready, {}, [](const auto& entry) { return entry.second.size(); });
+      for (const int place : longest->second) put(place);
+      std::erase_if(waiting, [&](int place) { return new_place_[index(place)] >= 0; });
+    }
     int lane = 0;
     lanes_.assign(list_.size(), -1);
     for (const int place : order_) {
@@ -131,6 +129,34 @@ class Program<T>::Builder {
       lane += lanes_of(list_[index(place)].kind);
     }
     program.lanes_ = lane;
+  }
+  void put(int place) {
+    new_place_[index(place)] = static_cast<int>(order_.size());
+    order_.push_back(place);
+    // A cosine follows its sine.
+    const int next = place + 1;
+    if (list_[index(place)].kind == Kind::sine) new_place_[index(next)] = static_cast<int>(order_.size()), order_.push_back(next);
+  }
+  /// What the operations of a run have in common.
+  using Group = std::tuple<bool, Kind, bool, std::size_t, bool>;
+  Group group_of(int place) const {
+    const std::size_t i = index(place);
+    return {is_early(i), list_[i].kind, is_by_held(i), sums_[i].terms.size(), is_difference(sums_[i].terms)};
+  }
+  static bool is_difference(const std::vector<Term>& terms) {
+    return terms.size() == 2 && terms[0].factor == T(1) && terms[1].factor == T(-1);
+  }
+  bool is_ready(int place) const {
+    const Operation<T>& o = list_[index(place)];
+    if (o.kind == Kind::cosine) return false;
+    bool ready = true;
+    const auto ask = [&](int operand) { ready = ready && new_place_[index(operand)] >= 0; };
+    if (o.kind == Kind::linear) {
+      for (const Term& term : sums_[index(place)].terms) ask(term.place);
+    } else {
+      for_operands(o, ask);
+    }
+    return ready;
   }
   bool is_early(std::size_t i) const { return !late_[i] || (still_[i] && list_[i].kind != Kind::constant); }
   bool is_by_held(std::size_t i) const {
@@ -154,10 +180,17 @@ class Program<T>::Builder {
       made.number = sums_[i].number;
       for (const Term& term : sums_[i].terms) program.terms_.push_back({new_place_[index(term.place)], term.factor});
     }
-    if (program.runs_.empty() || program.runs_.back().kind != made.kind || program.runs_.back().early != made.early ||
-        program.runs_.back().by_held != made.by_held || program.runs_.back().terms != made.terms)
-      program.runs_.push_back({made.kind, made.early, made.by_held, new_place_[i], new_place_[i], made.terms});
+    const bool plain = is_difference(sums_[i].terms);
+    const auto goes_on = [&](const Run& run) {
+      return run.kind == made.kind && run.early == made.early && run.by_held == made.by_held && run.terms == made.terms &&
+             run.plain == plain;
+    };
+    if (program.runs_.empty() || !goes_on(program.runs_.back()))
+      program.runs_.push_back({made.kind, made.early, made.by_held, new_place_[i], new_place_[i], made.terms, plain,
+                               static_cast<int>(program.pairs_.size())});
     program.runs_.back().end = new_place_[i] + 1;
+    if (o.kind == Kind::product) program.pairs_.push_back({made.a, made.b});
+    if (plain) program.pairs_.push_back({new_place_[index(sums_[i].terms[0].place)], new_place_[index(sums_[i].terms[1].place)]});
     return made;
   }
 
@@ -275,16 +308,19 @@ void Program<T>::run_order(int k, std::span<const T> x) {
           out[i] = given_rows_[static_cast<std::size_t>(in[i].a)][static_cast<std::size_t>(k)][static_cast<std::size_t>(in[i].b)];
         break;
       case Kind::linear: {
-        const Term* term = &terms_[static_cast<std::size_t>(in[0].first_term)];
-        if (run.terms == 1) {
+        const Term* term = terms_.data() + in[0].first_term;
+        const Pair* pair = pairs_.data() + run.first_pair;
+        if (run.plain) {
+          for (int i = 0; i < count; ++i) out[i] = now[pair[i].a] - now[pair[i].b];
+        } else if (run.terms == 1) {
           for (int i = 0; i < count; ++i, ++term) out[i] = term->factor * now[term->place];
         } else if (run.terms == 2) {
           for (int i = 0; i < count; ++i, term += 2)
             out[i] = term[0].factor * now[term[0].place] + term[1].factor * now[term[1].place];
-        } else if (run.terms == 3) {
-          for (int i = 0; i < count; ++i, term += 3)
+        } else if (run.terms == 4) {
+          for (int i = 0; i < count; ++i, term += 4)
             out[i] = (term[0].factor * now[term[0].place] + term[1].factor * now[term[1].place]) +
-                     term[2].factor * now[term[2].place];
+                     (term[2].factor * now[term[2].place] + term[3].factor * now[term[3].place]);
         } else {
           for (int i = 0; i < count; ++i) {
             T sum = T(0);
@@ -295,12 +331,12 @@ void Program<T>::run_order(int k, std::span<const T> x) {
         break;
       }
       case Kind::product:
-        if (run.by_held) {
-          for (int i = 0; i < count; ++i) out[i] = zero[in[i].a] * now[in[i].b];
+        if (const Pair* pair = pairs_.data() + run.first_pair; run.by_held) {
+          for (int i = 0; i < count; ++i) out[i] = zero[pair[i].a] * now[pair[i].b];
         } else {
           const int first = in[0].lane;
           for (int i = 0; i < count; ++i) {
-            const T a = now[in[i].a], b = now[in[i].b];
+            const T a = now[pair[i].a], b = now[pair[i].b];
             const int l = first + i;
             left_k[l] = a, right_k[l] = b;
             out[i] = inner[l] + (left_0[l] * b + a * right_0[l]);

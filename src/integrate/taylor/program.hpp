@@ -48,6 +48,12 @@ class Program {
     bool early, by_held;
     int begin, end;
     int terms;
+    bool plain;  ///< sums of two terms with factors of +1 and -1: differences
+    int first_pair;
+  };
+  /// The places of two operands.
+  struct Pair {
+    int a, b;
   };
   struct Term {
     int place;
@@ -62,6 +68,7 @@ class Program {
   std::vector<Instruction> instructions_;
   std::vector<Run> runs_;
   std::vector<Term> terms_;
+  std::vector<Pair> pairs_;  ///< operands of products and differences, in the order of the runs
   std::vector<T> now_;   ///< coefficients of the present order, of each instruction
   std::vector<T> zero_;  ///< those of order 0
   std::vector<T> left_, right_, inner_;

@@ -64,6 +64,12 @@ class Recording {
     operations_.guards.push_back({less, more, outcome});
     return outcome;
   }
+  /// If a result is a number times another result: that other one, and the number; otherwise the result itself, and 1.
+  std::pair<int, T> unscaled(int place) const {
+    const Operation<T>& o = operations_.list[static_cast<std::size_t>(place)];
+    const bool scales = o.kind == Kind::linear && o.b < 0 && o.number == T(0);
+    return scales ? std::pair(o.a, o.factor_a) : std::pair(place, T(1));
+  }
   T value(int place) const { return values_[static_cast<std::size_t>(place)]; }
   /// Takes the list, with the results that are the right-hand side.
   Operations<T> finish(std::vector<int> outputs) {
@@ -122,9 +128,12 @@ class Recorded {
   friend Recorded operator*(const Recorded& x, const Recorded& y) {
     if (x.is_number()) return scaled(y, x.number_);
     if (y.is_number()) return scaled(x, y.number_);
-    // The smaller place comes first, so that x y and y x are one operation.
-    const auto [a, b] = std::minmax(x.place_, y.place_);
-    return x.made({.kind = Kind::product, .a = a, .b = b}, x.number_ * y.number_);
+    // Factors come out of the product, and the smaller place comes first, so that x y, y x and (2 x) y share one operation.
+    Recording& recording = *x.recording_;
+    const auto [u, f] = recording.unscaled(x.place_);
+    const auto [v, g] = recording.unscaled(y.place_);
+    const auto [a, b] = std::minmax(u, v);
+    return scaled(x.made({.kind = Kind::product, .a = a, .b = b}, recording.value(a) * recording.value(b)), f * g);
   }
   friend Recorded operator/(const Recorded& x, const Recorded& y) {
     if (x.is_number() && (y.is_number() || x.number_ == T(0))) return x.number_ / y.number_;
@@ -157,8 +166,10 @@ class Recorded {
   static Recorded scaled(const Recorded& x, T factor) {
     if (x.is_number()) return x.number_ * factor;
     if (factor == T(0)) return T(0);
-    if (factor == T(1)) return x;
-    return x.made({.kind = Kind::linear, .a = x.place_, .factor_a = factor}, factor * x.number_);
+    const auto [place, before] = x.recording_->unscaled(x.place_);
+    const Recorded inner(*x.recording_, place);
+    if (before * factor == T(1)) return inner;
+    return x.made({.kind = Kind::linear, .a = place, .factor_a = before * factor}, before * factor * inner.number_);
   }
   /// f x + g y for factors of +1 and -1.
   static Recorded sum(const Recorded& x, T f, const Recorded& y, T g) {
