@@ -135,9 +135,9 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units) {
+void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units) {
   problem.rotating = RotatingMotion::composed;
-  problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));
+  problem.times_s.resize(std::max<std::size_t>(1, rows));
   nudge(problem, nudge_units);
 }
 
@@ -217,7 +217,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&, T);                                      \
+  template void make_second(DriftProblem<T>&, std::size_t, T);                                                    \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
   template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);

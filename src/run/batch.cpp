@@ -84,7 +84,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   auto trajectories = integrate_together(problems, options, watch.part(0, 0.5), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     made[i].first = std::move(trajectories[i]);
-    make_second(problems[i], made[i].first, kNudgeUnits);
+    make_second(problems[i], made[i].first.samples.size(), kNudgeUnits);
   }
   trajectories = integrate_together(problems, other_options, watch.part(0.5, 1), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {

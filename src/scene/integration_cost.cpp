@@ -62,9 +62,11 @@ double slowness(Precision precision) {
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
   if (options.method == Method::long_horizon) return 2.5e-6;
-  constexpr double kReduced = 1.2e-7;
-  const bool reduced = scene.form(options) == ModelForm::reduced && !scene.scenario().effects.applied.any();
-  return slowness(scene.scenario().precision) * (reduced ? kReduced : general_evaluation_seconds(scene));
+  constexpr double kReduced = 1.2e-7, kDrivenOrder = 4e-7, kGeneralOrder = 8e-7;
+  const bool reduced = scene.form(options) == ModelForm::reduced;
+  double seconds = reduced ? kReduced : general_evaluation_seconds(scene);
+  if (options.method == Method::taylor && !scene.is_plain()) seconds = reduced ? kDrivenOrder : kGeneralOrder;
+  return slowness(scene.scenario().precision) * seconds;
 }
 
 bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {

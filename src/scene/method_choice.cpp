@@ -69,7 +69,7 @@ MethodChoice choose_method(const Scene& scene) {
     return {with_finer_tolerance(scene, Method::extrapolation, 100), "its order follows the digits asked for"};
   if (scene.method_refusal(Method::taylor))
     return {with_finer_tolerance(scene, Method::dop853, 10),
-            "a platform, a torque left out or one applied: no series is compiled for it"};
+            "drag may brake a rate to zero: no series passes that corner"};
   // A user who names an observer or the general model wants these equations integrated; for body axes the series does so.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)

@@ -59,6 +59,7 @@ class TaylorStepper {
     for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
     degree_ = order_;
     step_ = choose_step();
+    if constexpr (requires { series.reaches(x_, time_); }) keep_branch(series);
     // The sum is compensated: what rounding leaves out of it goes into the next step's. In a slow motion under a fast one only
     // this round-off would build up.
     rest_before_ = rest_;
@@ -115,6 +116,17 @@ class TaylorStepper {
       for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + at(k)[i];
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + rest[i];
     return x;
+  }
+
+  /// Shortens the step until it ends where the series still holds; a step that is tiny by then may pass the end of the branch.
+  void keep_branch(Series& series) {
+    constexpr int kMostHalvings = 40;
+    State end;
+    for (int i = 0; i < kMostHalvings; ++i, step_ /= T(2)) {
+      end = change_after(step_, rest_);
+      for (std::size_t j = 0; j < end.size(); ++j) end[j] += x_[j];
+      if (series.reaches(end, time_ + step_)) return;
+    }
   }
 
   /// Logarithm of the step at whose end the term of order k meets the tolerance.
