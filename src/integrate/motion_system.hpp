@@ -11,8 +11,7 @@
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/reduced_motion_flows.hpp"
-#include "integrate/taylor/general_motion_series.hpp"
-#include "integrate/taylor/reduced_motion_series.hpp"
+#include "integrate/taylor/expand_series.hpp"
 
 namespace earthtop {
 

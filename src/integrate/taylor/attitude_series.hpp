@@ -24,6 +24,9 @@ class AttitudeSeries {
   /// Notes |q|, which is constant along the exact motion: its round-off must not scale a torque.
   void start(const Quaternion<T>& q) { inverse_norm_squared_ = T(1) / (q.w * q.w + q.v.dot(q.v)); }
 
+  /// 2 / |q|^2
+  T double_inverse_norm_squared() const { return T(2) * inverse_norm_squared_; }
+
   /// Puts in the factors of q w_B at order k.
   template <class ProductsOfSystem>
   static void put_rate(ProductsOfSystem& products, int k, int lane, const Quaternion<T>& q, const Vec3<T>& w_B) {

@@ -22,6 +22,7 @@ namespace earthtop::taylor {
 /// @tparam System  has the `Shape` of its states, and a `Series` that finds the coefficients:
 ///   start(x)                    is given the state at the beginning of a step
 ///   extend(k, x_k, x_next)      finds the coefficients of order k + 1 from those of order k; called for k = 0, 1, 2, ...
+///   expand(x, order)            takes the place of `extend` where there is one: finds the coefficients 1 to `order` in x
 template <class T, class System>
 class TaylorStepper {
  public:
@@ -53,7 +54,10 @@ class TaylorStepper {
   std::pair<T, T> do_step(Series& series) {
     coefficients_[0] = x_;
     series.start(x_);
-    for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
+    if constexpr (requires { series.expand(coefficients_.data(), order_); })
+      series.expand(coefficients_.data(), order_);
+    else
+      for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
     degree_ = order_;
     step_ = choose_step();
     // The sum is compensated: what rounding leaves out of it goes into the next step's. In a slow motion under a fast one only
