@@ -5,16 +5,14 @@
 
 namespace earthtop {
 
-EARTHTOP_FOR_EACH_PROCESSOR void expand_series(GeneralMotionSeries<double>& series, std::array<double, 7>* x, int order) {
-  series.expand_here(x, order);
+void expand_series(GeneralMotionSeries<double>& series, std::array<double, 7>* x, int order) {
+  taylor::expand_for_processor(series, x, order);
 }
-EARTHTOP_FOR_EACH_PROCESSOR void expand_series(ReducedMotionSeries<double, MotionSought::attitude>& series,
-                                               std::array<double, 9>* x, int order) {
-  series.expand_here(x, order);
+void expand_series(ReducedMotionSeries<double, MotionSought::attitude>& series, std::array<double, 9>* x, int order) {
+  taylor::expand_for_processor(series, x, order);
 }
-EARTHTOP_FOR_EACH_PROCESSOR void expand_series(ReducedMotionSeries<double, MotionSought::symmetry_axis>& series,
-                                               std::array<double, 6>* x, int order) {
-  series.expand_here(x, order);
+void expand_series(ReducedMotionSeries<double, MotionSought::symmetry_axis>& series, std::array<double, 6>* x, int order) {
+  taylor::expand_for_processor(series, x, order);
 }
 
 }  // namespace earthtop

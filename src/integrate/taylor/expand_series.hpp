@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Expands series by functions that are compiled for each processor: those of doubles.
+/// Expands series; those of doubles by functions that are compiled for each width of vectors. The arithmetic is the same.
 #pragma once
 
 #include "integrate/taylor/general_motion_series.hpp"
@@ -10,7 +10,7 @@ namespace earthtop {
 /// Finds the coefficients of the orders 1 to `order` of a series. @param x  the coefficients, with that of order 0
 template <class Series>
 void expand_series(Series& series, typename Series::State* x, int order) {
-  series.expand_here(x, order);
+  series.template expand_here<4>(x, order);
 }
 void expand_series(GeneralMotionSeries<double>& series, std::array<double, 7>* x, int order);
 void expand_series(ReducedMotionSeries<double, MotionSought::attitude>& series, std::array<double, 9>* x, int order);

@@ -6,7 +6,11 @@
 #include <array>
 #include <type_traits>
 
+#ifdef __SANITIZE_ADDRESS__  // it would take minutes to compile
+#define EARTHTOP_PACK_INLINE inline
+#else
 #define EARTHTOP_PACK_INLINE [[gnu::always_inline]] inline
+#endif
 
 namespace earthtop::taylor {
 
@@ -52,12 +56,15 @@ struct ArrayPack {
 template <class T, int N>
 struct PackOf {
   using Type = ArrayPack<T, N>;
+  using Stored = ArrayPack<T, N>;
 };
 template <int N>
 struct PackOf<double, N> {
   using Type [[gnu::vector_size(8 * N), gnu::may_alias]] = double;
+  /// The same where the alignment is that of at most 4 doubles.
+  using Stored[[ gnu::vector_size(8 * N), gnu::may_alias, gnu::aligned(N == 2 ? 16 : 32) ]] = double;
 };
-/// N numbers, 2 or 4.
+/// N numbers: 2, 4 or 8.
 template <class T, int N>
 using Pack = typename PackOf<T, N>::Type;
 

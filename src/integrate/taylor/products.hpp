@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "earthtop/vectors.hpp"
 
@@ -18,42 +17,6 @@ template <class T>
 inline constexpr int kMostOrder = 32;
 template <>
 inline constexpr int kMostOrder<float128> = 64;
-
-/// Convolves some lanes, a multiple of 4, of rows of any length; for sources compiled for each processor.
-template <int kLanes>
-[[gnu::always_inline]] inline void convolve_lanes(const double* left, const double* right, int order, int length, double* sum) {
-  using Eight [[gnu::vector_size(64), gnu::aligned(32), gnu::may_alias]] = double;
-  using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
-  constexpr int kEights = kLanes / 8;
-  Eight eights[kEights > 0 ? kEights : 1] = {};
-  Four four = {};
-  const double* a = left + length;
-  const double* b = right + static_cast<long>(order - 1) * length;
-  for (int j = 1; j < order; ++j, a += length, b -= length) {
-    for (int i = 0; i < kEights; ++i)
-      eights[i] += *reinterpret_cast<const Eight*>(a + 8 * i) * *reinterpret_cast<const Eight*>(b + 8 * i);
-    if constexpr (kLanes % 8 != 0)
-      four += *reinterpret_cast<const Four*>(a + 8 * kEights) * *reinterpret_cast<const Four*>(b + 8 * kEights);
-  }
-  for (int i = 0; i < kEights; ++i) *reinterpret_cast<Eight*>(sum + 8 * i) = eights[i];
-  if constexpr (kLanes % 8 != 0) *reinterpret_cast<Four*>(sum + 8 * kEights) = four;
-}
-/// Convolves rows of a known number of lanes. @param T  double: for sources compiled for each processor
-template <int kLanes, class T>
-[[gnu::always_inline]] inline void convolve_rows(const T* left, const T* right, int order, T* sum) {
-  if constexpr (std::is_same_v<T, double>) {
-    constexpr int kAtATime = 32;
-    if constexpr (kLanes > kAtATime) {
-      convolve_lanes<kAtATime>(left, right, order, kLanes, sum);
-    } else {
-      convolve_lanes<kLanes>(left, right, order, kLanes, sum);
-    }
-  } else {
-    for (int l = 0; l < kLanes; ++l) sum[l] = T(0);
-    for (int j = 1; j < order; ++j)
-      for (int l = 0; l < kLanes; ++l) sum[l] += left[j * kLanes + l] * right[(order - j) * kLanes + l];
-  }
-}
 
 /// sum[l] = sum over j = 1..order - 1 of left[j][l] right[order - j][l] for rows of `lanes`, a multiple of 8.
 void convolve_inner(const double* left, const double* right, int order, int lanes, double* sum);

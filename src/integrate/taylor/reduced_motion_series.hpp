@@ -29,6 +29,8 @@ class ReducedMotionSeries {
   void expand(State* x, int order) { expand_series(*this, x, order); }
 
   /// The same, as a part of a function compiled for each processor.
+  /// @tparam kWidth  how many numbers the processor's vectors have
+  template <int kWidth>
   EARTHTOP_PACK_INLINE void expand_here(State* x, int order) {
     Term term;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -36,8 +38,8 @@ class ReducedMotionSeries {
       if constexpr (kAttitude) term.axis_and_frame[i] = Pair{x[0][i], x[0][6 + i]};
       term.u[static_cast<int>(i)] = x[0][3 + i];
     }
-    extend<true>(0, term, x[1]);
-    for (int k = 1; k < order; ++k) extend<false>(k, term, x[k + 1]);
+    taylor::for_each_order(
+        order, [&]<taylor::Place kPlace>(int k) __attribute__((always_inline)) { extend<kPlace, kWidth>(k, term, x[k + 1]); });
   }
 
  private:
@@ -49,7 +51,7 @@ class ReducedMotionSeries {
   };
 
   /// Finds the coefficients of order k + 1 from those of order k.
-  template <bool kFirst>
+  template <taylor::Place kPlace, int kWidth>
   EARTHTOP_PACK_INLINE void extend(int k, Term& x, State& next) {
     std::array<Pair, 3> rates, turned;
     Vec3<T> n, s;
@@ -58,9 +60,9 @@ class ReducedMotionSeries {
       rates[static_cast<std::size_t>(i)] = Pair{x.u[i], x.u[i] - u_along_n_ * n[i]};
     }
     taylor::CrossTerms<T, 2> terms;
-    products_.template put_cross<kFirst, 2>(k, 0, rates, x.axis_and_frame, terms);
-    products_.template convolve<kFirst>(k);
-    products_.template cross<kFirst, 2>(0, terms, turned);
+    products_.template put_cross<kPlace, 2>(k, 0, rates, x.axis_and_frame, terms);
+    products_.template convolve<kPlace, kWidth>(k);
+    products_.template complete_cross<kPlace, 2>(k, 0, terms, turned);
     const T factor = T(1) / T(k + 1);
     for (int i = 0; i < 3; ++i) s[i] = turned[static_cast<std::size_t>(i)][0];
     x.u = factor * (moment_ * n.cross(gravity_L_) - b_.value * s - (b_.rest * s + W_L_.cross(x.u)));

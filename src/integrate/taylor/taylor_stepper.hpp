@@ -16,6 +16,7 @@
 #include "earthtop/elementary.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/taylor/products.hpp"
+#include "integrate/taylor/rough_logarithm.hpp"
 
 namespace earthtop::taylor {
 
@@ -108,38 +109,48 @@ class TaylorStepper {
   const State& at(int k) const { return coefficients_[static_cast<std::size_t>(k)]; }
 
   /// The change of the state from the beginning of the step to the time dt after it, including the rest of the sums before.
+  /// The terms of even and of odd orders are summed side by side: neither sum waits for the other.
   State change_after(T dt, const State& rest) const {
-    State x = at(degree_);
-    for (int k = degree_ - 1; k > 0; --k)
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + at(k)[i];
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + rest[i];
+    const T square = dt * dt;
+    const int even = degree_ & ~1, odd = degree_ - 1 + (degree_ & 1);
+    State x = at(odd), y = at(even);
+    for (int k = odd - 2; k > 0; k -= 2)
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * square + at(k)[i];
+    for (int k = even - 2; k > 0; k -= 2)
+      for (std::size_t i = 0; i < x.size(); ++i) y[i] = y[i] * square + at(k)[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + (y[i] * square + rest[i]);
     return x;
   }
 
   /// Logarithm of the step at whose end the term of order k meets the tolerance.
   double log_step(int k) const {
-    const double size = static_cast<double>(scales_->largest_ratio(at(k)));
-    return size > 0 ? (log_tolerance_ - real::log(size)) / k : kUnlimited;
+    const double square = static_cast<double>(scales_->largest_squared_ratio(at(k)));
+    return square > 0 ? (log_tolerance_ - rough_logarithm(square) / 2) / k : kUnlimited;
   }
   /// The step for which the last two terms meet the tolerance; the last one alone may vanish by symmetry.
   T choose_step() {
     const double last = log_step(order_), before = log_step(order_ - 1);
     const double log_h = std::min(last, before);
     adapt_order(log_h, std::min(before, log_step(order_ - 2)));
-    const T h = log_h < kUnlimited / 2 ? T(real::exp(log_h)) : longest_;
+    // The square of a number with so few digits is exact. The rounding of a square would be the same in all steps of a regular
+    // motion, and add up.
+    const T h = log_h < kUnlimited / 2 ? T(static_cast<float>(rough_exponential(log_h))) : longest_;
     return longest_ > T(0) && !(h < longest_) ? longest_ : h;
   }
   /// Changes the order by one, up or down, towards less work per unit of time. A step that is cut short needs no higher order.
   void adapt_order(double log_h, double log_h_below) {
-    const double log_longest = longest_ > T(0) ? real::log(static_cast<double>(longest_)) : kUnlimited;
+    const double log_longest = longest_ > T(0) ? rough_logarithm(static_cast<double>(longest_)) : kUnlimited;
     const auto log_work = [&](int order, double log_step) {
-      return 2 * real::log(order + 3.0) - std::min(log_step, log_longest);
+      return 2 * rough_logarithm(order + kOrderOffset) - std::min(log_step, log_longest);
     };
     if (log_work(order_ - 1, log_h_below) < log_work(order_, log_h))
       order_ = std::max(order_ - 1, kLeastOrder);
     else if (log_h < log_longest)
       order_ = std::min(order_ + 1, kMostOrder<T>);
   }
+  /// The work of a step is about proportional to (order + kOrderOffset)^2: what a step and an order take beside the products,
+  /// whose number is the square of the order, is most of the time at low orders.
+  static constexpr double kOrderOffset = 12;
 
   static constexpr double kUnlimited = 1e4;
   double log_tolerance_;
