@@ -88,7 +88,7 @@ class GeneralMotionSeries {
     Four plus, minus, y;
     pick<1, 3, 1, 2, T>(q, q, plus), pick<3, 2, 3, 1, T>(q, q, minus), pick<2, 2, 2, 2, T>(q, q, y);
     const Four turned = rate_ * q[0] + ((rate_plus_ * plus - rate_y_ * y) - rate_minus_ * minus);
-    q = ((z_w + (x_w - y_w)) - turned) * (T(0.5) / order);
+    q = ((z_w + (x_w - y_w)) - turned) / (T(2) * order);
     for (int i = 0; i < 4; ++i) next[static_cast<std::size_t>(i)] = q[i];
     for (int i = 0; i < 3; ++i) next[static_cast<std::size_t>(4 + i)] = w[i];
   }

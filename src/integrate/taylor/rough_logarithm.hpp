@@ -25,8 +25,9 @@ inline double rough_logarithm(double x) {
 inline double rough_exponential(double x) {
   const double halves = x * (1 / kLogarithmOfTwo);
   const auto exponent = static_cast<std::int64_t>(halves + (halves < 0 ? -0.5 : 0.5));
-  const double r = x - static_cast<double>(exponent) * kLogarithmOfTwo;  // |r| < 0.35, so that the next term is below 2e-8
-  const double part = 1 + r * (1 + r * (1. / 2 + r * (1. / 6 + r * (1. / 24 + r * (1. / 120 + r * (1. / 720))))));
+  const double r = x - static_cast<double>(exponent) * kLogarithmOfTwo;  // |r| < 0.35, so that the next term is below 6e-9
+  const double part =
+      1 + r * (1 + r * (1. / 2 + r * (1. / 6 + r * (1. / 24 + r * (1. / 120 + r * (1. / 720 + r * (1. / 5040)))))));
   return part * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 

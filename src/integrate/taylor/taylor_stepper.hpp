@@ -11,6 +11,7 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "earthtop/elementary.hpp"
@@ -109,22 +110,18 @@ class TaylorStepper {
   const State& at(int k) const { return coefficients_[static_cast<std::size_t>(k)]; }
 
   /// The change of the state from the beginning of the step to the time dt after it, including the rest of the sums before.
-  /// The terms of even and of odd orders are summed side by side: neither sum waits for the other.
   State change_after(T dt, const State& rest) const {
-    const T square = dt * dt;
-    const int even = degree_ & ~1, odd = degree_ - 1 + (degree_ & 1);
-    State x = at(odd), y = at(even);
-    for (int k = odd - 2; k > 0; k -= 2)
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * square + at(k)[i];
-    for (int k = even - 2; k > 0; k -= 2)
-      for (std::size_t i = 0; i < x.size(); ++i) y[i] = y[i] * square + at(k)[i];
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + (y[i] * square + rest[i]);
+    State x = at(degree_);
+    for (int k = degree_ - 1; k > 0; --k)
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + at(k)[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + rest[i];
     return x;
   }
 
   /// Logarithm of the step at whose end the term of order k meets the tolerance.
   double log_step(int k) const {
     const double square = static_cast<double>(scales_->largest_squared_ratio(at(k)));
+    if (square > std::numeric_limits<double>::max()) return kShortest;
     return square > 0 ? (log_tolerance_ - rough_logarithm(square) / 2) / k : kUnlimited;
   }
   /// The step for which the last two terms meet the tolerance; the last one alone may vanish by symmetry.
@@ -132,9 +129,7 @@ class TaylorStepper {
     const double last = log_step(order_), before = log_step(order_ - 1);
     const double log_h = std::min(last, before);
     adapt_order(log_h, std::min(before, log_step(order_ - 2)));
-    // The square of a number with so few digits is exact. The rounding of a square would be the same in all steps of a regular
-    // motion, and add up.
-    const T h = log_h < kUnlimited / 2 ? T(static_cast<float>(rough_exponential(log_h))) : longest_;
+    const T h = log_h < kUnlimited / 2 ? T(rough_exponential(std::max(log_h, kShortest))) : longest_;
     return longest_ > T(0) && !(h < longest_) ? longest_ : h;
   }
   /// Changes the order by one, up or down, towards less work per unit of time. A step that is cut short needs no higher order.
@@ -152,7 +147,7 @@ class TaylorStepper {
   /// whose number is the square of the order, is most of the time at low orders.
   static constexpr double kOrderOffset = 12;
 
-  static constexpr double kUnlimited = 1e4;
+  static constexpr double kUnlimited = 1e4, kShortest = -700;
   double log_tolerance_;
   const GroupScales<T, typename System::Shape>* scales_;
   int order_, degree_ = 0;
