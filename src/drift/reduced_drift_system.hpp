@@ -19,7 +19,7 @@
 #include "drift/deviation_state.hpp"
 #include "drift/drift_system.hpp"
 #include "drift/reduced_drift_flows.hpp"
-#include "drift/taylor/reduced_drift_series.hpp"
+#include "drift/taylor/expand_drift_series.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/group_norms.hpp"
 

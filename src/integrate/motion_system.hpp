@@ -11,10 +11,9 @@
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/reduced_motion_flows.hpp"
-#include "integrate/taylor/general_motion_series.hpp"
+#include "integrate/taylor/expand_series.hpp"
 #include "integrate/taylor/record_motion.hpp"
 #include "integrate/taylor/recorded_series.hpp"
-#include "integrate/taylor/reduced_motion_series.hpp"
 
 namespace earthtop {
 
