@@ -115,14 +115,25 @@ bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
   return averaging_error(top, duration) < tolerance + T(kRoundOff) * phase || phase > T(kAffordablePhase);
 }
 
+namespace {
+
+/// What the search for a plan begins with.
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
-                             const Watch& watch) {
+struct Guess {
+  LongHorizonPlan<T> plan;
+  T tolerance;       ///< of the axis (rad)
+  bool needs_trial;  ///< false where there is no perturbation, so that no step has an error
+  T part;            ///< the part of the duration that a trial covers
+  Looks looks;
+};
+
+template <class T>
+Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T interval, T asked) {
   const bool averages = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
   const T tolerance = std::max(asked, T(averages ? kLeastAveraged : kLeastError));
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
   const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
-  // About a tenth of the perturbation is taken to oscillate, at twice this rate. The trial below corrects this estimate.
+  // About a tenth of the perturbation is taken to oscillate, at twice this rate. A trial corrects this estimate.
   const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
   double least_work = std::numeric_limits<double>::infinity();
   KickSchedule schedule;
@@ -136,16 +147,27 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
       step = T(whole / steps);
     }
   }
-  LongHorizonPlan<T> plan = make_plan(top, schedule, step, averages);
-  if (!(size > 0)) return plan;
-
   // The trial covers the whole duration where that costs little, because in an unstable scene errors grow.
   constexpr double kCheapSteps = 400;
   const T part = duration < T(kCheapSteps) * step
                      ? duration
                      : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
-  const T growth = duration / part;
   const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
+  return {make_plan(top, schedule, step, averages), tolerance, size > 0, part, looks};
+}
+
+}  // namespace
+
+template <class T>
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
+                             const Watch& watch) {
+  const Guess<T> guess = guess_plan(top, duration, interval, asked);
+  LongHorizonPlan<T> plan = guess.plan;
+  if (!guess.needs_trial) return plan;
+  const T tolerance = guess.tolerance, part = guess.part, growth = duration / part;
+  const bool averages = plan.averages;
+  const Looks& looks = guess.looks;
+  T step = plan.step;
   plan.step = step = part / T(looks.steps * looks.count);
   Trial<T> coarse(top, plan, part, looks.count, counters, watch);
   T before = std::numeric_limits<T>::infinity();
