@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drift/long_horizon_work.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
 #include "drift/threshold_watch.hpp"
@@ -17,6 +18,9 @@ namespace earthtop {
 namespace {
 
 using T = double;
+using long_horizon::kGoldenPart;
+using long_horizon::kNodeDrift;
+using long_horizon::kSmall;
 using Top = TiltedTop<T>;
 
 /// Both motions at one instant, without the spin w3 t that they share. (e_w, epsilon y) is the quaternion of R_ref^T R_rot.
@@ -108,8 +112,7 @@ class LongHorizonDrift {
     if (plan.averages) {
       const T averaging = averaging_error(top, times_.back());
       stated_error_ = averaging / times_.back();
-      // The averaging error goes with the square of the rate. At the larger rates it must not exceed the error of a difference.
-      if (averaging > T(0)) largest_node = epsilon * real::sqrt(kDifferenceError / averaging);
+      largest_node = epsilon * long_horizon::largest_node(top, times_.back());
     }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
@@ -125,13 +128,9 @@ class LongHorizonDrift {
     return watched(epsilon, false);
   }
 
-  static constexpr T kSmall = 1e-3;             ///< smallest drift taken as a difference, which has nine digits of it (rad)
-  static constexpr T kNodeDrift = 4e-3;         ///< drift sought at the largest of the four rates of the cubic (rad)
-  static constexpr T kDifferenceError = 1e-12;  ///< error of a difference of attitudes (rad)
   static constexpr T kUnseenError = 5e-12;      ///< error of averaging that comparisons may not show, at the end (rad)
   static constexpr T kApart = 1e-3;             ///< phase of the fast motion between the states that rates come from (rad)
   static constexpr double kWalkShare = 0.75;    ///< share of the remaining work that is left after a walk, for the progress
-  static constexpr T kGoldenPart = 0.6180339887498949;
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
   Top top_at(T epsilon) const {
@@ -274,7 +273,7 @@ class LongHorizonDrift {
   }
   T longest_time_between_looks(const Top& top) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
-    return rate > T(0) ? T(1.5) / rate : times_.back();
+    return rate > T(0) ? T(long_horizon::kLook) / rate : times_.back();
   }
 
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
@@ -344,7 +343,7 @@ class LongHorizonDrift {
     T node = std::min(most, drift > kResolved ? T(epsilon * kNodeDrift / drift) : T(kNodeDrift / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
-      const LongHorizonPlan<T> plan = plan_of(top, kNodeDrift * std::max(T(options_.relative_tolerance), T(1e-11)));
+      const LongHorizonPlan<T> plan = plan_of(top, long_horizon::node_tolerance(options_.relative_tolerance));
       walk(top, plan, node, T(0), quiet);
       const T reached = largest_drift(node);
       if (trajectory_status_ != RunStatus::completed) return reached;

@@ -203,8 +203,41 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
   return plan;
 }
 
+template <class T>
+LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows) {
+  const double kicks = plan.schedule.kicks * (plan.averages ? LongHorizonWalk<T>::kSpread : 1);
+  LongHorizonWork work;
+  work.averages = plan.averages;
+  work.steps = rows * std::max(1.0, std::ceil(static_cast<double>(interval / plan.step) * (1 - 1e-12)));
+  work.evaluations = work.steps * kicks + rows * (1 + (plan.averages ? LongHorizonWalk<T>::kRippleFlows : 0));
+  return work;
+}
+
+template <class T>
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share) {
+  const Guess<T> guess = guess_plan(top, duration, interval, tolerance);
+  LongHorizonPlan<T> plan = guess.plan;
+  LongHorizonWork search;
+  if (guess.needs_trial) {
+    // A trial in steps of the length guessed, and one in half of it. Further ones follow if these disagree.
+    const double each = guess.looks.steps, looks = guess.looks.count;
+    plan.step = guess.part / T(each * looks);
+    search = walking_work(plan, T(guess.part / T(looks)), looks);
+    LongHorizonPlan<T> half = plan;
+    half.step /= T(2);
+    const LongHorizonWork finer = walking_work(half, T(guess.part / T(looks)), looks);
+    search.steps += finer.steps, search.evaluations += finer.evaluations;
+  }
+  plan.step *= T(share);
+  LongHorizonWork work = walking_work(plan, interval, rows);
+  work.search_steps = search.steps, work.search_evaluations = search.evaluations;
+  return work;
+}
+
 template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, bool);
 template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
+template LongHorizonWork walking_work(const LongHorizonPlan<double>&, double, double);
+template LongHorizonWork expected_work(const TiltedTop<double>&, double, double, double, double, double);
 template double averaging_error(const TiltedTop<double>&, double);
 template bool may_average(const TiltedTop<double>&, double, double, double);
 

@@ -55,6 +55,20 @@ template <class T>
 LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters,
                              const Watch& watch = {});
 
+/// The work of `find_plan`, and of a walk by the plan.
+struct LongHorizonWork {
+  double search_steps = 0, search_evaluations = 0;
+  double steps = 0, evaluations = 0;
+  bool averages = false;
+};
+/// The work of a walk through so many intervals; nothing is searched.
+template <class T>
+LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows);
+/// The work expected of the search and of a walk, from the guess with which `find_plan` begins.
+/// @param share  the step taken in the walk, in steps found
+template <class T>
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share = 1);
+
 /// Whether steps of this length may average over the nutation: whether they are longer than its period, and keep the tolerance
 /// (rad) or an error that can be stated.
 template <class T>
@@ -69,6 +83,8 @@ T averaging_error(const TiltedTop<T>& top, T duration);
 template <class T>
 class LongHorizonWalk {
  public:
+  static constexpr int kSpread = 5;        ///< parts of a spread kick
+  static constexpr int kRippleFlows = 7;  ///< flows for the ripple at one time
   /// @param watch  may stop the walk between any two steps
   LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
       : top_(top), plan_(plan), counters_(counters), watch_(watch), x_(top.start()) {
@@ -119,8 +135,6 @@ class LongHorizonWalk {
   }
 
  private:
-  static constexpr int kSpread = 5;
-
   void lay_out(T interval) {
     steps_ = static_cast<std::int64_t>(std::ceil(static_cast<double>(interval / plan_.step) * (1 - 1e-12)));
     if (steps_ < 1) steps_ = 1;
@@ -150,7 +164,7 @@ class LongHorizonWalk {
       position = target;
     }
     top_.flow(-position, x);
-    counters_.evaluations += 7;
+    counters_.evaluations += kRippleFlows;
   }
 
   const TiltedTop<T>& top_;
