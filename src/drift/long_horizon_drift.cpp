@@ -271,9 +271,9 @@ class LongHorizonDrift {
     ++walks_;
     return watch_.part(done, is_alone ? 1 : 1 - real::pow(kWalkShare, walks_));
   }
-  T longest_time_between_looks(const Top& top) const {
+  T longest_time_between_looks(const Top& top, bool averages) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
-    return rate > T(0) ? T(long_horizon::kLook) / rate : times_.back();
+    return rate > T(0) ? T(long_horizon::look_angle(averages)) / rate : times_.back();
   }
 
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
@@ -283,7 +283,7 @@ class LongHorizonDrift {
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     std::size_t rows = 0;
-    walk(top, plan, epsilon, longest_time_between_looks(top), [&](T t, const Pair& p) {
+    walk(top, plan, epsilon, longest_time_between_looks(top, plan.averages), [&](T t, const Pair& p) {
       watcher(t, p);
       if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
     });
@@ -296,7 +296,7 @@ class LongHorizonDrift {
     StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
-    const T every = longest_time_between_looks(reference_);
+    const T every = longest_time_between_looks(reference_, !walked_.empty() && walked_.front().plan.averages);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       // The deviation is small and cannot go round between two rows; only the reference has to be followed.
       if (i > 0)

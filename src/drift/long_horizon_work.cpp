@@ -76,7 +76,7 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
     add(top_at(node), long_horizon::node_tolerance(options.relative_tolerance), 4);
   }
   const double rate = top.frame_rate() + top_at(0).frame_rate() + norm(model.W_IL_L);
-  total.looks = duration * rate / long_horizon::kLook;
+  total.looks = duration * rate / long_horizon::look_angle(total.averages);
   return total;
 }
 

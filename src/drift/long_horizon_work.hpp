@@ -29,8 +29,9 @@ constexpr double kNodeDrift = 4e-3;  ///< drift sought at the largest of the fou
 constexpr double kGoldenPart = 0.6180339887498949;
 /// The tolerance of the walks at amplified rates.
 inline double node_tolerance(double tolerance) { return kNodeDrift * std::max(tolerance, 1e-11); }
-/// The largest angle by which both frames together turn between two looks (rad).
-constexpr double kLook = 1.5;
+/// The largest angle by which both frames together may turn between two looks (rad). The limit to a frame's rate is at least
+/// twice the rate of a fast top's precession, which is what steps over many nutations follow.
+constexpr double look_angle(bool averages) { return averages ? 3 : 1.5; }
 /// The largest rate, in those of the Earth, at which a top that is averaged over its nutation may be integrated to find a small
 /// drift. The averaging error goes with the square of the rate; there it must not exceed the error of a difference.
 double largest_node(const TiltedTop<double>& top, double duration);

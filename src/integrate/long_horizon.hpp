@@ -100,7 +100,8 @@ class LongHorizonWalk {
     T position = T(0), looked = T(0), target = T(0);
     const auto move = [&]() {
       if (target == position) return;
-      const typename TiltedTop<T>::Flow flow(top_, x_);
+      const bool brief = plan_.averages && real::abs(target - position) <= plan_.period;
+      const typename TiltedTop<T>::Flow flow(top_, x_, brief ? ClosedFormSpan::few_periods : ClosedFormSpan::any);
       ++counters_.evaluations;
       if (longest_time_between_looks > T(0))
         for (; looked + longest_time_between_looks < target; looked += longest_time_between_looks)
@@ -158,12 +159,12 @@ class LongHorizonWalk {
     T position = T(0);
     for (const int i : {-3, -2, -1, 1, 2, 3}) {
       const T target = plan_.period * T(i) / T(8);
-      top_.flow(target - position, x);
+      top_.flow_briefly(target - position, x);
       const T weight = plan_.ripple_weight[std::abs(i) - 1];
       top_.kick(sign * (i < 0 ? -weight : weight), x);
       position = target;
     }
-    top_.flow(-position, x);
+    top_.flow_briefly(-position, x);
     counters_.evaluations += kRippleFlows;
   }
 

@@ -78,10 +78,10 @@ T TiltedTop<T>::precession_rate() const {
 }
 
 template <class T>
-TiltedTop<T>::Flow::Flow(const TiltedTop& top, const TiltedTopState<T>& from)
+TiltedTop<T>::Flow::Flow(const TiltedTop& top, const TiltedTopState<T>& from, ClosedFormSpan span)
     : top_(top),
       from_(from),
-      closed_form_(top.effective_, from.q_GF, Vec3<T>(from.across.re, from.across.im, top.effective_spin_)),
+      closed_form_(top.effective_, from.q_GF, Vec3<T>(from.across.re, from.across.im, top.effective_spin_), span),
       momentum_(top.momentum(from)) {}
 
 template <class T>

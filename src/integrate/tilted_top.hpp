@@ -58,7 +58,7 @@ class TiltedTop {
   /// The large flow, exact, forward or backward in time.
   class Flow {
    public:
-    Flow(const TiltedTop& top, const TiltedTopState<T>& from);
+    Flow(const TiltedTop& top, const TiltedTopState<T>& from, ClosedFormSpan span = ClosedFormSpan::any);
     /// The state after the time t. Of the quaternions q and -q it takes the one closer to the start's, which is the continuous
     /// one if the frame has turned by less than half a turn.
     TiltedTopState<T> at(T t) const;
@@ -69,8 +69,9 @@ class TiltedTop {
     LagrangeTop<T> closed_form_;
     Vec3<T> momentum_;
   };
-  void flow(T t, TiltedTopState<T>& x) const {
-    if (t != T(0)) x = Flow(*this, x).at(t);
+  /// Moves a state by at most a few periods of the nutation.
+  void flow_briefly(T t, TiltedTopState<T>& x) const {
+    if (t != T(0)) x = Flow(*this, x, ClosedFormSpan::few_periods).at(t);
   }
   /// The kick: the effect of the perturbation in the time b while n is held.
   void kick(T b, TiltedTopState<T>& x) const;
