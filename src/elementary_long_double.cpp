@@ -43,9 +43,9 @@ long double exp(long double x) noexcept {
   const long double r = (x - multiple * table.part_high) - multiple * table.part_low;  // at most ln 2 / 64 = 0.011
   // e^r - 1; the first term left out is r^9 / 9!, below 2^-77.
   const long double rest =
-      r + r * r *
-              (1.0L / 2 +
-               r * (1.0L / 6 + r * (1.0L / 24 + r * (1.0L / 120 + r * (1.0L / 720 + r * (1.0L / 5040 + r / 40320))))));
+      r +
+      r * r *
+          (1.0L / 2 + r * (1.0L / 6 + r * (1.0L / 24 + r * (1.0L / 120 + r * (1.0L / 720 + r * (1.0L / 5040 + r / 40320))))));
   const int n = static_cast<int>(multiple);
   const auto j = static_cast<std::size_t>(n & (kParts - 1));
   return std::scalbn(table.high[j] + (table.low[j] + table.high[j] * rest), (n - static_cast<int>(j)) / kParts);

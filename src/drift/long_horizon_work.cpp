@@ -26,10 +26,10 @@ double expected_drift(const DriftProblem<double>& problem, const TiltedTop<doubl
 
 namespace long_horizon {
 
-double largest_node(const TiltedTop<double>& top, double duration) {
+double largest_node(const TiltedTop<double>& top, double duration, Averaging averaging) {
   constexpr double kDifferenceError = 1e-12;  // of a difference of attitudes (rad)
-  const double averaging = averaging_error(top, duration);
-  return averaging > 0 ? real::sqrt(kDifferenceError / averaging) : std::numeric_limits<double>::infinity();
+  const double error = averaging_error(top, duration, averaging);
+  return error > 0 ? real::sqrt(kDifferenceError / error) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace long_horizon
@@ -51,6 +51,7 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
                              Vec3<double>(epsilon * model.W_IL_L_scaled));
   };
   const bool is_second = options.observer != Observer::laboratory;
+  Averaging averaging = Averaging::none;
   const auto add = [&](const TiltedTop<double>& top, double tolerance, int walks) {
     LongHorizonWork work;
     if (options.step_s) {
@@ -64,13 +65,14 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
     const bool searches = !options.step_s && !is_second;
     total.work.steps += walks * work.steps + (searches ? work.search_steps : 0);
     total.work.evaluations += walks * work.evaluations + (searches ? work.search_evaluations : 0);
-    total.averages = work.averages;
+    averaging = work.averaging;
   };
   const TiltedTop<double> top = top_at(model.epsilon);
   add(top, options.relative_tolerance, 1);
+  total.averages = averaging != Averaging::none;
   // A drift too small for a plain difference takes walks at four larger rates, unless averaging errs more there.
   double largest_node = std::numeric_limits<double>::infinity();
-  if (total.averages) largest_node = long_horizon::largest_node(top, duration);
+  if (total.averages) largest_node = long_horizon::largest_node(top, duration, averaging);
   if (largest_node >= 2 && expected_drift(problem, top, duration) < long_horizon::kSmall) {
     const double node = std::min(largest_node * model.epsilon, long_horizon::kNodeDrift / duration / norm(model.W_IL_L_scaled));
     add(top_at(node), long_horizon::node_tolerance(options.relative_tolerance), 4);

@@ -11,9 +11,9 @@
 namespace earthtop {
 
 struct LongHorizonDriftWork {
-  Work work;               ///< evaluations are set-ups of the closed form
-  double looks = 0;        ///< how often the motion is evaluated between the rows, to count turns of its angles
-  bool averages = false;   ///< whether the steps average over the nutation
+  Work work;              ///< evaluations are set-ups of the closed form
+  double looks = 0;       ///< how often the motion is evaluated between the rows, to count turns of its angles
+  bool averages = false;  ///< whether the steps average over the nutation
 };
 
 /// @param problem  of a top symmetric about body axis 3
@@ -34,7 +34,7 @@ inline double node_tolerance(double tolerance) { return kNodeDrift * std::max(to
 constexpr double look_angle(bool averages) { return averages ? 3 : 1.5; }
 /// The largest rate, in those of the Earth, at which a top that is averaged over its nutation may be integrated to find a small
 /// drift. The averaging error goes with the square of the rate; there it must not exceed the error of a difference.
-double largest_node(const TiltedTop<double>& top, double duration);
+double largest_node(const TiltedTop<double>& top, double duration, Averaging averaging);
 
 }  // namespace long_horizon
 }  // namespace earthtop

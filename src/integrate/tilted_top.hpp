@@ -15,6 +15,10 @@
 /// nutation. For a top that spins fast it is some 1e-7 of the gravity torque. With n held, the perturbation alone has an exact
 /// flow too: a turn of M about n (the kick). To make delta small, w is chosen as the mean of W.n over the precession.
 ///
+/// M along G determines the tilt, and so the rate of precession. The rounding of many thousand flows would change the tilt by as
+/// many eps, of mostly one sign, and the phase of the precession with the square of their number. So this component is kept
+/// apart, and the tilt is brought back to it after each flow.
+///
 /// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it.
 /// The body is F turned about n by w3 t less the integral of W.n. The large flow gives that integral, except for the part of n
 /// along G, from the change of M: the integral of the part of n across G is -G x (change of M) / G^2.
@@ -32,6 +36,7 @@ struct TiltedTopState {
   Quaternion<T> q_GF;               ///< attitude of F relative to axes whose third one is along G
   Complex<T> across;                ///< rate w1 + i w2 at which n turns, in F
   T turn = T(0), turn_rest = T(0);  ///< minus the integral of W.n (rad), as the sum of two numbers
+  T M_G = T(0), M_G_rest = T(0);    ///< M along G, as the sum of two numbers; the large flow keeps it
 };
 
 template <class T>
@@ -87,7 +92,9 @@ class TiltedTop {
 
  private:
   Vec3<T> momentum(const TiltedTopState<T>& x) const;
-  static void add_turn(T angle, TiltedTopState<T>& x);
+  T momentum_along_G(const Mat3<T>& R_GF, const Complex<T>& across) const;
+  static void add(T change, T& sum, T& rest);
+  void keep_momentum_along_G(TiltedTopState<T>& x) const;
 
   TiltedTopState<T> start_;
   Quaternion<T> q_LG_;

@@ -32,7 +32,7 @@ double slowness(Precision precision) {
 /// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
-  if (options.method == Method::long_horizon) return 2e-6;
+  if (options.method == Method::long_horizon) return 1.1e-6;
   constexpr double kReduced = 1.2e-7;
   const bool reduced = scene.form(options) == ModelForm::reduced && !scene.scenario().effects.applied.any();
   return slowness(scene.scenario().precision) * (reduced ? kReduced : general_evaluation_seconds(scene));
