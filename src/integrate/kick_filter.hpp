@@ -130,17 +130,21 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
     }
     return c;
   };
+  std::array<long double, kParts> sine{};  // of the nutation's phase over so many intervals
+  for (std::size_t i = 0; i < kParts; ++i) sine[i] = real::sin(n * apart * static_cast<long double>(i));
   const auto secular = [&](const std::array<long double, kParts>& c) {
     long double sum = 0;
     for (std::size_t i = 0; i < kParts; ++i)
-      for (std::size_t j = 0; j < i; ++j) sum += c[i] * c[j] * real::sin(n * apart * (offset(i) - offset(j)));
+      for (std::size_t j = 0; j < i; ++j) sum += c[i] * c[j] * sine[i - j];
     return sum;
   };
   const auto resonant = [&](const std::array<long double, kParts>& c) {
     long double sum = 0;
     for (std::size_t i = 0; i < kParts; ++i)
-      for (std::size_t j = 0; j < kParts; ++j)
-        sum += (j < i ? 1 : j > i ? -1 : 0) * c[i] * c[j] * real::sin(n * apart * offset(i));
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto phase_sine = [&](std::size_t part) { return part < kHalf ? -sine[kHalf - part] : sine[part - kHalf]; };
+        sum += c[i] * c[j] * (phase_sine(i) - phase_sine(j));
+      }
     return sum;
   };
   const long double at_0 = resonant(weights(0)), at_1 = resonant(weights(1)), at_minus_1 = resonant(weights(-1));
