@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exponential function of long double, in plain arithmetic.
+#include "earthtop/real.hpp"
+
 #include <array>
 #include <limits>
-
-#include "earthtop/real.hpp"
 
 namespace earthtop::real {
 namespace {
