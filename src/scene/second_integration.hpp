@@ -31,10 +31,9 @@ namespace earthtop {
 ///
 /// With dry friction both integrations use body axes, in which a motion at rest can be held.
 ///
-/// Where long_horizon is worthwhile, no method that follows the nutation is affordable as a check. There long_horizon checks
-/// itself, with steps that are shorter than the first ones and incommensurate with them (the observer selects them), so that
-/// they excite a different nutation; finding the steps by trial again would give the first steps. Where a run has few
-/// nutations, `extrapolation` is the check.
+/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself.
+/// Elsewhere it checks itself, with steps that are shorter than the first ones and incommensurate with them (the observer
+/// selects them), so that they excite a different nutation; finding the steps by trial again would give the first steps.
 /// @param first  the options of the run's first integration
 IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first);
 
