@@ -36,7 +36,7 @@ struct ReducedDriftShape {
 /// @tparam O  laboratory, or inertial, in whose axes gravity turns
 template <class T, Observer O>
 class ReducedDriftSystem
-    : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedDriftSeries<T>>, WithoutSeries> {
+    : public WithSeries<ReducedDriftSeries<T, O>> {
  public:
   static_assert(O != Observer::body);
   using Shape = ReducedDriftShape;
@@ -82,7 +82,7 @@ class ReducedDriftSystem
     store(dV, dxdt, 13);
   }
 
-  ReducedDriftSeries<T> series() const { return {model_, top_, constants_}; }
+  ReducedDriftSeries<T, O> series() const { return {model_, top_, constants_}; }
   const ReducedTop<T>& top() const { return top_; }
   const ReducedDriftConstants<T>& constants() const { return constants_; }
 

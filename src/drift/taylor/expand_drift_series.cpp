@@ -5,7 +5,10 @@
 
 namespace earthtop {
 
-void expand_series(ReducedDriftSeries<double>& series, std::array<double, 16>* x, int order) {
+void expand_series(ReducedDriftSeries<double, Observer::laboratory>& series, std::array<double, 16>* x, int order) {
+  taylor::expand_for_processor(series, x, order);
+}
+void expand_series(ReducedDriftSeries<double, Observer::inertial>& series, std::array<double, 16>* x, int order) {
   taylor::expand_for_processor(series, x, order);
 }
 

@@ -8,10 +8,11 @@
 namespace earthtop {
 
 /// Finds the coefficients of the orders 1 to `order`. @param x  the coefficients, with that of order 0
-template <class T>
-EARTHTOP_INLINE_ALL void expand_series(ReducedDriftSeries<T>& series, std::array<T, 16>* x, int order) {
+template <class T, Observer O>
+EARTHTOP_INLINE_ALL void expand_series(ReducedDriftSeries<T, O>& series, std::array<T, 16>* x, int order) {
   series.template expand_here<4>(x, order);
 }
-void expand_series(ReducedDriftSeries<double>& series, std::array<double, 16>* x, int order);
+void expand_series(ReducedDriftSeries<double, Observer::laboratory>& series, std::array<double, 16>* x, int order);
+void expand_series(ReducedDriftSeries<double, Observer::inertial>& series, std::array<double, 16>* x, int order);
 
 }  // namespace earthtop

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The Taylor series of a symmetric top's reference and deviation without its spin (reduced_drift_system.hpp), in laboratory
-/// axes. The equations are quadratic except for the turn of the deviation, whose coefficients are found first.
+/// The Taylor series of a symmetric top's reference and deviation without its spin (reduced_drift_system.hpp), in laboratory or
+/// in inertial axes. The equations are quadratic except for the turn of the deviation, whose coefficients are found first. In
+/// inertial axes gravity turns with the Earth; its coefficients follow from dG/dt = W x G.
 #pragma once
 
 #include "drift/deviation_state.hpp"
+#include "earthtop/integrate/options.hpp"
+#include "earthtop/model/equations.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/state_vectors.hpp"
 #include "integrate/taylor/packed_products.hpp"
@@ -24,20 +27,23 @@ struct ReducedDriftConstants {
 };
 
 /// The series of the state n, u, a, w, y, V.
-template <class T>
+/// @tparam O  laboratory or inertial
+template <class T, Observer O>
 class ReducedDriftSeries {
  public:
   using State = std::array<T, 16>;
 
   ReducedDriftSeries(const Model<T>& model, const ReducedTop<T>& top, const ReducedDriftConstants<T>& constants)
-      : top_(top),
+      : model_(model),
+        top_(top),
         constants_(constants),
         epsilon_(model.epsilon),
         W_{model.W_IL_L_scaled[0], model.W_IL_L_scaled[1], model.W_IL_L_scaled[2], T(0)},
         g_{model.apparent_gravity_L[0], model.apparent_gravity_L[1], model.apparent_gravity_L[2], T(0)} {}
 
   /// Notes |n|, u.n and the norm of the deviation, which are constant along the exact motion.
-  void start(const State& x) {
+  void start(const State& x, T t) {
+    if constexpr (O == Observer::inertial) turn_gravity(t);
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), y = load_vector(x, 10);
     moment_ = moment_factor(top_, n);
     u_along_n_ = u.dot(n);
@@ -99,9 +105,23 @@ class ReducedDriftSeries {
     first_.template complete<kPlace, 4>(k, kTurn + 8, mixed);
     std::array<Four, 3> M;
     turn_matrix(wy * turn_scale_, yy * (turn_scale_ * epsilon_), mixed * (turn_scale_ * epsilon_), M);
-    Four d = (x.V + x.n * constants_.k) - (M[0] * W_[0] + M[1] * W_[1] + M[2] * W_[2]) * epsilon_;
-    if constexpr (kPlace == taylor::Place::first) d = d - W_;
-    const Moved turned_gravity(M[0] * g_[0] + M[1] * g_[1] + M[2] * g_[2]), d_moved(d);
+    Four d = x.V + x.n * constants_.k, change = M[0] * g_[0] + M[1] * g_[1] + M[2] * g_[2];
+    if constexpr (O == Observer::laboratory) {
+      d = d - (M[0] * W_[0] + M[1] * W_[1] + M[2] * W_[2]) * epsilon_;
+      if constexpr (kPlace == taylor::Place::first) d = d - W_;
+    } else {
+      // The rotating top's gravity less the reference's: turned back by the deviation, and turned by the Earth, or both.
+      const Four& c = gravity_change_[static_cast<std::size_t>(k)];
+      std::array<Four, 3> both;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const T ci = c[static_cast<int>(i)];
+        turned_.template put<kPlace, 4>(k, 4 * static_cast<int>(i), M[i], Four{ci, ci, ci, T(0)}, both[i]);
+      }
+      turned_.template convolve<kPlace, kWidth>(k);
+      for (std::size_t i = 0; i < 3; ++i) turned_.template complete<kPlace, 4>(k, 4 * static_cast<int>(i), both[i]);
+      change = (change + c) + (both[0] + both[1] + both[2]) * epsilon_;
+    }
+    const Moved turned_gravity(change), d_moved(d);
     Four scaled, dots;
     Cross vector, torque;
     second_.template put<kPlace, 4>(k, kScalar, w, d, scaled);
@@ -129,6 +149,18 @@ class ReducedDriftSeries {
     x.V = x.V + v * constants_.cross_factor;
     complete_cross<kPlace>(second_, k, kTorque, torque, v);
     x.V = (x.V + v * moment_) * factor;
+  }
+
+  /// The coefficients of (R_NL(t) - 1) g / epsilon, the change of gravity by the Earth's turn since the release.
+  void turn_gravity(T t) {
+    const Vec3<T>&g = model_.apparent_gravity_L, &W = model_.W_IL_L_scaled;
+    const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
+    Vec3<T> change = turn_minus_one_scaled(turn.w, turn.v_scaled, epsilon_, g), gravity = g + epsilon_ * change;
+    for (std::size_t k = 0; k < gravity_change_.size(); ++k) {
+      gravity_change_[k] = Four{change[0], change[1], change[2], T(0)};
+      change = W.cross(gravity) / T(k + 1);
+      gravity = epsilon_ * change;
+    }
   }
 
   template <taylor::Place kPlace, class Products>
@@ -167,12 +199,16 @@ class ReducedDriftSeries {
 
   static constexpr int kAxis = 0, kFrame = 8, kRates = 16, kAcross = 24, kTurn = 32;
   static constexpr int kScalar = 0, kDot = 4, kVector = 8, kTorque = 16;
+  const Model<T>& model_;
   ReducedTop<T> top_;
   ReducedDriftConstants<T> constants_;
   T epsilon_, moment_ = T(0), u_along_n_ = T(0), turn_scale_ = T(2);
   Four W_, g_;
   taylor::PackedProducts<T, 44> first_;
   taylor::PackedProducts<T, 24> second_;
+  // Only in inertial axes:
+  taylor::PackedProducts<T, 12> turned_;
+  std::array<Four, taylor::kMostOrder<T>> gravity_change_{};
 };
 
 }  // namespace earthtop
