@@ -11,10 +11,10 @@
 
 namespace earthtop {
 
-/// A system whose equations are written out only in another system, `flow()`, with states that `flow_state` converts to.
+/// A system whose equations are written out only in another system, `flow()`, with states that `flow_state(x, t)` converts to.
 template <class System>
 concept HasFlow = requires(const System& system, typename System::State x) {
-  system.flow(), system.flow_state(x);
+  system.flow(), system.flow_state(x, x[0]);
 };
 /// A system with equations of its own.
 template <class System>
@@ -55,7 +55,7 @@ class StepWatcher {
     half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
     if (phases.azimuth_defined) azimuth_.follow(phases.azimuth_sine, phases.azimuth_cosine);
     if constexpr (!std::is_same_v<Search, NoSearch>)
-      if (search_) search_->follow(flow(system_), t, flow_state(x));
+      if (search_) search_->follow(flow(system_), t, flow_state(x, t));
   }
 
   /// The sample for a state. @param t  its time in natural units   @param t_s  the same time as given by the scenario (s)
@@ -84,9 +84,9 @@ class StepWatcher {
     else
       return (system);
   }
-  decltype(auto) flow_state(const typename System::State& x) const {
+  decltype(auto) flow_state(const typename System::State& x, [[maybe_unused]] T t) const {
     if constexpr (HasFlow<System>)
-      return system_.flow_state(x);
+      return system_.flow_state(x, t);
     else
       return (x);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/integrate/motion_lanes.hpp"
 
+#include <cmath>
 #include <tuple>
 
 #include "integrate/lanes/choose_kernel.hpp"
@@ -32,6 +33,8 @@ class MotionPoint {
   System& system() { return system_; }
   const std::vector<double>& times() const { return times_; }
   const DriveOptions<double>& drive() const { return drive_; }
+  double longest_step() const { return HUGE_VAL; }
+  bool watches_every_step() const { return true; }
   void constants(lanes::Row* rows, std::size_t lane) const {
     const auto put = [&](int row, double value) { rows[row].lane[lane] = value; };
     using Constants = lanes::MotionConstants;
