@@ -2,9 +2,9 @@
 /// The series of a symmetric top's reference q and deviation delta (spherical_top_drift.hpp), for points side by side:
 ///
 ///   q''     = (Gamma z - c) q + Gamma k q k / 2 - mu q' k
-///   delta'' = (Gamma z - c) delta + (Gamma zeta - j - tau / 2) Q + Gamma k delta k / 2 - mu delta' k + E ,  Q = q + epsilon delta
+///   delta'' = (Gamma z - c) delta + phi Q + Gamma k delta k / 2 - mu delta' k + E ,  Q = q + epsilon delta
 ///
-/// with z = 1 - 2 |beta|^2 and zeta = -2 beta_delta.(beta + beta_Q) + n_Q.h, where beta is the pair of the components 1 and 2
+/// with phi = Gamma zeta - j - tau / 2, z = 1 - 2 |beta|^2 and zeta = -2 beta_delta.(beta + beta_Q) + n_Q.h, where beta is the pair of the components 1 and 2
 /// of a quaternion, and n_Q is the axis of Q. In laboratory axes h = 0,
 ///
 ///   E = -w (Q' + mu Q k / 2) ,  tau = w.lambda ,  tau' = -2 Gamma (Q3 (wx Q2 - wy Q1) - Q0 (wx Q1 + wy Q2))
@@ -53,10 +53,10 @@ class DriftSeries {
 
  private:
   static constexpr int kQ = 0, kDelta = 4, kH = 8;
-  // Further series: Q; beta + beta_Q; f = Gamma z and phi, the factors of q and Q. In laboratory axes: wx Q2 - wy Q1 and
-  // wx Q1 + wy Q2. In inertial axes: n_Q; and h'.
+  // Further series: Q; beta + beta_Q; the factors f = Gamma z of q, phi, and f + epsilon phi, with which phi Q + f delta is
+  // phi q + (f + epsilon phi) delta. In laboratory axes: wx Q2 - wy Q1 and wx Q1 + wy Q2. In inertial axes: n_Q; and h'.
   static constexpr int kRotating = kInertial ? kH + 3 : kH, kBetas = kRotating + 4, kF = kBetas + 2, kPhi = kF + 1;
-  static constexpr int kAcross = kPhi + 1, kN = kPhi + 1, kHRate = kN + 3;
+  static constexpr int kWhole = kPhi + 1, kAcross = kWhole + 1, kN = kWhole + 1, kHRate = kN + 3;
 
  public:
   static constexpr int kStored = kInertial ? kHRate + 3 : kAcross + 2;
@@ -100,14 +100,14 @@ class DriftSeries {
     }
     Pack phi = gravity_ * zeta - spread(0.5) * tau_;
     if (k == 0) z += spread(1.0), phi -= j_;
-    c.put(k, kF, gravity_ * z);
-    c.put(k, kPhi, phi);
+    const Pack f = gravity_ * z;
+    c.put(k, kF, f), c.put(k, kPhi, phi), c.put(k, kWhole, f + epsilon_ * phi);
     tau_ = tau_rate * spread(1.0 / (k + 1));
 
     const Forces forces = find_forces(c, k);
     const Pack half = spread(0.5) * gravity_, factor = spread(1.0 / ((k + 1.0) * (k + 2.0))), order = spread(k + 1.0);
     put(c, k + 2, kQ, factor, sum(forces.of_q, linear(c, k, kQ, half)));
-    const Four of_delta = sum(sum(forces.of_delta, forces.of_rotating), linear(c, k, kDelta, half));
+    const Four of_delta = sum(forces.of_delta, linear(c, k, kDelta, half));
     Four of_earth;
     if constexpr (kInertial) {
       of_earth = scaled(half, times_k(vertical_turned(c, k)));
@@ -168,10 +168,9 @@ class DriftSeries {
     Pack n_x, n_y;  ///< inertial axes: of n_Q
   };
   EARTHTOP_LANE_INLINE static Heights find_heights(const C& c, int k) {
-    Pack z1{}, z2{}, zeta1{}, zeta2{}, a{}, b{}, d{}, e{};
+    Pack zeta1{}, zeta2{}, a{}, b{}, d{}, e{};
     const Pack *up = c.at(0), *down = c.at(k);
     for (int j = 0; j <= k; ++j, up += kStored, down -= kStored) {
-      z1 += up[kQ + 1] * down[kQ + 1], z2 += up[kQ + 2] * down[kQ + 2];
       zeta1 += up[kDelta + 1] * down[kBetas], zeta2 += up[kDelta + 2] * down[kBetas + 1];
       const Pack w = up[kRotating], z = up[kRotating + 3];
       if constexpr (kInertial) {
@@ -181,25 +180,36 @@ class DriftSeries {
         a += z * down[kAcross], b += w * down[kAcross + 1];
       }
     }
-    if constexpr (kInertial) return {z1 + z2, zeta1 + zeta2, Pack{}, a + b, d - e};
-    return {z1 + z2, zeta1 + zeta2, a - b, Pack{}, Pack{}};
+    const Pack z = square(c, k), zeta = zeta1 + zeta2;
+    if constexpr (kInertial) return {z, zeta, Pack{}, a + b, d - e};
+    return {z, zeta, a - b, Pack{}, Pack{}};
+  }
+  /// |beta|^2, whose products come in pairs.
+  EARTHTOP_LANE_INLINE static Pack square(const C& c, int k) {
+    Pack sum1{}, sum2{};
+    const Pack *up = c.at(0) + kQ, *down = c.at(k) + kQ;
+    for (int j = 0; 2 * j < k; ++j, up += kStored, down -= kStored) sum1 += up[1] * down[1], sum2 += up[2] * down[2];
+    const Pack twice = spread(2.0) * (sum1 + sum2);
+    return k % 2 == 0 ? twice + (up[1] * up[1] + up[2] * up[2]) : twice;
   }
 
   struct Forces {
-    Four of_q, of_delta, of_rotating;
+    Four of_q, of_delta;
   };
-  /// f q, f delta and phi Q.
+  /// f q, and phi q + (f + epsilon phi) delta.
   EARTHTOP_LANE_INLINE static Forces find_forces(const C& c, int k) {
     Forces s{};
+    Four phi_q{};
     const Pack *up = c.at(0), *down = c.at(k);
     for (int j = 0; j <= k; ++j, up += kStored, down -= kStored) {
-      const Pack f = up[kF], phi = up[kPhi];
-      s.of_q.w += f * down[kQ], s.of_q.x += f * down[kQ + 1], s.of_q.y += f * down[kQ + 2], s.of_q.z += f * down[kQ + 3];
-      s.of_delta.w += f * down[kDelta], s.of_delta.x += f * down[kDelta + 1];
-      s.of_delta.y += f * down[kDelta + 2], s.of_delta.z += f * down[kDelta + 3];
-      s.of_rotating.w += phi * down[kRotating], s.of_rotating.x += phi * down[kRotating + 1];
-      s.of_rotating.y += phi * down[kRotating + 2], s.of_rotating.z += phi * down[kRotating + 3];
+      const Pack f = up[kF], phi = up[kPhi], whole = up[kWhole];
+      const Four q = four_at(down + kQ);
+      s.of_q.w += f * q.w, s.of_q.x += f * q.x, s.of_q.y += f * q.y, s.of_q.z += f * q.z;
+      phi_q.w += phi * q.w, phi_q.x += phi * q.x, phi_q.y += phi * q.y, phi_q.z += phi * q.z;
+      s.of_delta.w += whole * down[kDelta], s.of_delta.x += whole * down[kDelta + 1];
+      s.of_delta.y += whole * down[kDelta + 2], s.of_delta.z += whole * down[kDelta + 3];
     }
+    s.of_delta = sum(s.of_delta, phi_q);
     return s;
   }
 

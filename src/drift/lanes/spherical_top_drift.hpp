@@ -22,9 +22,10 @@
 /// The deviation is delta = (Q - q) / epsilon, whose equation is the difference of the two, formed by hand: no large terms
 /// cancel. The state is q, delta, their time derivatives, and in inertial axes h.
 ///
-/// q goes round at the rate b/2. Where the axis hardly nutates, it is better to follow it in a frame that turns back: q and Q are
-/// replaced by q e^(k mu t / 2) and Q e^(k mu t / 2), with mu = b, otherwise 0. Then q'' has the further term -mu q' k, W Q' becomes
-/// W (Q' + mu Q k / 2), and c is less by mu^2/4.
+/// q goes round at the rate b/2, and with the nutation at up to 3 b/2 or more. The steps are longest in a frame that turns back
+/// at about the rate of half of b; and where the axis hardly nutates, at b. So q and Q are replaced by q e^(k mu t / 2) and
+/// Q e^(k mu t / 2), with mu between 0 and b. Then q'' has the further term -mu q' k, W Q' becomes W (Q' + mu Q k / 2), and c is
+/// less by mu^2/4.
 ///
 /// The body differs from that frame by turns about its axis that are exact: by psi = (w3 - b + mu) t, and on the rotating Earth
 /// by psi + 2 theta, theta = epsilon (1 - r) k_3 t / 2 with k_3 = (w3_rot - w3_ref) / epsilon.
@@ -66,11 +67,11 @@ class SphericalTopDrift {
     const Vec3<double> n = load_vector(at_release, 0), u = load_vector(at_release, 3), V = load_vector(at_release, 13);
 
     const double nutation = (norm(u) + std::abs(gravity_ / b.value) * real::hypot(n[0], n[1])) / std::abs(b.value);
-    constexpr double kLeastNutation = 0x1p-23;  // from here on the nutation of a series of order 23 is shorter than b/2
-    if (nutation < kLeastNutation) mu_ = b.value;
-    // A relative error of c would become the same relative error of q's phase: what rounding leaves out of b^2/4 is kept.
-    const double square = mu_ == 0 ? b.value * b.value / 4 : 0;
-    const double square_rest = mu_ == 0 ? real::fma(b.value / 2, b.value / 2, -square) : 0;
+    const double share = nutation < kLeastNutation ? 1 : nutation < kMostNutation ? 0.5 : 0;  // mu / b
+    mu_ = share * b.value;
+    // A relative error of c would become the same relative error of q's phase: what rounding leaves out of c is kept.
+    const double of_square = (1 - share * share) / 4, b_square = b.value * b.value, square = of_square * b_square;
+    const double square_rest = real::fma(of_square, b_square, -square) + of_square * real::fma(b.value, b.value, -b_square);
     const double energy = (u.dot(u) / 2 + gravity_ * n[2]) / 2;
     c_ = square + energy;
     const double of_energy = c_ - square;
@@ -89,14 +90,15 @@ class SphericalTopDrift {
     store(half_of(Vec3<double>(u + (b.value - mu_) * n), q), 8);
     store(half_of(deviation, q), 12);
     deviation_size_ = norm(deviation) + norm(w);
-    // No series of any tolerance is good for a phase of 16 rad, and 1e3 units of time are long for every motion.
-    longest_ = std::min(16 / std::sqrt(std::max(b.value * b.value / 4 + energy + std::abs(gravity_), 0.0)), 1e3);
+    // No series of any order and tolerance is good for a phase of 6 rad, and 1e3 units of time are long for every motion.
+    longest_ = std::min(6 / std::sqrt(std::max(b_square / 4 + energy + std::abs(gravity_), 0.0)), 1e3);
     const double turn = model_.epsilon * norm(w) * longest_;
+    last_term_ = 1;
     for (double term = 1; last_term_ < lanes::kMostOrder && term > kNegligible; term *= turn / ++last_term_) {
     }
-    spin_ = mu_ == 0 ? w3_ - b.value : w3_;
-    const double of_b = spin_ - w3_;
-    spin_rest_ = (mu_ == 0 ? (w3_ - (spin_ - of_b)) - (b.value + of_b) : 0) - b.rest;
+    spin_ = w3_ - (b.value - mu_);
+    const double less = b.value - mu_, of_less = spin_ - w3_;
+    spin_rest_ = (w3_ - (spin_ - of_less)) - (less + of_less) - b.rest;
   }
 
   State initial_state() const { return release_; }
@@ -179,7 +181,11 @@ class SphericalTopDrift {
   }
 
  private:
-  static constexpr double kNegligible = 1e-22;
+  /// Sizes of the nutation (rad) at which the frame's spin changes: its smallest share in a series of high order, and where the
+  /// motion has no rate b of its own.
+  static constexpr double kLeastNutation = 0x1p-23, kMostNutation = 0.1;
+  /// The smallest share of a term of h in the whole.
+  static constexpr double kNegligible = 1e-17;
 
   static Quaternion<double> load(const State& x, std::size_t at) { return {x[at], load_vector(x, at + 1)}; }
   void store(const Quaternion<double>& q, std::size_t at) {
