@@ -145,14 +145,17 @@ class DriftPoint {
     if constexpr (requires { system_.longest(); }) return system_.longest();
     return HUGE_VAL;
   }
-  /// Whether every step has to be seen, however short: a search for a threshold does not bridge steps.
-  bool watches_every_step() const { return problem_.threshold_rad || drive_.largest_step > 0; }
+  /// A search for a threshold does not bridge steps. Distances need no angles that are followed.
+  double longest_unseen_turn() const {
+    if (problem_.threshold_rad || drive_.largest_step > 0) return 0;
+    return problem_.sought == DriftSought::rows ? 1 : HUGE_VAL;
+  }
   void constants(lanes::Row* rows, std::size_t lane) const {
     system_.constants([&](int row, double value) { rows[row].lane[lane] = value; });
   }
   void on_step(double t, const State& x) { watcher_(t, x); }
   void on_row(std::size_t row, const State& x) {
-    trajectory_.samples.push_back(watcher_.sample(x, times_[row], problem_.times_s[row]));
+    trajectory_.samples.push_back(watcher_.seen_sample(x, times_[row], problem_.times_s[row]));
     if (row == 0) set_release_rates(problem_, trajectory_.samples.front().state);
   }
   void finish(RunStatus status, const StepCounters& counters) {

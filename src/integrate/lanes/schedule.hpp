@@ -39,10 +39,10 @@ inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
 ///   kVariables                 number of the kernel's state variables; those that the system does not have begin at 0
 ///   system(), times(), drive() the system, the output times and the driver's options; in natural units
 ///   longest_step()             a limit to the steps, in natural units
-///   watches_every_step()       whether on_step has to see the end of every step; if not, it sees states less than a radian of
-///                              the motion's turn apart
+///   longest_unseen_turn()      how far the motion may turn between two states that on_step or on_row sees (rad); 0: they see
+///                              the end of every step
 ///   constants(rows, lane)      puts the constants of the equations into the lane's place
-///   on_step(t, x), on_row(row, x)    see the states, as in the driver
+///   on_step(t, x), on_row(row, x)    see the states between the rows, and those of the rows
 ///   finish(status, counters)   is called at the end
 template <class Point>
 class Lane {
@@ -64,7 +64,6 @@ class Lane {
     scales.include(x);
     if constexpr (requires { point_.system().typical_state(); }) scales.include(point_.system().typical_state());
     if (!all_finite(x)) return end(RunStatus::not_finite);
-    point_.on_step(point_.times().front(), x);
     point_.on_row(0, x);
     if (point_.times().size() == 1) return end(RunStatus::completed);
     for (std::size_t i = 0; i < static_cast<std::size_t>(Point::kVariables); ++i) {
@@ -102,7 +101,7 @@ class Lane {
       pieces_ = static_cast<int>(pieces_of_step(point_.drive(), step_, turned_));
       // The end may be passed if there is room for another step like this before the next look.
       unseen_ += turned_;
-      passes_end_ = !point_.watches_every_step() && unseen_ + turned_ < 1;
+      passes_end_ = unseen_ + turned_ < point_.longest_unseen_turn();
       if (!passes_end_) unseen_ = 0;
     }
     return true;
@@ -132,7 +131,6 @@ class Lane {
     State seen;
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = x[i].lane[lane_];
     if (looks_at_row_) {
-      point_.on_step(point_.times()[row_], seen);
       point_.on_row(row_, seen);
       ++row_;
       unseen_ = std::min(unseen_, turned_);
