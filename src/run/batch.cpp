@@ -39,15 +39,16 @@ LanePoint lane_point(std::size_t index, const Scene& scene) {
 }
 
 /// Returns the options of a lane's second integration: the equations in inertial axes, in which gravity rotates, by a series of
-/// another order, at a hundred times the first one's tolerance. The second integration's error is then far larger than that of
-/// the rows, and the distance is that error: a multiple of it contains the rows' error with room to spare, and it is the
-/// cheaper way round. At loose tolerances, where the bound itself would be too wide, the tolerance is a hundredth of the first.
+/// another order, at four times the first one's tolerance. The second integration's error is then larger than that of the rows
+/// as a rule, and the distance is about that error: a multiple of
+/// it contains the rows' error with room to spare, and it is the cheaper way round. At loose tolerances, where the bound itself
+/// would be too wide, the tolerance is a hundredth of the first.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
-  constexpr double kApart = 100, kLoose = 1e-8;
+  constexpr double kLooser = 4, kFiner = 1e-2, kLoose = 5e-10;
   IntegrationOptions second = first;
   second.observer = Observer::inertial;
   const double asked = first.relative_tolerance;
-  second.relative_tolerance = asked > kLoose ? asked / kApart : asked * kApart;
+  second.relative_tolerance = asked * (asked > kLoose ? kFiner : kLooser);
   return second;
 }
 

@@ -133,10 +133,10 @@ class ChunkSize {
     if (points > 0) seconds_a_point_ = seconds * workers_ / static_cast<double>(points);
   }
   std::size_t points(std::uint64_t left) const {
-    constexpr double kSeconds = 0.2, kLanes = 8, kMost = 512, kShares = 4;
+    constexpr double kSeconds = 0.2, kSlow = 0.25, kLanes = 8, kMost = 512, kShares = 4;
     const double in_time = kSeconds / std::max(seconds_a_point_, 1e-9);
     const double points = std::min(in_time, static_cast<double>(left) / (kShares * workers_));
-    if (in_time < kLanes) return static_cast<std::size_t>(std::max(points, 1.0));
+    if (seconds_a_point_ > kSlow) return static_cast<std::size_t>(std::max(points, 1.0));
     return static_cast<std::size_t>(std::clamp(std::floor(points / kLanes) * kLanes, kLanes, kMost));
   }
 

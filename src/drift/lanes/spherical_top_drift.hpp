@@ -57,6 +57,7 @@ class SphericalTopDrift {
   explicit SphericalTopDrift(const DriftProblem<double>& problem)
       : model_(problem.model),
         flow_(problem.model, problem.release, problem.units),
+        sought_(problem.sought),
         axis_(flow_.top().axis),
         w3_(problem.units.rate_from_rad_s(problem.release.w_XB_B)[axis_]),
         gravity_(-flow_.top().moment_ratio * model_.apparent_gravity_L[2]) {
@@ -156,12 +157,15 @@ class SphericalTopDrift {
     return y;
   }
 
+  /// The state in the variables that all observers share, with rates in natural units; without rates where only distances are
+  /// sought. The norms of the quaternions are 1 but for the rounding of the steps.
   DriftState<double> shared_state(const State& x, double t) const {
     const Now now(*this, x, t);
     const Quaternion<double> spin = steady_turn(2, spin_, t) * small_turn(spin_rest_ * t);
     const double epsilon = model_.epsilon;
     DriftState<double> s = deviation_at(now, spin, t);
-    s.q_LB = s.ref_q_LB * Quaternion<double>{s.e_w, epsilon * s.e_v_scaled}.normalized();
+    s.q_LB = s.ref_q_LB * Quaternion<double>{s.e_w, epsilon * s.e_v_scaled};
+    if (sought_ == DriftSought::distances) return s;
     s.ref_w_LB_B = rates_in_body(now.q, now.velocity, spin, w3_);
     const Quaternion<double> further = spin * Quaternion<double>{now.cosine, Vec3<double>(0, 0, now.sine)};
     s.w_LB_B = rates_in_body(rotating(now.q, now.delta), rotating(now.velocity, now.delta_velocity), further,
@@ -243,7 +247,8 @@ class SphericalTopDrift {
     const double whole = now.q.squared_norm() + epsilon * g.w;
     DriftState<double> s;
     s.epsilon = epsilon;
-    s.ref_q_LB = (now.q * spin * q_BF_.conjugate()).normalized();
+    s.ref_q_LB = now.q * spin;
+    if (axis_ != 2) s.ref_q_LB = s.ref_q_LB * q_BF_.conjugate();
     s.e_w = whole * now.cosine - epsilon * g.v[2] * now.sine;
     s.e_v_scaled = in_body(Vec3<double>(now.cosine * g.v[0] + now.sine * g.v[1], now.cosine * g.v[1] - now.sine * g.v[0],
                                         now.cosine * g.v[2] + whole * now.sine_scaled),
@@ -253,6 +258,7 @@ class SphericalTopDrift {
 
   const Model<double>& model_;
   Flow flow_;
+  DriftSought sought_;
   int axis_;
   double w3_, gravity_;
   Quaternion<double> q_BF_;  ///< F: body axes in another order, with the axis of symmetry last
