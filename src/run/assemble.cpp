@@ -186,7 +186,8 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     const DriftSample<T>& sample = made.first.samples[i];
     const DriftSample<T>& other = made.second.samples[i];
     add_row(make_row(sample, bound), result);
-    const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB}, {sample.state.ref_q_LB, other.state.ref_q_LB}};
+    const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
+                                             {sample.state.ref_q_LB, other.state.ref_q_LB}};
     // Where the method states no error, only an angle that may be the largest so far counts.
     const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
     if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
