@@ -91,15 +91,17 @@ class SphericalTopDrift {
     store(half_of(Vec3<double>(u + (b.value - mu_) * n), q), 8);
     store(half_of(deviation, q), 12);
     deviation_size_ = norm(deviation) + norm(w);
-    // No series of any order and tolerance is good for a phase of 6 rad, and 1e3 units of time are long for every motion.
-    longest_ = std::min(6 / std::sqrt(std::max(b_square / 4 + energy + std::abs(gravity_), 0.0)), 1e3);
+    // No series of any order and tolerance is good for a phase of 4 rad, and 1e3 units of time are long for every motion.
+    const double slower = b.value - mu_;
+    longest_ = std::min(4 / std::sqrt(std::max(slower * slower / 4 + energy + std::abs(gravity_), 0.0)), 1e3);
     const double turn = model_.epsilon * norm(w) * longest_;
-    last_term_ = 1;
-    for (double term = 1; last_term_ < lanes::kMostOrder && term > kNegligible; term *= turn / ++last_term_) {
-    }
-    spin_ = w3_ - (b.value - mu_);
-    const double less = b.value - mu_, of_less = spin_ - w3_;
-    spin_rest_ = (w3_ - (spin_ - of_less)) - (less + of_less) - b.rest;
+    // The share of the term of order n in h is turn^(n - 1) / n! at most.
+    for (double share_of_next = turn / 2; last_term_ < lanes::kMostOrder && share_of_next > kNegligible;
+         share_of_next *= turn / (last_term_ + 1))
+      ++last_term_;
+    spin_ = w3_ - slower;
+    const double of_less = spin_ - w3_;
+    spin_rest_ = (w3_ - (spin_ - of_less)) - (slower + of_less) - b.rest;
   }
 
   State initial_state() const { return release_; }
@@ -189,7 +191,7 @@ class SphericalTopDrift {
   /// motion has no rate b of its own.
   static constexpr double kLeastNutation = 0x1p-23, kMostNutation = 0.1;
   /// The smallest share of a term of h in the whole.
-  static constexpr double kNegligible = 1e-17;
+  static constexpr double kNegligible = 1e-16;
 
   static Quaternion<double> load(const State& x, std::size_t at) { return {x[at], load_vector(x, at + 1)}; }
   void store(const Quaternion<double>& q, std::size_t at) {
@@ -264,7 +266,7 @@ class SphericalTopDrift {
   Quaternion<double> q_BF_;  ///< F: body axes in another order, with the axis of symmetry last
   double mu_ = 0, c_ = 0, c_rest_ = 0, j_ = 0;
   double deviation_size_ = 0, longest_ = 0;
-  int last_term_ = 0;
+  int last_term_ = 1;
   double spin_ = 0, spin_rest_ = 0;  ///< w3 - b + mu, and what its rounding left out
   State release_;
 };
