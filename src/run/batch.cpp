@@ -39,12 +39,13 @@ LanePoint lane_point(std::size_t index, const Scene& scene) {
 }
 
 /// Returns the options of a lane's second integration: the equations in inertial axes, in which gravity rotates, by a series of
-/// another order, at four times the first one's tolerance. The second integration's error is then larger than that of the rows
-/// as a rule, and the distance is about that error: a multiple of
-/// it contains the rows' error with room to spare, and it is the cheaper way round. At loose tolerances, where the bound itself
-/// would be too wide, the tolerance is a hundredth of the first.
+/// another order, at ten times the first one's tolerance. As a rule its error is then the larger one by far, and the distance
+/// is that error: a multiple of it contains the rows' error, and it is the cheaper way round. Nearer tolerances let both errors
+/// agree by chance; others far apart widen the bound. At loose tolerances, where that bound would be too wide, the second
+/// tolerance is a hundredth of the first. Because the method is the same as that of the rows, the bound is ten times the
+/// distance.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
-  constexpr double kLooser = 4, kFiner = 1e-2, kLoose = 5e-10;
+  constexpr double kLooser = 10, kFiner = 1e-2, kLoose = 5e-10;
   IntegrationOptions second = first;
   second.observer = Observer::inertial;
   const double asked = first.relative_tolerance;
