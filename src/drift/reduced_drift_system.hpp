@@ -35,8 +35,7 @@ struct ReducedDriftShape {
 
 /// @tparam O  laboratory, or inertial, in whose axes gravity turns
 template <class T, Observer O>
-class ReducedDriftSystem
-    : public WithSeries<ReducedDriftSeries<T, O>> {
+class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
  public:
   static_assert(O != Observer::body);
   using Shape = ReducedDriftShape;
