@@ -19,19 +19,12 @@
 namespace earthtop {
 namespace {
 
-/// Returns the factor by which the distance to the second integration is multiplied to give the bound. The distance is less
-/// than a tenth of the rows' error only if both errors have the same sign and agree to a tenth. Where round-off decides both
-/// errors this is a matter of chance: in 5,900 random scenes with methods and tolerances of every kind, three times the
-/// distance was too small in ten scenes, six times in one, and ten times in none. With long_horizon checked by itself, ten
-/// times the distance was too small in one.
-///
-/// A Taylor series at the default tolerance, or a finer one, with compensated sums, has only rounding errors. Their median is a
-/// fiftieth of the second integration's error, so that the distance is the latter and three times the distance is ample.
-int bound_safety(const IntegrationOptions& first, const IntegrationOptions& second, Precision precision) {
-  const bool alike = second.method == first.method;
-  const bool at_rounding = first.method == Method::taylor && first.relative_tolerance <= default_tolerance(precision);
-  return at_rounding && !alike && second.relative_tolerance < first.relative_tolerance ? 3 : 10;
-}
+/// The factor by which the distance to the second integration is multiplied to give the bound. The distance is less than a tenth
+/// of the rows' error only if both errors have the same sign and agree to a tenth. Where round-off decides both errors this is a
+/// matter of chance: in 5,900 random scenes with methods and tolerances of every kind, three times the distance was too small in
+/// ten scenes, six times in one, and ten times in none. With long_horizon checked by itself, ten times the distance was too
+/// small in one.
+constexpr int kSafety = 10;
 
 /// Returns how many rows the bound of row i is based on. Two runs may agree by chance in the first rows, so the bound of each
 /// row also uses the distances in the next two rows.
@@ -171,8 +164,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
 
   // The following work takes seconds for millions of rows.
-  const int safety = bound_safety(made.options, made.other_options, scenario.precision);
-  DriftBound<T> bound(safety);
+  DriftBound<T> bound(kSafety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
   T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
@@ -194,13 +186,13 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     farthest = std::max(farthest, squared);
     const double distance = std::max(distances[0].angle(), distances[1].angle());
     result.attitude_bound_rad =
-        std::max(result.attitude_bound_rad, safety * distance + static_cast<double>(sample.attitude_error));
+        std::max(result.attitude_bound_rad, kSafety * distance + static_cast<double>(sample.attitude_error));
   }
   if (stop()) return stopped(scene, made, partial);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
-  if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, safety, result.drift);
-  result.stops = assess_stops(made, safety);
+  if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
+  result.stops = assess_stops(made, kSafety);
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);

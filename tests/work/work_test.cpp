@@ -138,7 +138,7 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   made.options = options_of(Method::dop853);
   made.first = integrate_drift(problem, made.options);
   describe(problem, made.options, made.first, s.precision, made.solution);
-  make_second(problem, made.first);
+  make_second(problem, made.first.samples.size());
   problem.pace = understated().pace;
   made.other_options = options_of(Method::rkf78);
   made.second = integrate_drift(problem, made.other_options);
