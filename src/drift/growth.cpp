@@ -80,6 +80,11 @@ class EmbeddedSteps {
         stepper_(boost::numeric::odeint::make_controlled<Fehlberg>(tolerance, tolerance)),
         dt_(first_step),
         shortest_(shortest) {}
+  /// Shows the states at which a motion is looked at: the end of the last step.
+  template <class Look>
+  void look(const State& x, double t, const Look& look) const {
+    look(t, x);
+  }
   /// Takes a step, not beyond the end.
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
     dt_ = std::min(dt_, end - t);
@@ -107,8 +112,22 @@ class SeriesSteps {
       : series_(system.series()), stepper_(tolerance, scales_) {
     restart(x, 0);
   }
+  /// Shows some states of the last step, which may be long.
+  template <class Look>
+  void look(const State& x, double t, const Look& look) const {
+    constexpr int kLooks = 8;
+    const double step = stepper_.current_time_step();
+    State between;
+    for (int i = 1; i < kLooks; ++i) {
+      stepper_.state_after(step * i / kLooks, between);
+      look(t - step * (kLooks - i) / kLooks, between);
+    }
+    look(t, x);
+  }
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
-    stepper_.limit_step(end - t);
+    constexpr double kFewestSteps = 100;  // for a slope over the second half
+    if (longest_ == 0) longest_ = end / kFewestSteps;
+    stepper_.limit_step(std::min(longest_, end - t));
     stepper_.do_step(series_);
     evaluations += stepper_.evaluations();
     const double step = stepper_.current_time_step();
@@ -125,6 +144,7 @@ class SeriesSteps {
 
  private:
   GroupScales<double, typename System::Shape> scales_;
+  double longest_ = 0;
   typename System::Series series_;
   taylor::TaylorStepper<double, System> stepper_;
 };
@@ -248,18 +268,20 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
       continue;
     }
     ++counters.accepted;
+    steps.look(x, t, [&](double at, const auto& state) {
+      const Motion<double> motion = system.motion(state);
+      critical_spin.include(at, motion);
+      if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
+    });
     const double log_growth = follower.include(x);
     if (follower.has_rescaled()) steps.restart(x, t);
     if (!std::isfinite(log_growth)) return report;
-    const Motion<double> motion = system.motion(x);
     const double log_regular = real::log(1 + rate * t);
-    critical_spin.include(t, motion);
     late.include(t, t - before, log_growth - log_regular);
     report.end_s = seconds(t);
     report.mean_exponent_1_s = log_growth / report.end_s;
     if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
     if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
-    if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
     if (!report.exponential_s && log_growth > real::log(kRegular) + log_regular) report.exponential_s = report.end_s;
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
@@ -270,9 +292,9 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
 
 /// Whether a motion is that of a driven symmetric top or of a compass, with equations that have a Taylor series all along.
 bool has_spinless_series(const MotionProblem<double>& problem, double duration_s) {
-  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[2]);
-  return (is_reducible_when_driven(problem.model) || is_compass(problem.model)) &&
-         friction_stays_smooth(problem.model, w3, problem.fastest_rate, problem.units.time_from_s(duration_s));
+  if (!is_reducible_when_driven(problem.model) && !is_compass(problem.model)) return false;
+  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[2]), I3 = problem.model.I_BP_B(2, 2);
+  return friction_stays_smooth(problem.model.applied, I3, w3, problem.fastest_rate, problem.units.time_from_s(duration_s));
 }
 
 template <bool kEarth>

@@ -67,6 +67,11 @@ bool Scene::is_plain() const { return !scenario().platform && scenario().effects
 int Scene::symmetry_axis() const {
   return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
 }
+bool Scene::is_reducible_when_driven() const {
+  const EffectsSpec& effects = scenario().effects;
+  if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform && effects.all_on();
+  return symmetry_axis() == 2 || (symmetry_axis() >= 0 && !effects.applied.air_drag);
+}
 bool Scene::is_one_motion() const {
   return rotation_rate_rad_s() == 0 || scenario().release.rates_relative_to == RatesRelativeTo::inertial;
 }
@@ -137,8 +142,7 @@ const MethodChoice& Scene::choice() const {
   return parts_->choice.get([this] { return choose_method(*this); });
 }
 ModelForm Scene::form(const IntegrationOptions& options) const {
-  const bool driven = !is_plain() && options.method == Method::taylor && symmetry_axis() >= 0;
-  const bool reducible = is_reducible() || (driven && (is_reducible_when_driven(model<double>()) || is_compass(model<double>())));
+  const bool reducible = is_reducible() || (options.method == Method::taylor && is_reducible_when_driven());
   return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }
 

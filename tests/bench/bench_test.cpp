@@ -232,7 +232,10 @@ TEST(Bench, WhatAutoTakesIsAmongTheContendersAndMarkedOnce) {
   long_run.release.spin_rad_s = 5000;
   long_run.duration_s = 3600;
   std::set<Method> taken;
-  for (const Scenario& scene : {testing::toy_top(), testing::asymmetric_top(), pole, without_coriolis, long_run}) {
+  Scenario pendulum = testing::toy_top();
+  pendulum.release.spin_rad_s = 0;
+  pendulum.effects.applied.quadratic_N_m_s2 = 1e-6;
+  for (const Scenario& scene : {testing::toy_top(), testing::asymmetric_top(), pole, without_coriolis, long_run, pendulum}) {
     const IntegrationOptions choice = Scene(scene).choice().options;
     taken.insert(choice.method);
     for (const Workload workload : {Workload::drift, Workload::motion}) {

@@ -156,7 +156,8 @@ TEST(Compass, WithOneAngleMovesAsAConstrainedBody) {
 // alike, and has no reduced form.
 TEST(DrivenTop, DisturbancesGrowAsInBodyAxes) {
   for (const Case& effect : cases()) {
-    if (effect.name == "dry") continue;  // neighbouring motions converge without limit
+    // The equations in body axes leave out how a left-out torque changes with the motion.
+    if (effect.name == "dry" || effect.name.find("no ") == 0) continue;
     SCOPED_TRACE(effect.name);
     Scenario s = fast_earth_top(), general = s;
     effect.add(s);

@@ -37,9 +37,13 @@ TEST(ReducedTop, IsFoundOutFromBodyAndEffects) {
   EXPECT_EQ(form_taken(s), ModelForm::general);
   s = toy_top();
   s.effects.centrifugal = false;
+  EXPECT_EQ(form_taken(s), ModelForm::reduced);
+  s.numerics.method = Method::rkf78;  // only the series have the reduced form of a scene that is not plain
   EXPECT_EQ(form_taken(s), ModelForm::general);
   s = toy_top();
   s.platform = PlatformSpec{};
+  EXPECT_EQ(form_taken(s), ModelForm::reduced);
+  s.effects.applied.gimbal = GimbalSpec{};  // a gimbal on a platform
   EXPECT_EQ(form_taken(s), ModelForm::general);
   s = toy_top();
   s.numerics.form = ModelForm::general;

@@ -45,13 +45,13 @@ TEST(Gyrocompass, SwingsAboutNorthAsKibbleAndBerkshireHaveIt) {
     s.duration_s = 0.3 * period_s;  // from rest, past North: a quarter
     s.output_step_s = period_s / 200;
     s.numerics.relative_tolerance = 1e-13;
-    const auto motion = integrate_motion<double>(Scene(s).problem<double>(), Scene(s).choice().options);
+    const auto motion = integrate_drift<double>(Scene(s).problem<double>(), Scene(s).choice().options);
     ASSERT_EQ(motion.status, RunStatus::completed);
     std::vector<NorthAngle> angles;
     for (const auto& sample : motion.samples) {
-      const Vec3<double> axis_L = rotation_matrix(sample.q_LB).col(2);
+      const Vec3<double> axis_L = rotation_matrix(sample.state.q_LB).col(2);
       EXPECT_NEAR(axis_L[2], 0, 1e-12);
-      angles.push_back({sample.t_s, std::atan2(axis_L[0], axis_L[1])});
+      angles.push_back({sample.state.t_s, std::atan2(axis_L[0], axis_L[1])});
     }
     // The inertial spin, and the centrifugal torque, which the textbook leaves out.
     const double W_level = s.rotation_rate_rad_s * std::cos(latitude_deg * kPi / 180);

@@ -82,13 +82,35 @@ TEST(EffectRefusals, MethodsOfPlainScenesRefuseEveryEffect) {
       {"/effects/tide", R"({"amplitude_m_s2": [0, 0, 1e-6], "frequency_hz": 1})"},
       {"/effects/air_drag", R"({"disc_radius_m": 0.1})"},
   };
-  for (const auto* method : {"\"taylor\"", "\"splitting\"", "\"long_horizon\"", "\"closed_form\""})
+  for (const auto* method : {"\"splitting\"", "\"long_horizon\"", "\"closed_form\""})
     for (const auto& effect : effects) {
       SCOPED_TRACE(std::string(method) + " " + effect.first);
       const ScenarioReport report = examine({effect, {"/numerics/method", method}, {"/earth/rotation_rate_rad_s", "0"}});
       ASSERT_EQ(report.errors.size(), 1U);
       EXPECT_EQ(report.errors[0].pointer, "/numerics/method");
     }
+}
+
+// A series needs friction without a corner: on a top that spins on, and on no pendulum.
+TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
+  const auto errors = [](const char* pointer, const char* value, const char* spin) {
+    return examine({{pointer, value}, {"/numerics/method", "\"taylor\""}, {"/release/spin_rad_s", spin}}).errors.size();
+  };
+  for (const auto& [pointer, value] : {std::pair{"/effects/viscous_torque_N_m_s", "1e-9"},
+                                       {"/effects/gravity_gradient", "true"},
+                                       {"/effects/coriolis", "false"},
+                                       {"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 0.1})"}}) {
+    EXPECT_EQ(errors(pointer, value, "200"), 0u) << pointer;
+    EXPECT_EQ(errors(pointer, value, "0"), 0u) << pointer;
+  }
+  for (const auto& [pointer, value] : {std::pair{"/effects/coulomb_torque_N_m", "1e-9"},
+                                       {"/effects/quadratic_torque_N_m_s2", "1e-11"},
+                                       {"/effects/air_drag", R"({"disc_radius_m": 0.03})"}}) {
+    EXPECT_EQ(errors(pointer, value, "200"), 0u) << pointer;
+    EXPECT_EQ(errors(pointer, value, "0"), 1u) << pointer;
+  }
+  EXPECT_EQ(errors("/effects/coulomb_torque_N_m", "1e-3", "200"), 1u);  // it stops the top
+  EXPECT_EQ(errors("/effects/air_drag", R"({"disc_radius_m": 10})", "200"), 1u);
 }
 
 TEST(EffectRefusals, TheSameScenesWithWhatIsMissingAreTaken) {

@@ -185,6 +185,7 @@ TEST(Affordable, FastMotionsAreRefusedByTheirSteps) {
   shaken.platform->motion = PlatformMotion::harmonic;
   shaken.platform->amplitude_rad = 0.1;
   shaken.platform->frequency_hz = 1e9;
+  shaken.platform->pivot_offset_m = {0.1, 0, 0};
   EXPECT_NE(refusal(shaken).find("this scene needs about"), std::string::npos) << refusal(shaken);
 }
 

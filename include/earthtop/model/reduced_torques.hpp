@@ -82,21 +82,20 @@ bool changes_spin(const Model<T>& model) {
   return model.applied.friction() || left_out.coriolis != T(0) || left_out.centrifugal != T(0);
 }
 
-/// Whether friction has no corner on the way of a motion, so that the equations have a Taylor series all along. Dry friction,
-/// quadratic drag and a disc's drag have one where the rate that they brake goes through zero; it cannot do so while a symmetric
-/// top keeps half of its spin, which is all that dry friction takes within the duration at most.
-/// @param w3, fastest_rate, duration  spin at release, and rate and duration of the whole motion, in the model's units
+/// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series all along.
+/// Dry friction, quadratic drag and a disc's drag have one where the rate that they brake goes through zero. It cannot do so
+/// while the top keeps much of its spin: dry friction takes at most half of it within the duration, and any other at its initial
+/// torque at most four times the spin, which leaves a fifth or more, as that torque falls with the spin.
+/// @param I3, w3, fastest_rate, duration  moment about the axis, spin at release, and rate and duration of the whole motion
 template <class T>
-bool friction_stays_smooth(const Model<T>& model, T w3, T fastest_rate, T duration) {
-  const AppliedTorques<T>& applied = model.applied;
-  const bool has_corner = applied.coulomb != T(0) || applied.quadratic != T(0) || applied.disc_laminar != T(0) ||
-                          applied.disc_turbulent != T(0);
-  if (!has_corner) return true;
-  constexpr double kOfTheSpin = 0.5, kOfTheRate = 0.05;
-  const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
-  const T spin = real::abs(w3);
-  return axis == 2 && (is_reducible_when_driven(model) || is_compass(model)) && spin > T(kOfTheRate) * fastest_rate &&
-         applied.coulomb * duration <= T(1 - kOfTheSpin) * spin * model.I_BP_B(2, 2);
+bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T fastest_rate, T duration) {
+  const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
+  if (applied.coulomb == T(0) && applied.quadratic == T(0) && !has_disc) return true;
+  constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4;
+  const T spin = real::abs(w3), momentum = I3 * spin;
+  if (!(spin > T(kOfTheRate) * fastest_rate)) return false;
+  const T other = applied.viscous * spin + applied.quadratic * spin * spin + disc_drag_coefficient(applied, spin) * spin;
+  return applied.coulomb * duration <= T(kDry) * momentum && other * duration <= T(kOther) * momentum;
 }
 
 }  // namespace earthtop

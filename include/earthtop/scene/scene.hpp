@@ -91,6 +91,9 @@ class Scene {
   int symmetry_axis() const;
   /// Returns whether the spin angle can be left out of the integration: the scene is plain and its body symmetric.
   bool is_reducible() const { return is_plain() && symmetry_axis() >= 0; }
+  /// Returns whether the series can leave the spin angle out: the body is symmetric, and no torque depends on that angle; or it is
+  /// a wheel in a gimbal in the laboratory. The models' own rules are in reduced_top.hpp.
+  bool is_reducible_when_driven() const;
   /// Returns whether the two predictions are the same motion apart from a rotation of the laboratory.
   bool is_one_motion() const;
 

@@ -160,9 +160,10 @@ class TaylorStepper {
     else if (log_h < log_longest)
       order_ = std::min(order_ + 1, kMostOrder<T>);
   }
-  /// The work of a step is about proportional to (order + kOrderOffset)^2: what a step and an order take beside the products,
-  /// whose number is the square of the order, is most of the time at low orders.
-  static constexpr double kOrderOffset = 12;
+  /// The work of a step is taken to be proportional to (order + kOrderOffset)^2. As an order takes some time beside the products,
+  /// whose number is its square, 12 would take an eighth less time, by steps half as long again; but their largest terms, and with
+  /// them the rounding, would be several times as large.
+  static constexpr double kOrderOffset = 3;
 
   static constexpr double kUnlimited = 1e4, kShortest = -700;
   double log_tolerance_;
