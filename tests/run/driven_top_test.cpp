@@ -24,9 +24,9 @@ std::vector<Case> cases() {
       {"viscous", applied([](AppliedTorquesSpec& a) { a.viscous_N_m_s = 1e-5; })},
       {"quadratic", applied([](AppliedTorquesSpec& a) { a.quadratic_N_m_s2 = 1e-7; })},
       {"dry", applied([](AppliedTorquesSpec& a) { a.coulomb_N_m = 1e-3; })},
-      {"laminar", applied([](AppliedTorquesSpec& a) { a.air_drag.emplace().disc_radius_m = 0.15; })},
+      {"laminar", applied([](AppliedTorquesSpec& a) { a.air_drag.emplace().disc_radius_m = 0.1; })},
       {"turbulent",
-       applied([](AppliedTorquesSpec& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.15, .flow = DiscFlow::turbulent}; })},
+       applied([](AppliedTorquesSpec& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; })},
       {"gradient", applied([](AppliedTorquesSpec& a) { a.gravity_gradient = GravityGradientSpec{GradientField::given, 50}; })},
       {"tide",
        [](Scenario& s) {
