@@ -27,14 +27,8 @@ namespace earthtop {
 struct CompassShape {
   static constexpr std::size_t kSize = 10;
   static constexpr auto groups() {
-    return std::array<ComponentGroup, 8>{{{0, 2, 1.0},
-                                          {2, 1, 1e-3},
-                                          {3, 1, 1e-3},
-                                          {4, 1, 2.0},
-                                          {5, 1, 1.0},
-                                          {6, 2, 1e-5},
-                                          {8, 1, 1e-5},
-                                          {9, 1, 1e-5}}};
+    return std::array<ComponentGroup, 8>{
+        {{0, 2, 1.0}, {2, 1, 1e-3}, {3, 1, 1e-3}, {4, 1, 2.0}, {5, 1, 1.0}, {6, 2, 1e-5}, {8, 1, 1e-5}, {9, 1, 1e-5}}};
   }
 };
 

@@ -67,10 +67,10 @@ struct DriftShape {
 /// Both exist only where the rotating motion is composed.
 template <class T, Observer O, SceneKind K, RotatingMotion R>
 struct DriftSeriesOf {
-  using Base = std::conditional_t<R != RotatingMotion::composed, WithoutSeries,
-                                  std::conditional_t<O == Observer::body && K == SceneKind::plain,
-                                                     WithSeries<GeneralDriftSeries<T>>,
-                                                     WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>>>;
+  using Base =
+      std::conditional_t<R != RotatingMotion::composed, WithoutSeries,
+                         std::conditional_t<O == Observer::body && K == SceneKind::plain, WithSeries<GeneralDriftSeries<T>>,
+                                            WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>>>;
 };
 
 /// @tparam O  the observer whose equations are integrated; known at compile time, so that the right-hand side has no branch

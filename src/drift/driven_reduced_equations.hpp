@@ -14,9 +14,9 @@
 
 #include "drift/deviation_state.hpp"
 #include "earthtop/model/reduced_torques.hpp"
-#include "model/applied_motion.ipp"
 #include "integrate/group_norms.hpp"
 #include "integrate/state_vectors.hpp"
+#include "model/applied_motion.ipp"
 
 namespace earthtop {
 
@@ -52,8 +52,8 @@ struct DrivenReducedEquations {
     const Mat3<T> M = turn_back_minus_one_matrix(w, y, epsilon);
     const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, M); };
 
-    const AxisTorques<Paired<T>> torques = axis_torques<T, Paired<T>>(
-        top, model, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, V, k, t, see));
+    const AxisTorques<Paired<T>> torques =
+        axis_torques<T, Paired<T>>(top, model, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, V, k, t, see));
     const T nutation = b + (b_rest + top.spin_ratio * spin_change);
     const T spinning = (T(1) - top.spin_ratio) * k;
     const Vec3<T> across = n.cross(V);
@@ -69,9 +69,9 @@ struct DrivenReducedEquations {
     dxdt[10] = spin_change;
     dxdt[11] = -epsilon * epsilon * y.dot(d) / T(2);
     store_vector(Vec3<T>((w * d + epsilon * y.cross(d)) / T(2)), dxdt, 12);
-    store_vector(Vec3<T>(u.cross(V) + spinning * s + (nutation - epsilon * spinning) * across +
-                         part(torques.across, &Paired<T>::diff)),
-                 dxdt, 15);
+    store_vector(
+        Vec3<T>(u.cross(V) + spinning * s + (nutation - epsilon * spinning) * across + part(torques.across, &Paired<T>::diff)),
+        dxdt, 15);
     dxdt[18] = torques.along.diff;
   }
 

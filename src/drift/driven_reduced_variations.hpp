@@ -96,7 +96,8 @@ struct DrivenVariationsEquations {
 
 /// Records the equations.   @param w3  inertial spin at release   @param has_Earth  see DrivenVariationsEquations
 taylor::Operations<double> record_driven_variations(const Model<double>& model, const ReducedTop<double>& top, double w3,
-                                                    bool has_Earth, const DrivenVariationsEquations<double>::State& x, double t);
+                                                    bool has_Earth, const DrivenVariationsEquations<double>::State& x,
+                                                    double t);
 
 /// The system of a motion and its disturbances, with the interface of GeneralVariations.
 template <bool kEarth>
@@ -130,9 +131,7 @@ class DrivenReducedVariations {
     return {quaternion_of(R_LB), w_B};
   }
   Vec3<double> theta(const State& x, std::size_t d) const { return load_vector(x, at(d)); }
-  Vec3<double> dw(const State& x, std::size_t d) const {
-    return load_vector(x, at(d) + 3) + x[at(d) + 6] * load_vector(x, 0);
-  }
+  Vec3<double> dw(const State& x, std::size_t d) const { return load_vector(x, at(d) + 3) + x[at(d) + 6] * load_vector(x, 0); }
   /// Puts in a disturbance at release, given in body axes.
   void put_disturbance(const Vec3<double>& theta_B, const Vec3<double>& dw_B, State& x, std::size_t d) const {
     store_vector(times(release_R_LB_, theta_B), x, at(d));

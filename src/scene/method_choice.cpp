@@ -50,7 +50,8 @@ MethodChoice choose_method(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   IntegrationOptions asked = scenario.numerics;
   const bool series = !scene.method_refusal(Method::taylor);
-  if (scenario.effects.applied.coulomb_N_m != 0 && !(series && (asked.method == Method::taylor || asked.method == Method::automatic))) {
+  if (scenario.effects.applied.coulomb_N_m != 0 &&
+      !(series && (asked.method == Method::taylor || asked.method == Method::automatic))) {
     asked.observer = Observer::body;  // in body axes the state of a motion at rest is simplest
     asked.form = ModelForm::general;
     if (asked.method == Method::automatic) {
@@ -65,8 +66,7 @@ MethodChoice choose_method(const Scene& scene) {
   if (scenario.precision != Precision::bits53)
     return {with_finer_tolerance(scene, Method::extrapolation, 100), "its order follows the digits asked for"};
   if (scene.method_refusal(Method::taylor))
-    return {with_finer_tolerance(scene, Method::dop853, 10),
-            "drag may brake a rate to zero: no series passes that corner"};
+    return {with_finer_tolerance(scene, Method::dop853, 10), "drag may brake a rate to zero: no series passes that corner"};
   // A user who names an observer or the general model wants these equations integrated; for body axes the series does so.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)

@@ -32,7 +32,8 @@ std::optional<std::string> need_smooth_scene(std::string_view word, const Scene&
   const double w3 = scene.release<double>().w_XB_B[2];
   const auto torques = make_applied_torques<double>(applied, scene.site(), w3, 0, 0);
   if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
-      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, scene.fastest_rate_rad_s(), scene.scenario().duration_s))
+      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, scene.fastest_rate_rad_s(),
+                            scene.scenario().duration_s))
     return std::nullopt;
   return quoted(word) +
          " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it is made for symmetric "

@@ -79,7 +79,7 @@ Coverage judge(const RunResult& result, const std::vector<JudgedRow>& truths) {
   coverage.method = result.solution.method;
   coverage.verdict = result.verdict;
   // The truth is not exact either: where a gimbal holds a wheel that does not drift at all, it drifts by the rounding of 113 bits.
-  constexpr double kTruthError = 1e-26;
+  constexpr double kTruthError = 1e-24;
   const auto include = [&](BoundedError& part, double error, double bound) {
     if (error < kTruthError) error = 0;
     part.error = std::max(part.error, error);

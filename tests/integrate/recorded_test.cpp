@@ -55,20 +55,19 @@ void expect_known_series() {
   const auto rows = series_of<T>(
       [&](const R& x) {
         const R one_more = R(T(1)) + x, angle = R(T(2)) * x + R(tenth);
-        return std::vector<R>{sin(angle), cos(angle), R(T(1)) / one_more, sqrt(one_more), pow(one_more, R(fifth)),
-                              one_more * one_more, (x * x) / one_more};
+        return std::vector<R>{
+            sin(angle),          cos(angle),        R(T(1)) / one_more, sqrt(one_more), pow(one_more, R(fifth)),
+            one_more * one_more, (x * x) / one_more};
       },
       t, orders);
   for (int k = 0; k <= orders; ++k) {
     const T quotient = power_coefficient(T(-1), t, k);
-    const T known[] = {sine_coefficient(t, k, 0),
-                       sine_coefficient(t, k, 1),
-                       quotient,
-                       power_coefficient(T(1) / T(2), t, k),
-                       power_coefficient(fifth, t, k),
-                       power_coefficient(T(2), t, k),
+    const T known[] = {sine_coefficient(t, k, 0), sine_coefficient(t, k, 1), quotient, power_coefficient(T(1) / T(2), t, k),
+                       power_coefficient(fifth, t, k), power_coefficient(T(2), t, k),
                        // t^2 / (1 + t) = t - 1 + 1 / (1 + t)
-                       quotient + (k == 0 ? t - T(1) : k == 1 ? T(1) : T(0))};
+                       quotient + (k == 0   ? t - T(1)
+                                   : k == 1 ? T(1)
+                                            : T(0))};
     for (std::size_t i = 0; i < std::size(known); ++i) {
       // Each order adds the rounding of some k products of coefficients below 2.
       const T slack = T(8 * (k + 4)) * real::epsilon<T>();

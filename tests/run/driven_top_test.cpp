@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "support/effect_scenes.hpp"
 
@@ -27,7 +28,9 @@ std::vector<Case> cases() {
       {"laminar", applied([](AppliedTorquesSpec& a) { a.air_drag.emplace().disc_radius_m = 0.1; })},
       {"turbulent",
        applied([](AppliedTorquesSpec& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; })},
-      {"gradient", applied([](AppliedTorquesSpec& a) { a.gravity_gradient = GravityGradientSpec{GradientField::given, 50}; })},
+      {"gradient", applied([](AppliedTorquesSpec& a) {
+         a.gravity_gradient = GravityGradientSpec{GradientField::given, 50};
+       })},
       {"tide",
        [](Scenario& s) {
          TideSpec& tide = s.effects.tide.emplace();
@@ -38,13 +41,15 @@ std::vector<Case> cases() {
          s.platform = PlatformSpec{PlatformMotion::harmonic, {0.2, 0.1, 1}, 0, 0, 0.3, 0.8, 30, {0.1, 0.02, 0.05}};
          s.effects.applied.viscous_N_m_s = 1e-5;
        }},
-      {"ramp",
-       [](Scenario& s) { s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0, 0.75, 0, 0, 0, {0.3, 0.1, 0}}; }}};
+      {"ramp", [](Scenario& s) {
+         s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0, 0.75, 0, 0, 0, {0.3, 0.1, 0}};
+       }}};
   all.push_back({"no Coriolis torque", [](Scenario& s) { s.effects.coriolis = false; }});
   all.push_back({"no centrifugal torque", [](Scenario& s) { s.effects.centrifugal = false; }});
   all.push_back({"all", [all](Scenario& s) {
                    for (const Case& one : all)
-                     if (one.name != "ramp" && one.name != "turbulent" && one.name != "dry" && one.name.find("no ") != 0) one.add(s);
+                     if (one.name != "ramp" && one.name != "turbulent" && one.name != "dry" && one.name.find("no ") != 0)
+                       one.add(s);
                  }});
   return all;
 }
@@ -77,12 +82,14 @@ Distance distance(const DriftTrajectory<double>& a, const DriftTrajectory<double
     const DriftSample<double>&x = a.samples[i], &y = b.samples[i];
     d.size = std::max(d.size, y.measures.axis);
     const double epsilon = x.state.epsilon;
-    d.drift = std::max({d.drift, std::abs(x.measures.axis - y.measures.axis), std::abs(x.measures.tilt - y.measures.tilt),
-                        epsilon * norm(Vec3<double>(x.measures.attitude_vector_L_scaled - y.measures.attitude_vector_L_scaled))});
+    d.drift =
+        std::max({d.drift, std::abs(x.measures.axis - y.measures.axis), std::abs(x.measures.tilt - y.measures.tilt),
+                  epsilon * norm(Vec3<double>(x.measures.attitude_vector_L_scaled - y.measures.attitude_vector_L_scaled))});
     const auto apart = [](const Quaternion<double>& p, const Quaternion<double>& q) { return norm((p.conjugate() * q).v); };
     const double rates = norm(Vec3<double>(x.state.w_LB_B - y.state.w_LB_B)) / norm(y.state.w_LB_B);
     const double ref_rates = norm(Vec3<double>(x.state.ref_w_LB_B - y.state.ref_w_LB_B)) / norm(y.state.ref_w_LB_B);
-    d.motion = std::max({d.motion, apart(x.state.q_LB, y.state.q_LB), apart(x.state.ref_q_LB, y.state.ref_q_LB), rates, ref_rates});
+    d.motion =
+        std::max({d.motion, apart(x.state.q_LB, y.state.q_LB), apart(x.state.ref_q_LB, y.state.ref_q_LB), rates, ref_rates});
   }
   return d;
 }

@@ -184,7 +184,8 @@ Verb describe_run() {
   run.add("--no-step-limit", &arguments->no_step_limit,
           "go on where the run takes more than ten times the steps estimated; without it, it stops there");
   arguments->jobs = std::thread::hardware_concurrency() > 1 ? 2 : 1;
-  run.add("--jobs", &arguments->jobs, "threads: with two, error bounds are computed beside the solution; default: as there are cores")
+  run.add("--jobs", &arguments->jobs,
+          "threads: with two, error bounds are computed beside the solution; default: as there are cores")
       .called("N")
       .within(1, 4096);
   add_set_option(run, arguments->sets);

@@ -13,12 +13,12 @@ namespace earthtop {
 /// The quantities of a motion on which the torques depend, all in the same axes A.
 template <class S>
 struct SeenBesideAxis {
-  Vec3<S> n;      ///< the axis of symmetry
-  Vec3<S> u;      ///< inertial rate of the body normal to the axis
-  S w3;           ///< that along the axis
-  Vec3<S> w_IP;   ///< inertial rate of the platform, or of the laboratory if there is none
-  Vec3<S> W;      ///< the Earth's rate, for torques of [F] that are left out; 0 for a motion without it
-  Vec3<S> field;  ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
+  Vec3<S> n;                        ///< the axis of symmetry
+  Vec3<S> u;                        ///< inertial rate of the body normal to the axis
+  S w3;                             ///< that along the axis
+  Vec3<S> w_IP;                     ///< inertial rate of the platform, or of the laboratory if there is none
+  Vec3<S> W;                        ///< the Earth's rate, for torques of [F] that are left out; 0 for a motion without it
+  Vec3<S> field;                    ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
 };
 

@@ -3,8 +3,8 @@
 //
 #include <stdexcept>
 
-#include "drift/driven_reduced_equations.hpp"
 #include "drift/drift_system.hpp"
+#include "drift/driven_reduced_equations.hpp"
 #include "drift/taylor/record_drift.hpp"
 #include "integrate/taylor/record_equations.hpp"
 
@@ -36,9 +36,12 @@ template <class T, Observer O>
 taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>& equations, std::span<const T> x, T t) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
-  const DrivenReducedEquations<R, O> made{
-      recorded_model(equations.model), recorded_top(equations.top), equations.w3, equations.k_at_release, equations.b,
-      equations.b_rest};
+  const DrivenReducedEquations<R, O> made{recorded_model(equations.model),
+                                          recorded_top(equations.top),
+                                          equations.w3,
+                                          equations.k_at_release,
+                                          equations.b,
+                                          equations.b_rest};
   return recorded_equations<T, DrivenReducedShape::kSize>(made, recording, x, t);
 }
 
@@ -46,8 +49,12 @@ template <class T, Observer O>
 taylor::Operations<T> record_compass(const CompassEquations<T, O>& equations, std::span<const T> x, T t) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
-  const CompassEquations<R, O> made{recorded_model(equations.model), recorded_top(equations.top), equations.east,
-                                    equations.north, equations.w3, equations.carried};
+  const CompassEquations<R, O> made{recorded_model(equations.model),
+                                    recorded_top(equations.top),
+                                    equations.east,
+                                    equations.north,
+                                    equations.w3,
+                                    equations.carried};
   return recorded_equations<T, CompassShape::kSize>(made, recording, x, t);
 }
 

@@ -28,7 +28,7 @@ taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>& equa
 /// The equations of a wheel in a gimbal in compass_equations.hpp.
 template <class T, Observer O>
 taylor::Operations<T> record_compass(const CompassEquations<T, O>& equations, std::span<const T> x, T t);
-#define EARTHTOP_RECORD_TOP(T, O)                                                                                       \
+#define EARTHTOP_RECORD_TOP(T, O)                                                                                      \
   extern template taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
   extern template taylor::Operations<T> record_compass(const CompassEquations<T, O>&, std::span<const T>, T);
 EARTHTOP_RECORD_TOP(double, Observer::laboratory)

@@ -12,7 +12,9 @@
 namespace earthtop::taylor {
 namespace {
 
-bool uses_b(Kind kind) { return kind == Kind::product || kind == Kind::quotient || kind == Kind::cosine || kind == Kind::linear; }
+bool uses_b(Kind kind) {
+  return kind == Kind::product || kind == Kind::quotient || kind == Kind::cosine || kind == Kind::linear;
+}
 bool uses_a(Kind kind) { return kind >= Kind::held; }
 
 }  // namespace
@@ -135,7 +137,8 @@ class Program<T>::Builder {
     order_.push_back(place);
     // A cosine follows its sine.
     const int next = place + 1;
-    if (list_[index(place)].kind == Kind::sine) new_place_[index(next)] = static_cast<int>(order_.size()), order_.push_back(next);
+    if (list_[index(place)].kind == Kind::sine)
+      new_place_[index(next)] = static_cast<int>(order_.size()), order_.push_back(next);
   }
   /// What the operations of a run have in common.
   using Group = std::tuple<bool, Kind, bool, std::size_t, bool>;
@@ -173,7 +176,8 @@ class Program<T>::Builder {
     made.a = o.a, made.b = o.b;
     if (uses_a(o.kind)) made.a = new_place_[index(o.a)];
     if (uses_b(o.kind) && o.b >= 0) made.b = new_place_[index(o.b)];
-    if (o.kind == Kind::product && made.by_held && still_[index(o.b)]) std::swap(made.a, made.b);  // the held factor comes first
+    if (o.kind == Kind::product && made.by_held && still_[index(o.b)])
+      std::swap(made.a, made.b);  // the held factor comes first
     if (o.kind == Kind::linear) {
       made.first_term = static_cast<int>(program.terms_.size());
       made.terms = static_cast<int>(sums_[i].terms.size());
@@ -190,7 +194,8 @@ class Program<T>::Builder {
                                static_cast<int>(program.pairs_.size())});
     program.runs_.back().end = new_place_[i] + 1;
     if (o.kind == Kind::product) program.pairs_.push_back({made.a, made.b});
-    if (plain) program.pairs_.push_back({new_place_[index(sums_[i].terms[0].place)], new_place_[index(sums_[i].terms[1].place)]});
+    if (plain)
+      program.pairs_.push_back({new_place_[index(sums_[i].terms[0].place)], new_place_[index(sums_[i].terms[1].place)]});
     return made;
   }
 
@@ -305,7 +310,8 @@ void Program<T>::run_order(int k, std::span<const T> x) {
         break;
       case Kind::given:
         for (int i = 0; i < count; ++i)
-          out[i] = given_rows_[static_cast<std::size_t>(in[i].a)][static_cast<std::size_t>(k)][static_cast<std::size_t>(in[i].b)];
+          out[i] =
+              given_rows_[static_cast<std::size_t>(in[i].a)][static_cast<std::size_t>(k)][static_cast<std::size_t>(in[i].b)];
         break;
       case Kind::linear: {
         const Term* term = terms_.data() + in[0].first_term;

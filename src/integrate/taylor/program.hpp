@@ -37,7 +37,7 @@ class Program {
  private:
   struct Instruction {
     Kind kind = Kind::constant;
-    bool early = false;  ///< needed at order 0 only
+    bool early = false;    ///< needed at order 0 only
     bool by_held = false;  ///< a product or quotient of which one operand has only its order 0
     int a = -1, b = -1, lane = -1;
     int first_term = 0, terms = 0;
@@ -63,15 +63,19 @@ class Program {
   class Builder;
 
   void run_order(int k, std::span<const T> x);
-  T& left(int k, int lane) { return left_[static_cast<std::size_t>(k) * static_cast<std::size_t>(padded_) + static_cast<std::size_t>(lane)]; }
-  T& right(int k, int lane) { return right_[static_cast<std::size_t>(k) * static_cast<std::size_t>(padded_) + static_cast<std::size_t>(lane)]; }
+  T& left(int k, int lane) {
+    return left_[static_cast<std::size_t>(k) * static_cast<std::size_t>(padded_) + static_cast<std::size_t>(lane)];
+  }
+  T& right(int k, int lane) {
+    return right_[static_cast<std::size_t>(k) * static_cast<std::size_t>(padded_) + static_cast<std::size_t>(lane)];
+  }
 
   std::vector<Instruction> instructions_;
   std::vector<Run> runs_;
   std::vector<Term> terms_;
   std::vector<Pair> pairs_;  ///< operands of products and differences, in the order of the runs
-  std::vector<T> now_;   ///< coefficients of the present order, of each instruction
-  std::vector<T> zero_;  ///< those of order 0
+  std::vector<T> now_;       ///< coefficients of the present order, of each instruction
+  std::vector<T> zero_;      ///< those of order 0
   std::vector<T> left_, right_, inner_;
   std::vector<GivenFunction<T>> given_;
   std::vector<std::vector<std::array<T, 3>>> given_rows_;

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "integrate/taylor/recorded_model.hpp"
 #include "earthtop/model/reduced_top.hpp"
+#include "integrate/taylor/recorded_model.hpp"
 
 namespace earthtop {
 

@@ -32,7 +32,8 @@ class Recording {
  public:
   /// Adds an operation, unless the same one is in the list. @returns its place
   int add(const Operation<T>& operation, T value) {
-    const Key key{operation.kind, operation.a, operation.b, bits(operation.number), bits(operation.factor_a), bits(operation.factor_b)};
+    const Key key{operation.kind,          operation.a, operation.b, bits(operation.number), bits(operation.factor_a),
+                  bits(operation.factor_b)};
     const auto [found, is_new] = places_.try_emplace(key, static_cast<int>(operations_.list.size()));
     if (is_new) operations_.list.push_back(operation), values_.push_back(value);
     return found->second;
@@ -55,7 +56,8 @@ class Recording {
     const int number = static_cast<int>(operations_.given.size());
     std::array<int, 3> places = {-1, -1, -1};
     for (int i = 0; i < function.components; ++i)
-      places[static_cast<std::size_t>(i)] = add({.kind = Kind::given, .a = number, .b = i}, now[0][static_cast<std::size_t>(i)]);
+      places[static_cast<std::size_t>(i)] =
+          add({.kind = Kind::given, .a = number, .b = i}, now[0][static_cast<std::size_t>(i)]);
     operations_.given.push_back(std::move(function));
     return places;
   }
@@ -159,7 +161,9 @@ class Recorded {
   }
 
   /// The result of an operation on this result alone, which is not a number.
-  Recorded made(const taylor::Operation<T>& operation, T value) const { return {*recording_, recording_->add(operation, value)}; }
+  Recorded made(const taylor::Operation<T>& operation, T value) const {
+    return {*recording_, recording_->add(operation, value)};
+  }
   int place() const { return place_; }
 
  private:
