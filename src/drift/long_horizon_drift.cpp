@@ -148,18 +148,13 @@ class LongHorizonDrift {
       const T step = problem_.units.time_from_s(T(*options_.step_s));
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
     }
-    LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps)
+    LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps, problem_.units)
                                                   : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
     found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks, plan.averages};
     // Another observer asks for an independent check. It gets steps that are incommensurable with these, and an average over
     // twice the time, which has four times the error.
     if (options_.observer != Observer::laboratory) plan.step *= kGoldenPart, plan.spacing = 2;
     return plan;
-  }
-  LongHorizonPlan<T> plan_from(const Top& top, const KickSteps& steps) const {
-    const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
-    const bool averages = steps.averages && real::isfinite(top.nutation_period());
-    return make_plan(top, schedule, problem_.units.time_from_s(steps.step_s), averages);
   }
   void set_step(const LongHorizonPlan<T>& plan) {
     const T interval = times_[1] - times_[0];

@@ -94,6 +94,13 @@ LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedu
 }
 
 template <class T>
+LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units) {
+  const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
+  const bool averages = steps.averages && real::isfinite(top.nutation_period());
+  return make_plan(top, schedule, units.time_from_s(steps.step_s), averages);
+}
+
+template <class T>
 T averaging_error(const TiltedTop<T>& top, T duration) {
   const T ripple = top.kick_rate() * top.nutation_period() / (T(2) * real::pi<T>());
   return ripple * top.earth_rate() * duration / T(5);
@@ -183,6 +190,7 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
 
 template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, bool);
 template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
+template LongHorizonPlan<double> plan_from(const TiltedTop<double>&, const KickSteps&, const NaturalUnits&);
 template double averaging_error(const TiltedTop<double>&, double);
 template bool may_average(const TiltedTop<double>&, double, double, double);
 

@@ -123,6 +123,11 @@ void TiltedTop<T>::kick(T b, TiltedTopState<T>& x) const {
 }
 
 template <class T>
+void TiltedTop<T>::push(T b, const Vec3<T>& f_F, TiltedTopState<T>& x) const {
+  x.across = x.across + Complex<T>{-b * f_F[1] / I1_, b * f_F[0] / I1_};
+}
+
+template <class T>
 typename TiltedTop<T>::Seen TiltedTop<T>::seen(const TiltedTopState<T>& x, T t) const {
   const T angle = spin_start_ * t + x.turn + x.turn_rest;
   const SinCos<T> half = real::sin_cos(T(angle / T(2)));
