@@ -149,6 +149,9 @@ struct RunOptions {
   Watch watch;  ///< receives the progress and may stop the run
   /// Whether a run that is interrupted after its solution is complete keeps its rows, without error bounds and verdict.
   bool partial = false;
+  /// Number of threads, 1 or more. With two, the second integration, which gives the bounds, runs beside the first. The result
+  /// is the same.
+  unsigned jobs = 1;
 };
 
 /// Runs a scene, or the scene of a scenario. The result depends on the scene only; the watch is the only side effect.

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kTolerance = 1e-7;     // tolerance of the variations: a few digits of a budget suffice
 constexpr double kFollowedPhase = 1e5;  // phase of the fastest rate (rad); takes some ten seconds
-constexpr int kRows = 400;              // times at which differences of whole integrations are looked at
 constexpr double kBeforeFrictionStops = 0.9;
 
 /// Returns how long the motion is followed (s): to its end, up to a limit of cost, or to shortly before dry friction stops it.
@@ -101,6 +100,20 @@ struct SizedUp {
   double reached_s = 0;
 };
 
+/// The responses by the variational equations. The effects have torques of their own, which the inputs need not pay for.
+DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
+                                      std::size_t effects, double time_s, const Watch& watch,
+                                      const std::function<void(const FollowedStep&)>& on_step) {
+  const auto middle = inputs.begin() + static_cast<std::ptrdiff_t>(effects);
+  const double share = double(effects) / double(inputs.size());
+  DriftSensitivity drift =
+      drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), on_step);
+  if (drift.status != RunStatus::completed) return drift;
+  const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1));
+  drift.responses.insert(drift.responses.end(), more.responses.begin(), more.responses.end());
+  return drift;
+}
+
 SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, const std::vector<ProblemDerivative>& inputs,
                 double time_s, const Responding& by, const Watch& watch) {
   const auto& problem = scene.problem<double>();
@@ -116,8 +129,9 @@ SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, co
     }
   };
   std::optional<DriftSensitivity> differences;
-  if (by.differences) differences = drift_differences(problem, inputs, time_s, kRows, *by.differences, watch, on_step);
-  up.drift = differences ? *std::move(differences) : drift_sensitivity(problem, inputs, time_s, kTolerance, watch, on_step);
+  if (by.differences) differences = drift_differences(problem, inputs, time_s, *by.differences, watch, on_step);
+  up.drift =
+      differences ? *std::move(differences) : integrated_responses(problem, inputs, candidates.size(), time_s, watch, on_step);
   // To seconds and back the end may change by a rounding.
   up.reached_s = up.drift.status == RunStatus::completed ? time_s : real::scale(end, problem.units.time_exponent);
   for (std::size_t i = 0; i < std::min(candidates.size(), up.drift.responses.size()); ++i)
@@ -266,6 +280,8 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
     budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
   else if (!completed)
     budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.drift.status));
+  else if (up.drift.responses.size() < prepared.all.size())
+    budget.inputs_unavailable = "their integration ended early";
   else
     add_inputs(prepared.inputs, std::span(up.drift.responses).subspan(candidates.size()), later, drift_later, budget);
   return budget;

@@ -81,11 +81,11 @@ void LagrangeTop<T>::evaluate_basis(T v, T v_low, Basis& b) const {
   b.high_factor = T(2) * root / denominator;
 }
 
-/// How the constants of the motion follow from the start, in the wider scalar type. Each function derives one group of the
+/// How the constants of the motion follow from the start, in the scalar type W. Each function derives one group of the
 /// top's members from the nutation's roots; `derive` calls them in the order in which they need one another.
 template <class T>
+template <class W>
 struct LagrangeTop<T>::Derivation {
-  using W = Wider<T>;
   static_assert(kTerms == elliptic::kThetaTerms<T>);
 
   LagrangeTop& top;
@@ -221,19 +221,24 @@ struct LagrangeTop<T>::Derivation {
 };
 
 template <class T>
-LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B) {
-  Derivation(*this, top, q0_NB, w0_NB_B).derive();
+LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B,
+                            ClosedFormSpan span) {
+  if (span == ClosedFormSpan::few_periods)
+    Derivation<T>(*this, top, q0_NB, w0_NB_B).derive();
+  else
+    Derivation<Wider<T>>(*this, top, q0_NB, w0_NB_B).derive();
 }
 
 /// Sets the constant phases of A and B from the start. A, B and Omega are known there, and the phase of each follows from the
 /// other two; the least accurate of the three (it may vanish) is not used.
 template <class T>
-void LagrangeTop<T>::set_phases(const Derivation& start) {
-  const auto narrow = [](const Complex<Wider<T>>& x) { return Complex<T>{static_cast<T>(x.re), static_cast<T>(x.im)}; };
+template <class W>
+void LagrangeTop<T>::set_phases(const Derivation<W>& start) {
+  const auto narrow = [](const Complex<W>& x) { return Complex<T>{static_cast<T>(x.re), static_cast<T>(x.im)}; };
   const Complex<T> A = narrow(start.A), B = narrow(start.B);
   // The largest values of |low| and |high|.
-  const T low_size = static_cast<T>(real::sqrt(start.roots.bottom2 / Wider<T>(2))),
-          high_size = static_cast<T>(real::sqrt(start.roots.top1 / Wider<T>(2)));
+  const T low_size = static_cast<T>(real::sqrt(start.roots.bottom2 / W(2))),
+          high_size = static_cast<T>(real::sqrt(start.roots.top1 / W(2)));
   Basis b;
   evaluate_basis(v_start_.high, v_start_.low, b);
   Complex<T> low = b.low(low_), high = b.high(high_), rate = b.high(rate_);

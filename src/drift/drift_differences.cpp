@@ -22,6 +22,10 @@ constexpr double kRateStep = 0.05;                       // step in the Earth's 
 constexpr double kLargeDrift = 1e-4;                     // drift that a difference of two axes shows with seven digits (rad)
 constexpr double kAmplified = 1e-3;                      // size to which the Earth's rate brings a smaller drift (rad)
 constexpr double kPhase = 0.2;                           // largest change of the nutation's phase (rad)
+constexpr int kSeriesRows = 1000;                        // times at which responses are found, where those cost little
+constexpr int kStepRows = 96, kMostStepRows = 400;       // the same where each takes steps of its own
+constexpr double kRowsPerTurn = 12;                      // of the precession, unless that makes too many
+constexpr std::size_t kPaired = 4;                       // every so many rows one of them has a partner
 constexpr int kTrials = 6;
 
 /// The axes at all rows: of the reference, and (rotating - reference) times the Earth's rate in the unit of 1 / epsilon.
@@ -110,11 +114,17 @@ Problem moved(const Problem& problem, const ProblemDerivative& d, double h) {
 
 class Differences {
  public:
-  Differences(const Problem& problem, double time_s, int rows, const DifferenceMethods& methods, int runs, const Watch& watch)
+  Differences(const Problem& problem, double time_s, const DifferenceMethods& methods, int runs, const Watch& watch)
       : problem_(problem), methods_(methods), runs_(runs), watch_(watch) {
     problem_.threshold_rad.reset();
-    problem_.times_s.clear();
-    for (int i = 0; i <= rows; ++i) problem_.times_s.push_back(i == rows ? time_s : time_s * (double(i) / rows));
+    // Roughly the angular momentum that a torque has to turn, and the angle through which the axis goes.
+    const Model<double>& m = problem_.model;
+    const double I1 = m.I_BP_B(0, 0), kappa = m.I_BP_B(2, 2) * std::abs(spin()),
+                 G = norm(m.mass_moment_B) * norm(m.apparent_gravity_L);
+    momentum_ = kappa + std::sqrt(G * I1);
+    const double end = problem_.units.time_from_s(time_s);
+    turned_ = momentum_ > 0 ? G / momentum_ * end : 0;
+    choose_times(time_s, real::scale(2 * real::pi<double>() * I1 / kappa, problem_.units.time_exponent));
   }
 
   bool kicks() const { return methods_.alone.method == Method::long_horizon; }
@@ -127,16 +137,27 @@ class Differences {
     samples_ = run.samples;
     if (run.kick_steps) methods_.alone.kick_steps = run.kick_steps;
     drift_ = epsilon() * largest_of(base_.drift);
-    // Roughly the angular momentum that a torque has to turn, and the angle through which the axis goes.
-    const Model<double>& m = problem_.model;
-    const double w3 = std::abs(problem_.units.rate_from_rad_s(problem_.release.w_XB_B[2])), I1 = m.I_BP_B(0, 0);
-    const double kappa = m.I_BP_B(2, 2) * w3, G = norm(m.mass_moment_B) * norm(m.apparent_gravity_L);
-    momentum_ = kappa + std::sqrt(G * I1);
-    turned_ = momentum_ > 0 ? G / momentum_ * end() : 0;
     return true;
   }
   const std::vector<DriftSample<double>>& samples() const { return samples_; }
   const StepCounters& counters() const { return counters_; }
+
+  /// The final and the largest lengths. The response is made of a slow part and of one that turns with the nutation; half a
+  /// period of it lies between a row and its partner, so that their sum and their difference tell the largest length within the
+  /// period.
+  Responses responses_of(const Axes& axes) const {
+    Responses r;
+    r.displacement_final = norm(axes.reference.back()), r.displacement_largest = largest_of(axes.reference);
+    r.drift_final = norm(axes.drift.back()), r.drift_largest = largest_of(axes.drift);
+    const auto within = [](const Vec3<double>& a, const Vec3<double>& b) {
+      return norm(Vec3<double>(a + b)) / 2 + norm(Vec3<double>(a - b)) / 2;
+    };
+    for (const std::size_t i : paired_) {
+      r.displacement_largest = std::max(r.displacement_largest, within(axes.reference[i], axes.reference[i - 1]));
+      r.drift_largest = std::max(r.drift_largest, within(axes.drift[i], axes.drift[i - 1]));
+    }
+    return r;
+  }
 
   FollowedStep step_at(std::size_t i) const {
     const DriftState<double>& s = samples_[i].state;
@@ -157,6 +178,22 @@ class Differences {
 
  private:
   double epsilon() const { return problem_.model.epsilon; }
+  double spin() const { return problem_.units.rate_from_rad_s(problem_.release.w_XB_B[2]); }
+  /// @param period_s  of the nutation, roughly; may be infinite
+  void choose_times(double time_s, double period_s) {
+    const double turns = turned_ / (2 * real::pi<double>());
+    const int rows =
+        kicks() ? static_cast<int>(std::clamp(kRowsPerTurn * turns, double(kStepRows), double(kMostStepRows))) : kSeriesRows;
+    problem_.times_s = {0};
+    for (int i = 1; i <= rows; ++i) {
+      const double t = i == rows ? time_s : time_s * (double(i) / rows), partner = t - period_s / 2;
+      if (kicks() && static_cast<std::size_t>(rows - i) % kPaired == 0 && partner > problem_.times_s.back()) {
+        problem_.times_s.push_back(partner);
+        paired_.push_back(problem_.times_s.size());
+      }
+      problem_.times_s.push_back(t);
+    }
+  }
   double end() const { return problem_.units.time_from_s(problem_.times_s.back()); }
   Watch next_part() {
     const Watch part = watch_.part(double(done_) / runs_, double(done_ + 1) / runs_);
@@ -227,9 +264,10 @@ class Differences {
   /// linear in the input.
   double nutation_change(const ProblemDerivative& d) const {
     const Model<double>& m = problem_.model;
-    const double w3 = problem_.units.rate_from_rad_s(problem_.release.w_XB_B[2]);
-    return std::abs((d.I_BP_B(2, 2) * w3 + m.I_BP_B(2, 2) * d.w_XB_B[2] - m.I_BP_B(2, 2) * w3 * d.I_BP_B(0, 0) / m.I_BP_B(0, 0)) /
-                    m.I_BP_B(0, 0)) *
+    const double w3 = spin();
+    return std::abs(
+               (d.I_BP_B(2, 2) * w3 + m.I_BP_B(2, 2) * d.w_XB_B[2] - m.I_BP_B(2, 2) * w3 * d.I_BP_B(0, 0) / m.I_BP_B(0, 0)) /
+               m.I_BP_B(0, 0)) *
            end();
   }
 
@@ -355,17 +393,11 @@ class Differences {
   StepCounters counters_;
   Axes base_;
   std::vector<DriftSample<double>> samples_;
+  std::vector<std::size_t> paired_;  ///< rows whose partner is the row before
   double drift_ = 0, momentum_ = 1, turned_ = 0;
   std::array<std::optional<Axes>, 3> by_rate_;
   std::optional<Axes> centrifugal_, release_;
 };
-
-Responses responses_of(const Axes& axes) {
-  Responses r;
-  r.displacement_final = norm(axes.reference.back()), r.displacement_largest = largest_of(axes.reference);
-  r.drift_final = norm(axes.drift.back()), r.drift_largest = largest_of(axes.drift);
-  return r;
-}
 
 }  // namespace
 
@@ -403,16 +435,16 @@ bool has_drift_differences(const DriftProblem<double>& problem) {
 }
 
 std::optional<DriftSensitivity> drift_differences(const DriftProblem<double>& problem,
-                                                  const std::vector<ProblemDerivative>& inputs, double time_s, int rows,
+                                                  const std::vector<ProblemDerivative>& inputs, double time_s,
                                                   const DifferenceMethods& methods, const Watch& watch,
                                                   const std::function<void(const FollowedStep&)>& on_step) {
-  Differences differences(problem, time_s, rows, methods, difference_runs(problem, inputs, methods).all(), watch);
+  Differences differences(problem, time_s, methods, difference_runs(problem, inputs, methods).all(), watch);
   if (!differences.integrate_itself()) return std::nullopt;
   DriftSensitivity result;
   for (const ProblemDerivative& d : inputs) {
     const std::optional<Axes> axes = differences.by(d);
     if (!axes) return std::nullopt;
-    result.responses.push_back(responses_of(*axes));
+    result.responses.push_back(differences.responses_of(*axes));
   }
   const auto& measures = differences.samples().back().measures;
   result.axis.value = measures.axis, result.attitude.value = measures.attitude, result.tilt.value = measures.tilt;

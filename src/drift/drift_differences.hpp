@@ -30,10 +30,10 @@ bool has_drift_differences(const DriftProblem<double>& problem);
 /// Returns what drift_sensitivity returns, apart from the derivatives of the drift's own measures, which stay empty. Responses
 /// are good to about 1e-4 of themselves.
 /// @param problem  as has_drift_differences demands   @param time_s  the time after the release that is covered (s)
-/// @param rows  number of times, equally spaced, at which responses are found and `on_step` is called
+/// @param on_step  called at some hundred times
 /// @returns nothing if one of the integrations does not come to the end
 std::optional<DriftSensitivity> drift_differences(const DriftProblem<double>& problem,
-                                                  const std::vector<ProblemDerivative>& inputs, double time_s, int rows,
+                                                  const std::vector<ProblemDerivative>& inputs, double time_s,
                                                   const DifferenceMethods& methods, const Watch& watch,
                                                   const std::function<void(const FollowedStep&)>& on_step);
 

@@ -68,9 +68,7 @@ DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const Integ
   const auto integrate = [&](auto&& system) {
     return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
   };
-  // In inertial axes even a plain scene has its series among those that are recorded.
-  const bool series_at_hand = O == Observer::laboratory || options.method != Method::taylor;
-  if (is_reducible(problem.model) && series_at_hand) return integrate(ReducedDriftSystem<T, O>(problem.model, problem.release, problem.units));
+  if (is_reducible(problem.model)) return integrate(ReducedDriftSystem<T, O>(problem.model, problem.release, problem.units));
   if (is_compass(problem.model)) return integrate(CompassDrift<T, O>(problem.model, problem.release, problem.units));
   return integrate(DrivenReducedDrift<T, O>(problem.model, problem.release, problem.units));
 }

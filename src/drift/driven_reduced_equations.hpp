@@ -45,7 +45,7 @@ struct DrivenReducedEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
     const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
-    const bool friction = model.applied.friction();
+    const bool friction = changes_spin(model);
     const T &w = x[11], &epsilon = model.epsilon;
     const T spin_change = friction ? x[9] : T(0), k = friction ? x[18] : k_at_release;
     const Vec3<T> s = u.cross(n), v = V + k * n;
@@ -53,7 +53,7 @@ struct DrivenReducedEquations {
     const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, M); };
 
     const AxisTorques<Paired<T>> torques = axis_torques<T, Paired<T>>(
-        top, model.applied, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, V, k, t, see));
+        top, model, Paired<T>(moment_factor(top, n)), both_motions(n, u, spin_change, V, k, t, see));
     const T nutation = b + (b_rest + top.spin_ratio * spin_change);
     const T spinning = (T(1) - top.spin_ratio) * k;
     const Vec3<T> across = n.cross(V);
@@ -107,10 +107,11 @@ struct DrivenReducedEquations {
     const Vec3<T> unchanged = Vec3<T>::Zero();
     for (std::size_t i = 0; i < 2; ++i)
       if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L, unchanged);
-    if (!model.applied.friction()) return seen;
     const T spin = w3 + spin_change;
     seen.u = pair(u, V);
     seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);
+    seen.W = see(unchanged, model.W_IL_L_scaled);
+    if (!model.applied.friction()) return seen;
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;
   }

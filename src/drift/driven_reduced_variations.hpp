@@ -51,7 +51,7 @@ struct DrivenVariationsEquations {
     for (std::size_t i = DrivenVariationsShape::kMotionSize; i < x.size(); i += 7) {
       const Vec3<T> theta = load_vector(x, i), V = load_vector(x, i + 3), v = V + x[i + 6] * n;
       const AxisTorques<Paired<T>> torques =
-          axis_torques<T, Paired<T>>(top, model.applied, Paired<T>(moment_factor(top, n)), seen(x, theta, V, x[i + 6], t));
+          axis_torques<T, Paired<T>>(top, model, Paired<T>(moment_factor(top, n)), seen(x, theta, V, x[i + 6], t));
       if (is_first) {
         store_vector(Vec3<T>(s - W_L.cross(n)), dxdt, 0);
         store_vector(Vec3<T>(part(torques.across, &Paired<T>::ref) - nutation * s - W_L.cross(u)), dxdt, 3);
@@ -84,10 +84,11 @@ struct DrivenVariationsEquations {
     seen.field = see(has_Earth ? field.rotating_L : field.reference_L);
     for (std::size_t i = 0; i < 2; ++i)
       if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L);
-    if (!model.applied.friction()) return seen;
     const T spin = w3 + x[6];
     seen.u = pair(u, V);
     seen.w3 = Paired<T>(spin, spin, k);
+    seen.W = see(W_L);
+    if (!model.applied.friction()) return seen;
     seen.w_IP = see(Vec3<T>(applied_motion::Carrier<T>(model.platform, t).w_LP_L + W_L));
     return seen;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drift/long_horizon_work.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
 #include "drift/threshold_watch.hpp"
@@ -17,6 +18,9 @@ namespace earthtop {
 namespace {
 
 using T = double;
+using long_horizon::kGoldenPart;
+using long_horizon::kNodeDrift;
+using long_horizon::kSmall;
 using Top = TiltedTop<T>;
 
 /// Both motions at one instant, without the spin w3 t that they share. (e_w, epsilon y) is the quaternion of R_ref^T R_rot.
@@ -105,18 +109,17 @@ class LongHorizonDrift {
     walked_.push_back({top, plan, epsilon});
     set_step(plan);
     T largest_node = std::numeric_limits<T>::infinity();
-    if (plan.averages) {
-      const T averaging = averaging_error(top, times_.back());
+    if (plan.averages()) {
+      const T averaging = averaging_error(top, times_.back(), plan.averaging);
       stated_error_ = averaging / times_.back();
-      // The averaging error goes with the square of the rate. At the larger rates it must not exceed the error of a difference.
-      if (averaging > T(0)) largest_node = epsilon * real::sqrt(kDifferenceError / averaging);
+      largest_node = epsilon * long_horizon::largest_node(top, times_.back(), plan.averaging);
     }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
     const bool difference_suffices = largest >= kSmall || largest_node < T(2) * epsilon;
     // Two walks with long steps may have the same error, mostly in the turn about the axis, which their comparison does not
     // show: up to 5e-12 rad, as in one of 180 gyroscopes.
-    if (plan.averages && difference_suffices)
+    if (plan.averages() && difference_suffices)
       for (std::size_t i = 0; i < plain.samples.size(); ++i)
         plain.samples[i].drift_error += kUnseenError * (times_[i] / times_.back());
     if (difference_suffices || trajectory_status_ != RunStatus::completed) return plain;
@@ -125,13 +128,9 @@ class LongHorizonDrift {
     return watched(epsilon, false);
   }
 
-  static constexpr T kSmall = 1e-3;             ///< smallest drift taken as a difference, which has nine digits of it (rad)
-  static constexpr T kNodeDrift = 4e-3;         ///< drift sought at the largest of the four rates of the cubic (rad)
-  static constexpr T kDifferenceError = 1e-12;  ///< error of a difference of attitudes (rad)
-  static constexpr T kUnseenError = 5e-12;      ///< error of averaging that comparisons may not show, at the end (rad)
-  static constexpr T kApart = 1e-3;             ///< phase of the fast motion between the states that rates come from (rad)
-  static constexpr double kWalkShare = 0.75;    ///< share of the remaining work that is left after a walk, for the progress
-  static constexpr T kGoldenPart = 0.6180339887498949;
+  static constexpr T kUnseenError = 5e-12;    ///< error of averaging that comparisons may not show, at the end (rad)
+  static constexpr T kApart = 1e-3;           ///< phase of the fast motion between the states that rates come from (rad)
+  static constexpr double kWalkShare = 0.75;  ///< share of the remaining work that is left after a walk, for the progress
   static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
   Top top_at(T epsilon) const {
@@ -150,12 +149,14 @@ class LongHorizonDrift {
     }
     LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps, problem_.units)
                                                   : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
-    found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks, plan.averages};
+    found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks,
+              plan.averaging};
     // Another observer asks for an independent check. It gets steps that are incommensurable with these, and an average over
     // twice the time, which has four times the error.
-    if (options_.observer != Observer::laboratory) plan.step *= kGoldenPart, plan.spacing = 2;
+    if (is_second()) plan.step *= kGoldenPart, plan.filter = make_filter(top, plan.averaging, true);
     return plan;
   }
+  bool is_second() const { return options_.observer != Observer::laboratory; }
   void set_step(const LongHorizonPlan<T>& plan) {
     const T interval = times_[1] - times_[0];
     step_s_ = static_cast<double>(
@@ -267,9 +268,9 @@ class LongHorizonDrift {
     ++walks_;
     return watch_.part(done, is_alone ? 1 : 1 - real::pow(kWalkShare, walks_));
   }
-  T longest_time_between_looks(const Top& top) const {
+  T longest_time_between_looks(const Top& top, bool averages) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
-    return rate > T(0) ? T(1.5) / rate : times_.back();
+    return rate > T(0) ? T(long_horizon::look_angle(averages)) / rate : times_.back();
   }
 
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
@@ -279,7 +280,7 @@ class LongHorizonDrift {
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     std::size_t rows = 0;
-    walk(top, plan, epsilon, longest_time_between_looks(top), [&](T t, const Pair& p) {
+    walk(top, plan, epsilon, longest_time_between_looks(top, plan.averages()), [&](T t, const Pair& p) {
       watcher(t, p);
       if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
     });
@@ -292,7 +293,7 @@ class LongHorizonDrift {
     StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
-    const T every = longest_time_between_looks(reference_);
+    const T every = longest_time_between_looks(reference_, !walked_.empty() && walked_.front().plan.averages());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       // The deviation is small and cannot go round between two rows; only the reference has to be followed.
       if (i > 0)
@@ -339,7 +340,7 @@ class LongHorizonDrift {
     T node = std::min(most, drift > kResolved ? T(epsilon * kNodeDrift / drift) : T(kNodeDrift / times_.back()));
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
-      const LongHorizonPlan<T> plan = plan_of(top, kNodeDrift * std::max(T(options_.relative_tolerance), T(1e-11)));
+      const LongHorizonPlan<T> plan = plan_of(top, long_horizon::node_tolerance(options_.relative_tolerance));
       walk(top, plan, node, T(0), quiet);
       const T reached = largest_drift(node);
       if (trajectory_status_ != RunStatus::completed) return reached;
@@ -355,7 +356,7 @@ class LongHorizonDrift {
       for (std::size_t i = 1; i < kNodes.size(); ++i) {
         LongHorizonPlan<T> same = plan;
         const Top other = top_at(kNodes[i] * node);
-        if (plan.averages) same = make_plan(other, plan.schedule, plan.step, true), same.spacing = plan.spacing;
+        same.filter = make_filter(other, plan.averaging, is_second());
         walked_.push_back({other, same, kNodes[i] * node});
         walk(other, same, kNodes[i] * node, T(0), quiet);
         if (trajectory_status_ != RunStatus::completed) return reached;

@@ -6,8 +6,8 @@ namespace earthtop {
 template DriftPhases<double> drift_phases(const DriftState<double>&);
 template DriftPhases<long double> drift_phases(const DriftState<long double>&);
 template DriftPhases<float128> drift_phases(const DriftState<float128>&);
-template DriftMeasures<double> measure_drift(const DriftState<double>&);
-template DriftMeasures<long double> measure_drift(const DriftState<long double>&);
-template DriftMeasures<float128> measure_drift(const DriftState<float128>&);
+template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSought);
+template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
+template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
 
 }  // namespace earthtop

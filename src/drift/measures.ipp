@@ -13,6 +13,13 @@ T angle_of(T y, T x) {
   return real::atan2(y, x) + T(0);
 }
 
+/// The difference of body axis 3 of the rotating body from that of the reference, over epsilon; in East, North, Up.
+/// @param R_ref  attitude of the reference
+template <class T>
+Vec3<T> axis_difference_scaled(const DriftState<T>& s, const Mat3<T>& R_ref) {
+  return times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, Vec3<T>(Vec3<T>::UnitZ())));
+}
+
 /// Body axis 3 of the reference, n, and the difference d of that of the rotating body from it; in East, North, Up.
 template <class T>
 struct AxisPair {
@@ -20,10 +27,10 @@ struct AxisPair {
   T horizontal_ref, horizontal_rot;
   bool ref_defined, azimuth_defined;
 
-  explicit AxisPair(const DriftState<T>& s) {
-    const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
+  explicit AxisPair(const DriftState<T>& s) : AxisPair(s, rotation_matrix(s.ref_q_LB)) {}
+  AxisPair(const DriftState<T>& s, const Mat3<T>& R_ref) {
     n = R_ref.col(2);
-    d_scaled = times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, Vec3<T>(Vec3<T>::UnitZ())));
+    d_scaled = axis_difference_scaled(s, R_ref);
     d = s.epsilon * d_scaled;
     horizontal_ref = real::hypot(n[0], n[1]);
     horizontal_rot = real::hypot(T(n[0] + d[0]), T(n[1] + d[1]));
@@ -46,21 +53,28 @@ DriftPhases<T> drift_phases(const DriftState<T>& s) {
 }
 
 template <class T>
-DriftMeasures<T> measure_drift(const DriftState<T>& s) {
+DriftMeasures<T> measure_drift(const DriftState<T>& s, DriftSought sought) {
   using drift_measures::angle_of;
   const T epsilon = s.epsilon;
   const T size = real::hypot(s.e_w, T(epsilon * norm(s.e_v_scaled)));
   const T w = s.e_w / size;
   const Vec3<T> y = s.e_v_scaled / size;
+  const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
   DriftMeasures<T> m;
   m.axis = T(2) * angle_of(T(epsilon * real::hypot(y[0], y[1])), real::hypot(w, T(epsilon * y[2])));
   m.attitude = T(2) * angle_of(T(epsilon * norm(y)), real::abs(w));
+  m.attitude_vector_L_scaled = times(R_ref, y);
+  if (sought == DriftSought::distances) {
+    m.axis_difference_L_scaled = drift_measures::axis_difference_scaled(s, R_ref);
+    m.tilt = m.azimuth = m.half_spin = T(0);
+    m.azimuth_defined = false;
+    return m;
+  }
   m.half_spin = angle_of(T(epsilon * y[2] + T(0)), w);
 
-  const drift_measures::AxisPair<T> axes(s);
+  const drift_measures::AxisPair<T> axes(s, R_ref);
   const Vec3<T>&n = axes.n, &d = axes.d;
   m.axis_difference_L_scaled = axes.d_scaled;
-  m.attitude_vector_L_scaled = times(rotation_matrix(s.ref_q_LB), y);
   m.azimuth_defined = axes.azimuth_defined;
   m.azimuth = axes.azimuth_defined ? angle_of(axes.azimuth_sine(), axes.azimuth_cosine()) : T(0);
   // The difference of the two horizontal lengths is (2 n.d + d.d) / (their sum), which avoids subtracting them.

@@ -19,7 +19,7 @@
 #include "drift/deviation_state.hpp"
 #include "drift/drift_system.hpp"
 #include "drift/reduced_drift_flows.hpp"
-#include "drift/taylor/reduced_drift_series.hpp"
+#include "drift/taylor/expand_drift_series.hpp"
 #include "earthtop/model/reduced_top.hpp"
 #include "integrate/group_norms.hpp"
 
@@ -35,8 +35,7 @@ struct ReducedDriftShape {
 
 /// @tparam O  laboratory, or inertial, in whose axes gravity turns
 template <class T, Observer O>
-class ReducedDriftSystem
-    : public std::conditional_t<O == Observer::laboratory, WithSeries<ReducedDriftSeries<T>>, WithoutSeries> {
+class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
  public:
   static_assert(O != Observer::body);
   using Shape = ReducedDriftShape;
@@ -82,7 +81,7 @@ class ReducedDriftSystem
     store(dV, dxdt, 13);
   }
 
-  ReducedDriftSeries<T> series() const { return {model_, top_, constants_}; }
+  ReducedDriftSeries<T, O> series() const { return {model_, top_, constants_}; }
   const ReducedTop<T>& top() const { return top_; }
   const ReducedDriftConstants<T>& constants() const { return constants_; }
 

@@ -65,11 +65,11 @@ class GroupScales {
     }
     return std::min(T(real::sqrt(largest) / relative_tolerance), T(1e30));
   }
-  /// The largest ratio of a group of x to the size kept for it.
-  T largest_ratio(const State& x) const {
+  /// The largest ratio of a group of x to the size kept for it, squared.
+  T largest_squared_ratio(const State& x) const {
     T largest = T(0);
     for (std::size_t g = 0; g < kGroups.size(); ++g) largest = std::max(largest, T(squared_size(x, kGroups[g]) / squares_[g]));
-    return real::sqrt(largest);
+    return largest;
   }
   /// How far dx/dt * dt turns the unit vectors and quaternions, which are the groups with a least size of 1.
   T turned(const State& dxdt, T dt) const {

@@ -19,6 +19,8 @@ constexpr double kLeastError = 1e-12;
 constexpr double kLeastAveraged = 1e-11;
 /// The factor by which halving the step reduces the error: for the lowest order that there is, and for one worth halving for.
 constexpr double kLeastGain = 4, kGain = 16;
+/// The round-off that a flow adds to the distance of two trials (rad). Shorter steps only make more of it.
+constexpr double kRoundOffAFlow = 2e-17;
 /// A difference between two trials that may be nothing but round-off (rad).
 constexpr double kLeastSquare = 1e-10;
 
@@ -77,59 +79,96 @@ class Trial {
 }  // namespace
 
 template <class T>
-LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages) {
-  LongHorizonPlan<T> plan;
-  plan.schedule = schedule;
-  plan.step = step;
-  plan.averages = averages;
-  if (!averages) return plan;
-  plan.period = top.nutation_period();
-  // The weights integrate the first three harmonics of the nutation exactly: they are a discrete sine transform of 1/k.
-  for (int i = 1; i <= 3; ++i) {
-    T sum = T(0);
-    for (int k = 1; k <= 3; ++k) sum += real::sin(T(k * i) * real::pi<T>() / T(4)) / T(k);
-    plan.ripple_weight[i - 1] = -plan.period * sum / (T(8) * real::pi<T>());
+KickFilter<T> make_filter(const TiltedTop<T>& top, Averaging averaging, bool wider) {
+  const T period = top.nutation_period();
+  switch (averaging) {
+    case Averaging::none: break;
+    case Averaging::coarse: return kick_filters::coarse(period, wider ? 2 : 1);
+    case Averaging::fine:
+      return kick_filters::fine(period, T(top.precession_rate() * period / (T(2) * real::pi<T>())), wider ? 2 : 1);
   }
-  return plan;
+  return {};
+}
+
+template <class T>
+LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, Averaging averaging) {
+  return {schedule, step, averaging, make_filter(top, averaging, false)};
 }
 
 template <class T>
 LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units) {
   const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
-  const bool averages = steps.averages && real::isfinite(top.nutation_period());
-  return make_plan(top, schedule, units.time_from_s(steps.step_s), averages);
+  const bool is_periodic = real::isfinite(top.nutation_period());
+  return make_plan(top, schedule, units.time_from_s(steps.step_s), is_periodic ? steps.averaging : Averaging::none);
 }
 
 template <class T>
-T averaging_error(const TiltedTop<T>& top, T duration) {
+T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging) {
   const T ripple = top.kick_rate() * top.nutation_period() / (T(2) * real::pi<T>());
-  return ripple * top.earth_rate() * duration / T(5);
+  const T second_order = ripple * top.earth_rate() * duration / T(5);
+  switch (averaging) {
+    case Averaging::none: break;
+    case Averaging::coarse: return second_order;
+    case Averaging::fine: return second_order / T(10);
+  }
+  return T(0);
 }
 
 template <class T>
-bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
+Averaging may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) {
   const T period = top.nutation_period();
   // A few periods are better resolved by steps, and steps shorter than the period resolve it anyway.
-  if (!(T(32) * period < duration) || !(period < step)) return false;
+  if (!(T(32) * period < duration) || !(period < step)) return Averaging::none;
   const T nutation = T(2) * real::pi<T>() / period, precession = top.precession_rate(), ratio = precession / nutation;
-  if (!(ratio < T(0.02))) return false;
+  if (!(ratio < T(0.02))) return Averaging::none;
   const T ripple = top.kick_rate() / nutation;
-  if (!(ripple * ratio * (T(1) + ratio * precession * duration) < tolerance)) return false;
-  // An averaging error above the tolerance is accepted, and stated, where resolving the nutation would leave as much round-off
+  // The error left by second-order effects is accepted, and stated, where resolving the nutation would leave as much round-off
   // or would take minutes.
   constexpr double kAffordablePhase = 1e6, kRoundOff = 2.5e-17;  // rad; round-off measured in rad per rad of nutation
   const T phase = nutation * duration;
-  return averaging_error(top, duration) < tolerance + T(kRoundOff) * phase || phase > T(kAffordablePhase);
+  if (ripple * ratio * (T(1) + ratio * precession * duration) < tolerance &&
+      (averaging_error(top, duration, Averaging::coarse) < tolerance + T(kRoundOff) * phase || phase > T(kAffordablePhase)))
+    return Averaging::coarse;
+  // The fine filter lets the fifth harmonic of the nutation through. It is about this large, as the harmonics fall off with the
+  // amplitude of the nutation; half the limit to the frame's rate over the frequency is at least that amplitude.
+  const T amplitude = top.frame_rate() / (T(2) * nutation), square = amplitude * amplitude;
+  const T fifth = top.kick_rate() / precession * square * square;
+  if (!(fifth < tolerance)) return Averaging::none;
+  // The error of second-order effects is accepted where it is below what can be shown of a method that follows the nutation: the
+  // distance of two such integrations grows with the square of the phase, as measured.
+  constexpr double kFollowed = 1e-20;  // rad per square of a rad of nutation
+  const T least = averaging_error(top, duration, Averaging::fine) / T(3);
+  return least < std::max(tolerance, T(kLeastAveraged)) + T(kFollowed) * phase * phase ? Averaging::fine : Averaging::none;
 }
 
+namespace {
+
+/// The tolerance asked for, or the least one that makes sense over this horizon: a part of the error that averaging leaves, and
+/// that is stated, whatever the steps.
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
-                             const Watch& watch) {
-  const bool averages = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
-  const T tolerance = std::max(asked, T(averages ? kLeastAveraged : kLeastError));
+T reachable(const TiltedTop<T>& top, T duration, T asked, Averaging averaging) {
+  if (averaging == Averaging::none) return std::max(asked, T(kLeastError));
+  return std::max({asked, T(kLeastAveraged), averaging_error(top, duration, averaging) / T(3)});
+}
+
+/// What the search for a plan begins with.
+template <class T>
+struct Guess {
+  LongHorizonPlan<T> plan;
+  T tolerance;       ///< of the axis (rad)
+  bool needs_trial;  ///< false where there is no perturbation, so that no step has an error
+  T part;            ///< the part of the duration that a trial covers
+  Looks looks;
+};
+
+template <class T>
+Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T interval, T asked) {
+  const Averaging averaging = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
+  const bool averages = averaging != Averaging::none;
+  const T tolerance = reachable(top, duration, asked, averaging);
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
   const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
-  // About a tenth of the perturbation is taken to oscillate, at twice this rate. The trial below corrects this estimate.
+  // About a tenth of the perturbation is taken to oscillate, at twice this rate. A trial corrects this estimate.
   const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
   double least_work = std::numeric_limits<double>::infinity();
   KickSchedule schedule;
@@ -143,17 +182,29 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
       step = T(whole / steps);
     }
   }
-  LongHorizonPlan<T> plan = make_plan(top, schedule, step, averages);
-  if (!(size > 0)) return plan;
-
   // The trial covers the whole duration where that costs little, because in an unstable scene errors grow.
   constexpr double kCheapSteps = 400;
   const T part = duration < T(kCheapSteps) * step
                      ? duration
                      : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
-  const T growth = duration / part;
   const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
+  return {make_plan(top, schedule, step, averaging), tolerance, size > 0, part, looks};
+}
+
+}  // namespace
+
+template <class T>
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
+                             const Watch& watch) {
+  const Guess<T> guess = guess_plan(top, duration, interval, asked);
+  LongHorizonPlan<T> plan = guess.plan;
+  if (!guess.needs_trial) return plan;
+  const T tolerance = guess.tolerance, part = guess.part, growth = duration / part;
+  const bool averages = plan.averages();
+  const Looks& looks = guess.looks;
+  T step = plan.step;
   plan.step = step = part / T(looks.steps * looks.count);
+  const std::int64_t begun = counters.evaluations;
   Trial<T> coarse(top, plan, part, looks.count, counters, watch);
   T before = std::numeric_limits<T>::infinity();
   int stalls = 0;
@@ -162,8 +213,8 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
     LongHorizonPlan<T> finer = plan;
     finer.step /= T(2);
     const Trial<T> fine(top, finer, part, looks.count, counters, watch);
-    const T distance = coarse.distance(fine);
-    if (distance * growth < tolerance) return plan;
+    const T distance = coarse.distance(fine), round_off = T(kRoundOffAFlow) * static_cast<T>(counters.evaluations - begun);
+    if (distance * growth < tolerance || distance < round_off) return plan;
     if (distance * growth < T(kLeastGain) * tolerance) return finer;
     const bool composed = is_composed(plan);
     if (halvings > 0 && !(distance < before / (composed ? T(1.5) : T(kGain)))) {
@@ -188,10 +239,44 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
   return plan;
 }
 
-template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, bool);
+template <class T>
+LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows) {
+  const double kicks = plan.schedule.kicks * plan.filter.flows();
+  LongHorizonWork work;
+  work.averaging = plan.averaging;
+  work.steps = rows * std::max(1.0, std::ceil(static_cast<double>(interval / plan.step) * (1 - 1e-12)));
+  work.evaluations = work.steps * kicks + rows * (1 + plan.filter.ripple_flows());
+  return work;
+}
+
+template <class T>
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share) {
+  const Guess<T> guess = guess_plan(top, duration, interval, tolerance);
+  LongHorizonPlan<T> plan = guess.plan;
+  LongHorizonWork search;
+  if (guess.needs_trial) {
+    // A trial in steps of the length guessed, and one in half of it. Further ones follow if these disagree.
+    const double each = guess.looks.steps, looks = guess.looks.count;
+    plan.step = guess.part / T(each * looks);
+    search = walking_work(plan, T(guess.part / T(looks)), looks);
+    LongHorizonPlan<T> half = plan;
+    half.step /= T(2);
+    const LongHorizonWork finer = walking_work(half, T(guess.part / T(looks)), looks);
+    search.steps += finer.steps, search.evaluations += finer.evaluations;
+  }
+  plan.step *= T(share);
+  LongHorizonWork work = walking_work(plan, interval, rows);
+  work.search_steps = search.steps, work.search_evaluations = search.evaluations;
+  return work;
+}
+
+template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, Averaging);
+template KickFilter<double> make_filter(const TiltedTop<double>&, Averaging, bool);
 template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
 template LongHorizonPlan<double> plan_from(const TiltedTop<double>&, const KickSteps&, const NaturalUnits&);
-template double averaging_error(const TiltedTop<double>&, double);
-template bool may_average(const TiltedTop<double>&, double, double, double);
+template LongHorizonWork walking_work(const LongHorizonPlan<double>&, double, double);
+template LongHorizonWork expected_work(const TiltedTop<double>&, double, double, double, double, double);
+template double averaging_error(const TiltedTop<double>&, double, Averaging);
+template Averaging may_average(const TiltedTop<double>&, double, double, double);
 
 }  // namespace earthtop

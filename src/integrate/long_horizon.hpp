@@ -3,17 +3,14 @@
 /// nutation is fast, its steps resolve only the precession; where it is not, they resolve the nutation. Neither the spin nor,
 /// in the first case, the nutation costs any work.
 ///
-/// Steps much longer than the nutation period would excite nutation by aliasing. Therefore each kick is spread: parts of 1, 2,
-/// 3, 2 and 1 ninths follow each other at intervals of a third of the nutation period, centred on the time of the kick. The
-/// spread kick has no response to the nutation and to its second harmonic, to first order in the precession too (the zeros are
-/// double). Without the zero at the second harmonic, steps near a multiple of half the period would accumulate its error.
+/// Steps much longer than the nutation period would excite nutation by aliasing. Therefore each kick is spread: its parts follow
+/// each other at intervals of a third or a fifth of the nutation period, centred on the time of the kick (kick_filter.hpp).
 /// Since the flows between the parts are exact, spreading adds no error to the step. The parts of a kick do not commute: the
 /// error that this leaves changes sign with their order. So the order is backward in the second half of a step and, for a
 /// kick in the middle of it, in every other step.
 ///
 /// A step with spread kicks leaves out the ripple: the effect that the kicks have within a nutation period. The state at
-/// release contains its share of that. The ripple is an integral of zero mean over one period, evaluated by six further kicks;
-/// it is taken off at the start and put back at every output time.
+/// release contains its share of that. The ripple is evaluated by some further kicks; it is taken off at the start and put back at every output time.
 #pragma once
 
 #include <array>
@@ -21,6 +18,7 @@
 
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/watch.hpp"
+#include "integrate/kick_filter.hpp"
 #include "integrate/kick_schedule.hpp"
 #include "integrate/tilted_top.hpp"
 
@@ -30,11 +28,10 @@ namespace earthtop {
 template <class T>
 struct LongHorizonPlan {
   KickSchedule schedule;
-  T step = T(1);            ///< the longest step; the one taken divides the interval between two output times
-  bool averages = false;    ///< whether kicks are spread to average over the nutation, with the ripple treated apart
-  T period = T(0);          ///< nutation period, where `averages`
-  int spacing = 1;          ///< interval between the parts of a kick, in thirds of the period; no multiple of 3
-  T ripple_weight[3] = {};  ///< weights of the six ripple kicks, at 1/8, 2/8 and 3/8 of the period before and after
+  T step = T(1);  ///< the longest step; the one taken divides the interval between two output times
+  Averaging averaging = Averaging::none;
+  KickFilter<T> filter;  ///< how kicks are spread
+  bool averages() const { return averaging != Averaging::none; }
 };
 
 /// Whether the plan's schedule is that of the composition ABA(8, 6, 4).
@@ -43,9 +40,12 @@ bool is_composed(const LongHorizonPlan<T>& plan) {
   return plan.schedule.kicks == kick_schedules::aba864().kicks;
 }
 
-/// A plan with this schedule and step. @param averages  true only for a finite nutation period
+/// A plan with this schedule and step. @param averaging  other than `none` only for a finite nutation period
 template <class T>
-LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, bool averages);
+LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedule, T step, Averaging averaging);
+/// The filter of a plan. @param wider  whether it spreads the kicks more widely, for an independent check
+template <class T>
+KickFilter<T> make_filter(const TiltedTop<T>& top, Averaging averaging, bool wider);
 
 /// The plan whose error over `duration` is about `tolerance` (rad, of the axis). It is found from an estimate and a trial on
 /// part of the duration, in which the step is halved until two results agree.
@@ -55,15 +55,30 @@ template <class T>
 LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters,
                              const Watch& watch = {});
 
-/// Whether steps of this length may average over the nutation: whether they are longer than its period, and keep the tolerance
-/// (rad) or an error that can be stated.
+/// The work of `find_plan`, and of a walk by the plan.
+struct LongHorizonWork {
+  double search_steps = 0, search_evaluations = 0;
+  double steps = 0, evaluations = 0;
+  Averaging averaging = Averaging::none;
+};
+/// The work of a walk through so many intervals; nothing is searched.
 template <class T>
-bool may_average(const TiltedTop<T>& top, T duration, T step, T tolerance);
+LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows);
+/// The work expected of the search and of a walk, from the guess with which `find_plan` begins.
+/// @param share  the step taken in the walk, in steps found
+template <class T>
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share = 1);
 
-/// The error of averaging over the nutation, over `duration` and beside the ripple (rad). On tops of many kinds it was measured
-/// to be 0.03 to 0.15 of ripple x Earth's rate x time; a fifth is stated.
+/// Whether steps of this length may average over the nutation, and how finely they must: whether they are longer than its
+/// period, and keep the tolerance (rad) or an error that can be stated.
 template <class T>
-T averaging_error(const TiltedTop<T>& top, T duration);
+Averaging may_average(const TiltedTop<T>& top, T duration, T step, T tolerance);
+
+/// The error of averaging over the nutation, over `duration` and beside the ripple (rad). On tops of many kinds the coarse
+/// filter's was measured to be 0.03 to 0.15 of ripple x Earth's rate x time; a fifth is stated. It is what the fine filter
+/// makes up for: there a hundredth to a fifteenth of that was left, and a tenth is stated.
+template <class T>
+T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging);
 
 /// The plan with the steps that another run has found.
 template <class T>
@@ -76,7 +91,7 @@ class LongHorizonWalk {
   /// @param watch  may stop the walk between any two steps
   LongHorizonWalk(const Top& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
       : top_(top), plan_(plan), counters_(counters), watch_(watch), x_(top.start()) {
-    if (plan.averages) ripple(T(-1), x_);
+    if (plan.averages()) ripple(T(-1), x_);
   }
 
   /// Moves on by one interval.
@@ -88,7 +103,8 @@ class LongHorizonWalk {
     T position = T(0), looked = T(0), target = T(0);
     const auto move = [&]() {
       if (target == position) return;
-      const typename TiltedTop<T>::Flow flow(top_, x_);
+      const bool brief = plan_.averages() && real::abs(target - position) <= plan_.filter.period;
+      const typename TiltedTop<T>::Flow flow(top_, x_, brief ? ClosedFormSpan::few_periods : ClosedFormSpan::any);
       ++counters_.evaluations;
       if (longest_time_between_looks > T(0))
         for (; looked + longest_time_between_looks < target; looked += longest_time_between_looks)
@@ -97,17 +113,27 @@ class LongHorizonWalk {
       x_ = flow.at(target - position);
       position = target;
     };
-    const int kicks = plan_.schedule.kicks, parts = plan_.averages ? kSpread : 1;
+    const int kicks = plan_.schedule.kicks, parts = plan_.filter.parts;
     for (std::int64_t i = 0; i < steps_; ++i, backward_ = !backward_) {
       if (watch_.asks_to_stop()) return;
       for (int j = 0; j < kicks; ++j) {
         const bool backward = 2 * j + 1 == kicks ? backward_ : 2 * j + 1 > kicks;
-        for (int part = 0; part < parts; ++part) {
-          const int number = parts * j + (backward ? parts - 1 - part : part);
-          const auto k = static_cast<std::size_t>(number);
-          target = (T(i) + time_[k]) * step_;
-          move();
-          top_.kick(weight_[k] * step_, x_);
+        const T at = (T(i) + T(plan_.schedule.at[static_cast<std::size_t>(j)])) * step_;
+        const T weight = T(plan_.schedule.weight[static_cast<std::size_t>(j)]) * step_;
+        const auto pass = [&](bool back, T share) {
+          for (int part = 0; part < parts; ++part) {
+            const auto k = static_cast<std::size_t>(back ? parts - 1 - part : part);
+            target = at + plan_.filter.at[k];
+            move();
+            top_.kick(share * plan_.filter.weight[k] * weight, x_);
+          }
+        };
+        if (plan_.filter.returns) {
+          const T more = plan_.filter.second_order / weight, forward = (T(1) + more) / T(2), back = (T(1) - more) / T(2);
+          pass(backward, backward ? back : forward);
+          pass(!backward, backward ? forward : back);
+        } else {
+          pass(backward, T(1));
         }
       }
     }
@@ -118,43 +144,31 @@ class LongHorizonWalk {
   /// The state at the end of the last interval, with its ripple.
   TiltedTopState<T> state() const {
     TiltedTopState<T> x = x_;
-    if (plan_.averages) ripple(T(1), x);
+    if (plan_.averages()) ripple(T(1), x);
     return x;
   }
 
  private:
-  static constexpr int kSpread = 5;
-
   void lay_out(T interval) {
     steps_ = static_cast<std::int64_t>(std::ceil(static_cast<double>(interval / plan_.step) * (1 - 1e-12)));
     if (steps_ < 1) steps_ = 1;
     step_ = interval / T(steps_);
-    std::size_t k = 0;
-    const KickSchedule& s = plan_.schedule;
-    const T third = plan_.averages ? T(plan_.spacing) * plan_.period / T(3) / step_ : T(0);
-    const int reach = plan_.averages ? kSpread / 2 : 0;
-    for (int i = 0; i < s.kicks; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      for (int j = -reach; j <= reach; ++j) {
-        time_[k] = T(s.at[at]) + T(j) * third;
-        weight_[k++] = T(s.weight[at]) * T(reach + 1 - std::abs(j)) / T((reach + 1) * (reach + 1));
-      }
-    }
   }
 
-  /// Adds the ripple (sign = 1) or takes it off (sign = -1). It is the integral of the kick times s / period - sign(s)/2 over
-  /// the times s from half a period before the present to half a period after it.
+  /// Adds the ripple (sign = 1) or takes it off (sign = -1).
   void ripple(T sign, TiltedTopState<T>& x) const {
+    const KickFilter<T>& filter = plan_.filter;
     T position = T(0);
-    for (const int i : {-3, -2, -1, 1, 2, 3}) {
-      const T target = plan_.period * T(i) / T(8);
-      top_.flow(target - position, x);
-      const T weight = plan_.ripple_weight[std::abs(i) - 1];
-      top_.kick(sign * (i < 0 ? -weight : weight), x);
+    for (int i = -filter.ripples; i <= filter.ripples; ++i) {
+      if (i == 0) continue;
+      const auto k = static_cast<std::size_t>(std::abs(i) - 1);
+      const T target = i < 0 ? -filter.ripple_at[k] : filter.ripple_at[k];
+      top_.flow_briefly(target - position, x);
+      top_.kick(sign * (i < 0 ? -filter.ripple_weight[k] : filter.ripple_weight[k]), x);
       position = target;
     }
-    top_.flow(-position, x);
-    counters_.evaluations += 7;
+    top_.flow_briefly(-position, x);
+    counters_.evaluations += filter.ripple_flows();
   }
 
   const Top& top_;
@@ -165,7 +179,6 @@ class LongHorizonWalk {
   std::int64_t steps_ = 1;
   T step_ = T(0);
   bool backward_ = false;  ///< whether the parts of a middle kick come in backward order
-  std::array<T, static_cast<std::size_t>(kSpread*KickSchedule::kMost)> time_, weight_;  ///< of the parts, in units of a step
 };
 
 }  // namespace earthtop

@@ -59,7 +59,10 @@ MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const Inte
     else
       throw std::logic_error("long_horizon is built for double only");
   }
-  const bool reduced = takes_reduced_form(problem.model, options);
+  const bool reduced = takes_reduced_form(is_reducible(problem.model), options);
+  // In scenes that are not plain only the general form in body axes has a series.
+  if (options.method == Method::taylor && problem.model.kind != SceneKind::plain)
+    return integrate_general_motion<T, Observer::body>(problem, options, watch);
   switch (options.observer) {
     case Observer::laboratory:
       if (reduced) return integrate_reduced_motion<T, Observer::laboratory>(problem, options, sought, watch);

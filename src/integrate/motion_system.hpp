@@ -11,8 +11,9 @@
 #include "integrate/drive_problem.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/reduced_motion_flows.hpp"
-#include "integrate/taylor/general_motion_series.hpp"
-#include "integrate/taylor/reduced_motion_series.hpp"
+#include "integrate/taylor/expand_series.hpp"
+#include "integrate/taylor/record_motion.hpp"
+#include "integrate/taylor/recorded_series.hpp"
 
 namespace earthtop {
 
@@ -42,8 +43,10 @@ struct GeneralMotionShape {
 /// Any body's motion. The state is the attitude q (4), then the observer's rate variable (3): an angular momentum or, in body
 /// axes, the inertial rate.
 template <class T, Observer O, SceneKind K>
-class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K == SceneKind::plain,
-                                                      WithSeries<GeneralMotionSeries<T>>, WithoutSeries> {
+class GeneralMotionSystem
+    : public std::conditional_t<O != Observer::body, WithoutSeries,
+                                std::conditional_t<K == SceneKind::plain, WithSeries<GeneralMotionSeries<T>>,
+                                                   WithSeries<RecordedSeries<T, GeneralMotionShape::kSize>>>> {
  public:
   using Shape = GeneralMotionShape;
   static constexpr std::size_t kSize = Shape::kSize;
@@ -65,7 +68,12 @@ class GeneralMotionSystem : public std::conditional_t<O == Observer::body && K =
     store(rate, dxdt);
   }
 
-  GeneralMotionSeries<T> series() const { return GeneralMotionSeries<T>(model_); }
+  auto series() const {
+    if constexpr (K == SceneKind::plain)
+      return GeneralMotionSeries<T>(model_);
+    else
+      return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_motion<T>(model_, x, t); });
+  }
 
   State initial_state() const {
     const Release<T>& release = problem_.release;

@@ -51,7 +51,11 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
   if (cost.tries_its_step && !reduced) turning = std::max(turning, pace.watched_angle_rad) + pace.damping;
   double steps = turning / radians_a_step(cost, tolerance) + pace.joints;
   double evaluations = steps * an_evaluation;
-  if (!reduced) {
+  if (reduced) {
+    const double held = pace.reduced_damping / cost.stable_phase;
+    steps += held;
+    evaluations += held * an_evaluation;
+  } else {
     const double held = (pace.damping + pace.undamped_rest_rad) / cost.stable_phase;
     steps += held + kStepsAHalt * pace.halts;
     evaluations += (held + kStepsAHalt * pace.halts) * cost.stable_evaluations;

@@ -52,6 +52,7 @@ TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Q
   effective_spin_ = real::scale(T(kappa_ / I1_), -kNoSpinExponent);
   start_.q_GF = q_LG_.conjugate() * q;
   start_.across = {w_LB_B[0], w_LB_B[1]};
+  start_.M_G = momentum_along_G(rotation_matrix(start_.q_GF), start_.across);
   nutation_period_ =
       LagrangeTop<T>(effective_, start_.q_GF, Vec3<T>(start_.across.re, start_.across.im, effective_spin_)).nutation_period_s();
 
@@ -78,10 +79,10 @@ T TiltedTop<T>::precession_rate() const {
 }
 
 template <class T>
-TiltedTop<T>::Flow::Flow(const TiltedTop& top, const TiltedTopState<T>& from)
+TiltedTop<T>::Flow::Flow(const TiltedTop& top, const TiltedTopState<T>& from, ClosedFormSpan span)
     : top_(top),
       from_(from),
-      closed_form_(top.effective_, from.q_GF, Vec3<T>(from.across.re, from.across.im, top.effective_spin_)),
+      closed_form_(top.effective_, from.q_GF, Vec3<T>(from.across.re, from.across.im, top.effective_spin_), span),
       momentum_(top.momentum(from)) {}
 
 template <class T>
@@ -91,11 +92,17 @@ TiltedTopState<T> TiltedTop<T>::Flow::at(T t) const {
   const bool opposite = there.q_NB.w * from_.q_GF.w + there.q_NB.v.dot(from_.q_GF.v) < T(0);
   x.q_GF = opposite ? Quaternion<T>{-there.q_NB.w, -there.q_NB.v} : there.q_NB;
   x.across = {there.w_NB_B[0], there.w_NB_B[1]};
+  top_.keep_momentum_along_G(x);
   if (top_.exact_turn_) {
     const Vec3<T> change = top_.momentum(x) - momentum_;
-    add_turn((top_.W_G_[1] * change[0] - top_.W_G_[0] * change[1]) / (top_.G_ > T(0) ? top_.G_ : T(1)), x);
+    add((top_.W_G_[1] * change[0] - top_.W_G_[0] * change[1]) / (top_.G_ > T(0) ? top_.G_ : T(1)), x.turn, x.turn_rest);
   }
   return x;
+}
+
+template <class T>
+T TiltedTop<T>::momentum_along_G(const Mat3<T>& R_GF, const Complex<T>& across) const {
+  return kappa_ * R_GF(2, 2) + I1_ * (across.re * R_GF(2, 0) + across.im * R_GF(2, 1));
 }
 
 template <class T>
@@ -104,11 +111,26 @@ Vec3<T> TiltedTop<T>::momentum(const TiltedTopState<T>& x) const {
   return kappa_ * R_GF.col(2) + I1_ * (x.across.re * R_GF.col(0) + x.across.im * R_GF.col(1));
 }
 
+/// Adds to a number that is the sum of two.
 template <class T>
-void TiltedTop<T>::add_turn(T angle, TiltedTopState<T>& x) {
-  const T y = angle + x.turn_rest, sum = x.turn + y;
-  x.turn_rest = y - (sum - x.turn);
-  x.turn = sum;
+void TiltedTop<T>::add(T change, T& sum, T& rest) {
+  const T y = change + rest, both = sum + y;
+  rest = y - (both - sum);
+  sum = both;
+}
+
+/// Turns n within its vertical plane, by some eps, so that M along G is what the state's number says. Next to the vertical that
+/// component does not tell the tilt.
+template <class T>
+void TiltedTop<T>::keep_momentum_along_G(TiltedTopState<T>& x) const {
+  const Mat3<T> R_GF = rotation_matrix(x.q_GF);
+  const T square = R_GF(2, 0) * R_GF(2, 0) + R_GF(2, 1) * R_GF(2, 1);
+  constexpr double kLeastSquare = 1e-4, kLargest = 1e-13;
+  if (kappa_ == T(0) || !(square > T(kLeastSquare))) return;
+  const T excess = (momentum_along_G(R_GF, x.across) - x.M_G) - x.M_G_rest;
+  const T by = -excess / (kappa_ * square);
+  if (!(real::abs(by) < T(kLargest))) return;  // not round-off: the weight is no large part of a slow top's momentum
+  x.q_GF = x.q_GF * Quaternion<T>{T(1), Vec3<T>(-by / T(2) * R_GF(2, 1), by / T(2) * R_GF(2, 0), T(0))};
 }
 
 template <class T>
@@ -117,14 +139,19 @@ void TiltedTop<T>::kick(T b, TiltedTopState<T>& x) const {
   const Vec3<T> W_F = transposed_times(R_GF, W_G_);
   // d(across)/dt = -2 i delta (across + W/2): `across` turns about -W/2.
   const Complex<T> half{W_F[0] / T(2), W_F[1] / T(2)};
-  const Complex<T> turned_sum = turned(T(T(-2) * (W_F[2] - mean_) * b)) * (x.across + half);
+  const Complex<T> turned_sum = turned(T(T(-2) * (W_F[2] - mean_) * b)) * (x.across + half), before = x.across;
   x.across = turned_sum + T(-1) * half;
-  add_turn(-b * (exact_turn_ ? W_G_[2] * R_GF(2, 2) : W_F[2]), x);
+  const Complex<T> change = x.across + T(-1) * before;
+  add(I1_ * (change.re * R_GF(2, 0) + change.im * R_GF(2, 1)), x.M_G, x.M_G_rest);
+  add(-b * (exact_turn_ ? W_G_[2] * R_GF(2, 2) : W_F[2]), x.turn, x.turn_rest);
 }
 
 template <class T>
 void TiltedTop<T>::push(T b, const Vec3<T>& f_F, TiltedTopState<T>& x) const {
-  x.across = x.across + Complex<T>{-b * f_F[1] / I1_, b * f_F[0] / I1_};
+  const Complex<T> change{-b * f_F[1] / I1_, b * f_F[0] / I1_};
+  x.across = x.across + change;
+  const Mat3<T> R_GF = rotation_matrix(x.q_GF);
+  add(I1_ * (change.re * R_GF(2, 0) + change.im * R_GF(2, 1)), x.M_G, x.M_G_rest);
 }
 
 template <class T>

@@ -15,6 +15,10 @@
 /// nutation. For a top that spins fast it is some 1e-7 of the gravity torque. With n held, the perturbation alone has an exact
 /// flow too: a turn of M about n (the kick). To make delta small, w is chosen as the mean of W.n over the precession.
 ///
+/// M along G determines the tilt, and so the rate of precession. The rounding of many thousand flows would change the tilt by as
+/// many eps, of mostly one sign, and the phase of the precession with the square of their number. So this component is kept
+/// apart, and the tilt is brought back to it after each flow.
+///
 /// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it.
 /// The body is F turned about n by w3 t less the integral of W.n. The large flow gives that integral, except for the part of n
 /// along G, from the change of M: the integral of the part of n across G is -G x (change of M) / G^2.
@@ -32,6 +36,7 @@ struct TiltedTopState {
   Quaternion<T> q_GF;               ///< attitude of F relative to axes whose third one is along G
   Complex<T> across;                ///< rate w1 + i w2 at which n turns, in F
   T turn = T(0), turn_rest = T(0);  ///< minus the integral of W.n (rad), as the sum of two numbers
+  T M_G = T(0), M_G_rest = T(0);    ///< M along G, as the sum of two numbers; the large flow keeps it
 };
 
 template <class T>
@@ -58,7 +63,7 @@ class TiltedTop {
   /// The large flow, exact, forward or backward in time.
   class Flow {
    public:
-    Flow(const TiltedTop& top, const TiltedTopState<T>& from);
+    Flow(const TiltedTop& top, const TiltedTopState<T>& from, ClosedFormSpan span = ClosedFormSpan::any);
     /// The state after the time t. Of the quaternions q and -q it takes the one closer to the start's, which is the continuous
     /// one if the frame has turned by less than half a turn.
     TiltedTopState<T> at(T t) const;
@@ -69,8 +74,9 @@ class TiltedTop {
     LagrangeTop<T> closed_form_;
     Vec3<T> momentum_;
   };
-  void flow(T t, TiltedTopState<T>& x) const {
-    if (t != T(0)) x = Flow(*this, x).at(t);
+  /// Moves a state by at most a few periods of the nutation.
+  void flow_briefly(T t, TiltedTopState<T>& x) const {
+    if (t != T(0)) x = Flow(*this, x, ClosedFormSpan::few_periods).at(t);
   }
   /// The kick: the effect of the perturbation in the time b while n is held.
   void kick(T b, TiltedTopState<T>& x) const;
@@ -90,7 +96,9 @@ class TiltedTop {
 
  private:
   Vec3<T> momentum(const TiltedTopState<T>& x) const;
-  static void add_turn(T angle, TiltedTopState<T>& x);
+  T momentum_along_G(const Mat3<T>& R_GF, const Complex<T>& across) const;
+  static void add(T change, T& sum, T& rest);
+  void keep_momentum_along_G(TiltedTopState<T>& x) const;
 
   TiltedTopState<T> start_;
   Quaternion<T> q_LG_;

@@ -17,7 +17,7 @@ struct Carrier {
     if (turn.angle0 == T(0) && turn.rate == T(0) && turn.acceleration == T(0) && turn.amplitude == T(0) && !turn.table) return;
     w_LP_L = turn.angle_rate(t) * turn.axis;
     alpha_LP_L = turn.angle_acceleration(t) * turn.axis;
-    up_P_L = Rotation<T>::about(turn.axis, turn.angle(t)).matrix().col(2);
+    up_P_L = turn_matrix(turn.axis, turn.angle(t)).col(2);
   }
 };
 

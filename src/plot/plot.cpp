@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "earthtop/elementary.hpp"
 #include "plot/legend.hpp"
@@ -44,16 +45,20 @@ bool drawable(double value, AxisScale scale) { return std::isfinite(value) && (s
 /// An axis with its ticks, and the transformation from data to px.
 struct Mapping {
   Ticks axis;
-  AxisScale scale = AxisScale::linear;
-  double from = 0, to = 1;  ///< px of axis.low and axis.high
+  AxisScale scale;
+  double from, to;   ///< px of axis.low and axis.high
+  double low, high;  ///< the ends of the axis, or their logarithms
 
+  Mapping(Ticks ticks, AxisScale axis_scale, double from_px, double to_px)
+      : axis(std::move(ticks)), scale(axis_scale), from(from_px), to(to_px), low(scaled(axis.low)), high(scaled(axis.high)) {}
   double operator()(double value) const {
-    // Halving keeps the difference of two huge ends finite.
-    const double share = scale == AxisScale::linear
-                             ? (value / 2 - axis.low / 2) / (axis.high / 2 - axis.low / 2)
-                             : (real::log10(value) - real::log10(axis.low)) / (real::log10(axis.high) - real::log10(axis.low));
+    const double share = (scaled(value) - low) / (high - low);
     return from + std::clamp(share, -0.5, 1.5) * (to - from);
   }
+
+ private:
+  /// Halving keeps the difference of two huge ends finite.
+  double scaled(double value) const { return scale == AxisScale::linear ? value / 2 : real::log10(value); }
 };
 
 Mapping map_axis(Range range, AxisScale scale, bool tight, int wanted, double from, double to) {
@@ -155,6 +160,7 @@ void draw_line(std::string& out, const Line& line, const Mapping& x, const Mappi
     }
   }
   draw_piece(out, piece, line, y.from);
+  if (line.marker == Marker::none) return;
   for (std::size_t i = 0; i < count; ++i)
     if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) draw_marker(out, line, x(line.x[i]), y(line.y[i]));
 }

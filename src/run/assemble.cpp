@@ -37,12 +37,15 @@ int bound_safety(const IntegrationOptions& first, const IntegrationOptions& seco
 /// row also uses the distances in the next two rows.
 std::size_t rows_compared(std::size_t i) { return i + 3; }
 
-/// Returns the angle between two attitudes (rad).
+/// The angle between two attitudes (rad), given by the square of the tangent of its half, which is cheap, and grows with it.
 template <class T>
-double attitude_distance(const Quaternion<T>& p, const Quaternion<T>& q) {
-  const Quaternion<T> d = p.conjugate() * q;
-  return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w)));
-}
+struct AttitudeDistance {
+  Quaternion<T> d;
+  T tangent_squared;
+  AttitudeDistance(const Quaternion<T>& p, const Quaternion<T>& q)
+      : d(p.conjugate() * q), tangent_squared(d.v.dot(d.v) / (d.w * d.w)) {}
+  double angle() const { return static_cast<double>(T(2) * real::atan2(norm(d.v), real::abs(d.w))); }
+};
 
 /// Appends a row in double and, for a wider scalar, also in full precision.
 template <class T>
@@ -135,9 +138,10 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units) {
+void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units) {
   problem.rotating = RotatingMotion::composed;
-  problem.times_s.resize(std::max<std::size_t>(1, first.samples.size()));
+  problem.sought = DriftSought::distances;
+  problem.times_s.resize(std::max<std::size_t>(1, rows));
   nudge(problem, nudge_units);
 }
 
@@ -171,6 +175,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   DriftBound<T> bound(safety);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
+  T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
   for (std::size_t i = 0; i < count && !stop(); ++i) {
     if (i % 64 == 0) rows.reach(static_cast<double>(i) / static_cast<double>(count));
     for (const std::size_t ahead = std::min(count, rows_compared(i)); compared < ahead; ++compared) {
@@ -181,8 +186,13 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     const DriftSample<T>& sample = made.first.samples[i];
     const DriftSample<T>& other = made.second.samples[i];
     add_row(make_row(sample, bound), result);
-    const double distance = std::max(attitude_distance(sample.state.q_LB, other.state.q_LB),
-                                     attitude_distance(sample.state.ref_q_LB, other.state.ref_q_LB));
+    const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
+                                             {sample.state.ref_q_LB, other.state.ref_q_LB}};
+    // Where the method states no error, only an angle that may be the largest so far counts.
+    const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
+    if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
+    farthest = std::max(farthest, squared);
+    const double distance = std::max(distances[0].angle(), distances[1].angle());
     result.attitude_bound_rad =
         std::max(result.attitude_bound_rad, safety * distance + static_cast<double>(sample.attitude_error));
   }
@@ -217,7 +227,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, const DriftTrajectory<T>&, T);                                      \
+  template void make_second(DriftProblem<T>&, std::size_t, T);                                                    \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
   template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);

@@ -16,9 +16,9 @@ struct TwoIntegrations {
 };
 
 /// Turns the problem of the rows into that of the second integration: nudged, and ending where the rows end.
-/// @param nudge_units  size of the nudge (units in the last place)
+/// @param rows  number of rows, at least that of the release   @param nudge_units  size of the nudge (units in the last place)
 template <class T>
-void make_second(DriftProblem<T>& problem, const DriftTrajectory<T>& first, T nudge_units = T(8));
+void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units = T(8));
 
 /// Fills a report except for its reason and its time.
 template <class T>

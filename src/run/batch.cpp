@@ -39,15 +39,17 @@ LanePoint lane_point(std::size_t index, const Scene& scene) {
 }
 
 /// Returns the options of a lane's second integration: the equations in inertial axes, in which gravity rotates, by a series of
-/// another order. Its tolerance is a hundredth of the first one, or ten times the first one where a hundredth is below what
-/// the digits allow: below 1e-13 the last terms of a series are round-off. Because the method is the same as that of the rows,
-/// the bound is ten times the distance.
+/// another order, at ten times the first one's tolerance. As a rule its error is then the larger one by far, and the distance
+/// is that error: a multiple of it contains the rows' error, and it is the cheaper way round. Nearer tolerances let both errors
+/// agree by chance; others far apart widen the bound. At loose tolerances, where that bound would be too wide, the second
+/// tolerance is a hundredth of the first. Because the method is the same as that of the rows, the bound is ten times the
+/// distance.
 IntegrationOptions second_lane_options(const IntegrationOptions& first) {
-  constexpr double kLeast = 1e-13;
+  constexpr double kLooser = 10, kFiner = 1e-2, kLoose = 5e-10;
   IntegrationOptions second = first;
   second.observer = Observer::inertial;
-  const double asked = first.relative_tolerance, finer = std::max(asked / 100, kLeast);
-  second.relative_tolerance = finer < asked / 5 ? finer : std::min(10 * asked, 0.1);
+  const double asked = first.relative_tolerance;
+  second.relative_tolerance = asked * (asked > kLoose ? kFiner : kLooser);
   return second;
 }
 
@@ -84,7 +86,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   auto trajectories = integrate_together(problems, options, watch.part(0, 0.5), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     made[i].first = std::move(trajectories[i]);
-    make_second(problems[i], made[i].first, kNudgeUnits);
+    make_second(problems[i], made[i].first.samples.size(), kNudgeUnits);
   }
   trajectories = integrate_together(problems, other_options, watch.part(0.5, 1), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -102,6 +104,15 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
     outcomes[points[i].index].result = assemble_result(scene, both, {}, Parts(watch, 0));
     both = {};
   }
+}
+
+/// The number of points, from the first on, whose trajectories are held in memory together.
+std::size_t together(std::span<const Scene> scenes, std::span<const LanePoint> points) {
+  constexpr double kMostRows = 40'000;  // of each of the two integrations: some 40 MB
+  std::size_t count = 0;
+  for (double rows = 0; count < points.size(); ++count)
+    if (rows += 2 + scenes[points[count].index].rows(); rows > kMostRows && count > 0) break;
+  return count;
 }
 
 }  // namespace
@@ -130,11 +141,12 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
       outcomes[i].refusal = refusal.what();
     }
   }
-  constexpr std::size_t kTogether = 64;  // limits the number of trajectories held in memory
   for (const auto& [shared, points] : lanes)
-    for (std::size_t begin = 0; begin < points.size(); begin += kTogether)
-      run_in_lanes(scenes, std::span(points).subspan(begin, std::min(kTogether, points.size() - begin)),
-                   share_of(std::min(kTogether, points.size() - begin)), outcomes);
+    for (std::size_t begin = 0; begin < points.size();) {
+      const std::size_t count = together(scenes, std::span(points).subspan(begin));
+      run_in_lanes(scenes, std::span(points).subspan(begin, count), share_of(count), outcomes);
+      begin += count;
+    }
   return outcomes;
 }
 

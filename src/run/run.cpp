@@ -5,6 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
+#include <system_error>
 #include <utility>
 
 #include "earthtop/arithmetic.hpp"
@@ -35,6 +37,44 @@ IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions option
   return options;
 }
 
+/// The second integration on a thread of its own, beside the first one.
+template <class T>
+class SecondBeside {
+ public:
+  /// Starts it, unless the options have it wait for the first one, or no thread can be had.
+  SecondBeside(const Scene& scene, const IntegrationOptions& first, const IntegrationOptions& second, const RunOptions& run) {
+    // long_horizon checks itself with the steps that the first integration has found.
+    if (run.jobs < 2 || (first.method == second.method && first.method == Method::long_horizon)) return;
+    DriftProblem<T> problem = scene.problem<T>();
+    make_second(problem, problem.times_s.size());
+    const Watch watch = run.watch.with_progress(nullptr);  // only one thread may report
+    try {
+      made_ = std::async(std::launch::async, [problem = std::move(problem), second, watch, &scene] {
+        Made made;
+        made.trajectory = integrate_timed(problem, second, scene.scenario().precision, watch, made.report);
+        return made;
+      });
+    } catch (const std::system_error&) {  // then one integration follows the other
+    }
+  }
+  /// Waits for it. @returns whether it was made, for all rows of the first one
+  bool take(const DriftTrajectory<T>& first, std::size_t rows, DriftTrajectory<T>& second, IntegrationReport& report) {
+    if (!made_.valid()) return false;
+    Made made = made_.get();
+    if (first.samples.size() < rows) return false;  // it went on to another end
+    second = std::move(made.trajectory);
+    report = std::move(made.report);
+    return true;
+  }
+
+ private:
+  struct Made {
+    DriftTrajectory<T> trajectory;
+    IntegrationReport report;
+  };
+  std::future<Made> made_;
+};
+
 template <class T>
 RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   const Precision precision = scene.scenario().precision;
@@ -46,15 +86,18 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   const RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
   Parts parts(watch, seconds.all());
 
-  made.first =
-      integrate_timed(scene.problem<T>(), made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
+  const DriftProblem<T>& rows = scene.problem<T>();
+  SecondBeside<T> beside(scene, made.options, within_estimate(scene, made.other_options), run_options);
+  made.first = integrate_timed(rows, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
   made.solution.reason = scene.choice().reason;
-  DriftProblem<T> problem = scene.problem<T>();
-  make_second(problem, made.first);
-  if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
-  made.other_options = within_estimate(scene, made.other_options);
-  made.second =
-      integrate_timed(problem, made.other_options, precision, parts.next(seconds.bound, "error bound"), made.certificate);
+  const Watch bound = parts.next(seconds.bound, "error bound");
+  if (!beside.take(made.first, rows.times_s.size(), made.second, made.certificate)) {
+    DriftProblem<T> problem = rows;
+    make_second(problem, made.first.samples.size());
+    if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
+    made.other_options = within_estimate(scene, made.other_options);
+    made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);
+  }
   return assemble_result(scene, made, seconds, parts, run_options.partial);
 }
 

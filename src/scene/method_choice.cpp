@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/parts.hpp"
+#include "scene/second_integration.hpp"
 
 namespace earthtop {
 namespace {
@@ -25,26 +26,22 @@ IntegrationOptions with_finer_tolerance(const Scene& scene, Method method, doubl
   return options;
 }
 
-/// Estimates the time (s) of both integrations in the reduced form, taking the second to cost as much as the first. A flow with
-/// a kick takes as long as 20 right-hand sides.
+/// Returns the estimated time of both integrations of a run (s).
 double seconds_with(const Scene& scene, const IntegrationOptions& options) {
-  constexpr double kSecondsAnEvaluation = 1.5e-7, kKick = 20;
-  const double each = options.method == Method::long_horizon ? kKick : 1;
-  return 2 * kSecondsAnEvaluation * each * scene.cost(options).work.evaluations;
+  return scene.cost(options).seconds + scene.cost(second_options(scene, options)).seconds;
 }
 
 /// Returns whether a closed form is cheap. It is if the two motions differ only by a turn of the laboratory; otherwise their
 /// difference has to be evaluated in 113 bits.
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
-/// Returns whether the long-horizon method pays: where the run has so many nutations that following them takes long.
+/// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster.
 bool has_long_horizon(const Scene& scene) {
-  constexpr double kWorthwhile_s = 0.3, kGain = 3;
+  constexpr double kGain = 1.5;
   if (scene.method_refusal(Method::long_horizon)) return false;
   IntegrationOptions options = scene.scenario().numerics;
-  const double following = seconds_with(scene, with_taylor(scene));
   options.method = Method::long_horizon;
-  return following > kWorthwhile_s && kGain * seconds_with(scene, options) < following;
+  return kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));
 }
 
 }  // namespace
@@ -69,7 +66,7 @@ MethodChoice choose_method(const Scene& scene) {
     return {with_finer_tolerance(scene, Method::extrapolation, 100), "its order follows the digits asked for"};
   if (scene.method_refusal(Method::taylor))
     return {with_finer_tolerance(scene, Method::dop853, 10),
-            "a platform, a torque left out or one applied: no series is compiled for it"};
+            "drag may brake a rate to zero: no series passes that corner"};
   // A user who names an observer or the general model wants these equations integrated; for body axes the series does so.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)

@@ -179,9 +179,15 @@ struct Driven {
 };
 
 /// Returns the rate of a symmetric top without its spin (rad/s), for a top with symmetry axis 3.
-double reduced_rate(const Scene& scene, const Released& top) {
-  const double I1 = top.body.I_BP_B(0, 0);
-  return top.momentum / I1 + falling_rate(scene.gravity_torque_N_m(), I1) + std::abs(scene.rotation_rate_rad_s());
+double reduced_rate(const Scene& scene, const Driven& driven) {
+  return driven.top.momentum / driven.top.body.I_BP_B(0, 0) + driven.swinging_rate() + std::abs(scene.rotation_rate_rad_s()) +
+         driven.platform.rate_rad_s;
+}
+/// Returns the rate of a wheel whose axis a gimbal keeps level (rad/s): that of its turn about Up, driven by the Earth.
+double compass_rate(const Scene& scene, const Driven& driven) {
+  const Mat3<double> R_LB = rotation_matrix(driven.top.release.q_LB);
+  const double turning = std::abs(R_LB.row(2).dot(driven.top.release.w_XB_B)), W = std::abs(scene.rotation_rate_rad_s());
+  return turning + W + driven.swinging_rate() + std::sqrt(driven.top.momentum * W / driven.top.body.I_BP_B(0, 0));
 }
 
 /// Returns the extra sampling caused by rounding for a wheel in a gimbal, in radians per radian of the motion, as measured.
@@ -247,8 +253,12 @@ Paced paced(const Scene& scene) {
       std::max(scene.fastest_rate_rad_s() * time, std::min(kMostLooks, looks_at_rounding(scene) * pace.turning_rad));
   pace.damping = friction.damping();
   pace.halts = friction.halts();
-  const bool reducible = scene.is_plain() && driven.top.axis == 2;
-  pace.reduced_turning_rad = reducible ? std::max(1.0, reduced_rate(scene, driven.top) * time) : pace.turning_rad;
+  pace.reduced_turning_rad = pace.turning_rad, pace.reduced_damping = pace.damping;
+  if (driven.top.axis == 2) {
+    const bool level = scenario.effects.applied.gimbal.has_value();
+    const double rate = level ? compass_rate(scene, driven) : reduced_rate(scene, driven);
+    pace.reduced_turning_rad = std::min(pace.turning_rad, std::max(1.0, rate * time));
+  }
   return {pace, friction.stiffest()};
 }
 

@@ -29,11 +29,14 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
   second.relative_tolerance = std::max(asked / 1000, least);
   const bool dearer = precision == Precision::bits64 && second.method == Method::rkf78;
   if ((dearer || dry_friction) && second.relative_tolerance > asked / 30) second.relative_tolerance = std::min(10 * asked, 0.1);
-  constexpr double kAffordable = 3e4;  // rad; takes a tenth of a second
-  const double phase = scene.fastest_rate_rad_s() * scenario.duration_s;
-  if (first.method == Method::long_horizon && phase > kAffordable) {
-    second.method = Method::long_horizon;
-    second.relative_tolerance = asked;
+  if (first.method == Method::long_horizon) {
+    IntegrationOptions itself = second, series = second;
+    itself.method = Method::long_horizon;
+    itself.relative_tolerance = asked;
+    series.method = Method::taylor;
+    series.observer = Observer::laboratory;
+    const bool follows = scene.cost(series).seconds < scene.cost(itself).seconds;
+    return follows ? series : itself;
   }
   return second;
 }

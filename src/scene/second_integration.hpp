@@ -9,8 +9,13 @@ namespace earthtop {
 /// Returns the options of the second integration. It uses another observer's equations of the same form, and another method
 /// wherever that is affordable. Two runs of one method make the same error where output times, not the tolerance, limit their
 /// steps; their distance then says nothing about the error. `extrapolation`, the cheapest method that uses no knowledge of the
-/// model, checks all other methods, and rkf78 checks `extrapolation`. Only in float128, where rkf78 would take ten times as
-/// long as both runs, does `extrapolation` check itself.
+/// model, checks all other methods but two, and rkf78 checks `extrapolation`. Only in float128, where rkf78 would take ten times
+/// as long as both runs, does `extrapolation` check itself.
+///
+/// `taylor` checks itself, in the equations of another observer. Its series have only rounding for an error, and output times do
+/// not limit its steps: so the two integrations share neither steps nor rounding, and the series of the second one are recorded
+/// from other formulas than those of the first. `extrapolation` has ten to a thousand times as much rounding, which would be the
+/// bound.
 ///
 /// The tolerance is a thousandth of the first one, or the least one that the precision allows, so that the distance is the
 /// error of the rows. At one tolerance the errors of two methods may differ by a factor of a hundred; at a tenth, a hundredth
@@ -26,10 +31,9 @@ namespace earthtop {
 ///
 /// With dry friction both integrations use body axes, in which a motion at rest can be held.
 ///
-/// Where long_horizon is worthwhile, no method that follows the nutation is affordable as a check. There long_horizon checks
-/// itself, with steps that are shorter than the first ones and incommensurate with them (the observer selects them), so that
-/// they excite a different nutation; finding the steps by trial again would give the first steps. Where a run has few
-/// nutations, `extrapolation` is the check.
+/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself.
+/// Elsewhere it checks itself, with steps that are shorter than the first ones and incommensurate with them (the observer
+/// selects them), so that they excite a different nutation; finding the steps by trial again would give the first steps.
 /// @param first  the options of the run's first integration
 IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first);
 

@@ -191,5 +191,28 @@ TEST(Elementary, HugeAnglesAreReducedExactly) {
   EXPECT_LE(error_ulp(real::sin(1e22), -0.85220084976718880177L), 1);  // from 60 digits
 }
 
+/// The error in units in the last place of long double, over all exponents and both signs, with the ends of the range.
+TEST(Elementary, ExponentialOfLongDoubleIsRoundedAlmostCorrectly) {
+  static_assert(std::numeric_limits<long double>::digits == 64);
+  Arguments random;
+  double worst = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    // Sums of doubles of different size fill all 64 bits.
+    const auto x = static_cast<long double>(random(-70, 13.4, false)) * (1 + static_cast<long double>(random(-60, -1, false)));
+    if (!(real::abs(x) < 10900)) continue;
+    const float128 exact = expq(static_cast<float128>(x));
+    int exponent = 0;
+    std::frexp(static_cast<long double>(exact), &exponent);
+    const float128 error = real::abs(static_cast<float128>(real::exp(x)) - exact);
+    worst = std::max(worst, static_cast<double>(real::scale(error, 64 - exponent)));
+  }
+  EXPECT_LT(worst, 0.53);
+  EXPECT_GT(worst, 0.4);
+  EXPECT_EQ(real::exp(0.0L), 1);
+  EXPECT_EQ(real::exp(-std::numeric_limits<long double>::infinity()), 0);
+  EXPECT_EQ(real::exp(12000.0L), std::numeric_limits<long double>::infinity());
+  EXPECT_TRUE(std::isnan(real::exp(std::numeric_limits<long double>::quiet_NaN())));
+}
+
 }  // namespace
 }  // namespace earthtop

@@ -83,6 +83,35 @@ TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
   }
 }
 
+/// Whether the second integration is the looser or the finer one, the bounds contain the error against more digits.
+TEST(RunBatch, BoundsHoldAtEveryTolerance) {
+  const std::vector<Scenario> scenes = tops(12, 120);
+  std::vector<RunResult> truths;
+  truths.reserve(scenes.size());
+  for (Scenario extended : scenes) {
+    extended.precision = Precision::bits64;
+    extended.numerics.relative_tolerance = 1e-17;
+    truths.push_back(run(extended));
+  }
+  for (const double tolerance : {1e-11, 1e-10, 1e-9, 1e-6}) {
+    std::vector<Scenario> loose = scenes;
+    for (Scenario& scene : loose) scene.numerics.relative_tolerance = tolerance;
+    const std::vector<BatchOutcome> outcomes = run_batch(testing::resolved(loose));
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      SCOPED_TRACE(i);
+      ASSERT_TRUE(outcomes[i].result) << outcomes[i].refusal;
+      const RunResult& batch = *outcomes[i].result;
+      if (batch.verdict.verdict != Verdict::reliable) continue;
+      for (std::size_t row = 0; row < batch.rows.size(); ++row) {
+        const DriftRow &got = batch.rows[row], &exact = truths[i].rows[row];
+        ASSERT_LE(std::abs(got.drift_axis_rad - exact.drift_axis_rad), got.drift_axis_bound_rad + exact.drift_axis_bound_rad);
+        ASSERT_LE(std::abs(got.drift_attitude_rad - exact.drift_attitude_rad),
+                  got.drift_attitude_bound_rad + exact.drift_attitude_bound_rad);
+      }
+    }
+  }
+}
+
 TEST(RunBatch, OutcomesAreTheirOwn) {
   std::vector<Scenario> scenes = tops(70, 20);
   for (std::size_t i = 0; i < scenes.size(); i += 5) scenes[i].numerics.relative_tolerance = 1e-9;

@@ -149,6 +149,54 @@ TEST(DriftLanes, AreTheScalarSeriesInBothAxes) {
   }
 }
 
+/// Angles that go round are counted between rows, however few: the steps in between are looked at only now and then.
+TEST(DriftLanes, CountTurnsBetweenRows) {
+  std::vector<Scenario> scenes = tops(40);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    scenes[i].threshold_rad.reset();
+    if (i % 8 == 2) {
+      scenes[i] = testing::toy_top();
+      scenes[i].rotation_rate_rad_s = 2;  // the azimuth goes round in 4 s
+      scenes[i].duration_s = 5 + static_cast<double>(i) / 8;
+    }
+  }
+  const auto problems = problems_of<DriftProblem<double>>(scenes);
+  auto few = problems;
+  for (DriftProblem<double>& problem : few) problem.times_s = {0, problem.times_s.back()};
+  const IntegrationOptions options = reduced(Method::taylor, Observer::laboratory);
+  const auto all_rows = integrate_drift_in_lanes(problems, options), two_rows = integrate_drift_in_lanes(few, options);
+  int rounds = 0;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto &expected = all_rows[i].samples.back(), &got = two_rows[i].samples.back();
+    EXPECT_EQ(got.spin, expected.spin) << i;
+    EXPECT_EQ(got.azimuth, expected.azimuth) << i;
+    if (std::abs(got.spin) > 4 || std::abs(got.azimuth) > 4) ++rounds;
+  }
+  EXPECT_GT(rounds, 0);  // else nothing was counted
+}
+
+/// What a bound compares does not depend on whether the rest of a row is sought too.
+TEST(DriftLanes, GiveTheSameDistancesAlone) {
+  const auto problems = problems_of<DriftProblem<double>>(tops(16));
+  auto lean = problems;
+  for (DriftProblem<double>& problem : lean) problem.sought = DriftSought::distances;
+  for (const Observer observer : {Observer::laboratory, Observer::inertial}) {
+    const IntegrationOptions options = reduced(Method::taylor, observer);
+    const auto rows = integrate_drift_in_lanes(problems, options), distances = integrate_drift_in_lanes(lean, options);
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      ASSERT_EQ(distances[i].samples.size(), rows[i].samples.size());
+      for (std::size_t row = 0; row < rows[i].samples.size(); ++row) {
+        const auto &expected = rows[i].samples[row], &got = distances[i].samples[row];
+        ASSERT_EQ(got.measures.axis, expected.measures.axis);
+        ASSERT_EQ(got.measures.attitude, expected.measures.attitude);
+        ASSERT_EQ(got.measures.axis_difference_L_scaled, expected.measures.axis_difference_L_scaled);
+        ASSERT_EQ(got.measures.attitude_vector_L_scaled, expected.measures.attitude_vector_L_scaled);
+        ASSERT_EQ(got.state.q_LB.v, expected.state.q_LB.v);
+      }
+    }
+  }
+}
+
 /// Bodies with any inertia, along the body axes or not.
 std::vector<DriftProblem<double>> any_bodies(std::size_t count) {
   std::vector<Scenario> scenes;

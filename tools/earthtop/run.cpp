@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "command_line.hpp"
 #include "earthtop/results/results.hpp"
@@ -29,6 +30,7 @@ struct RunArguments {
   bool quiet = false;
   bool no_step_limit = false;
   bool partial = false;
+  unsigned jobs = 0;
   std::vector<std::string> sets;
 };
 
@@ -91,7 +93,7 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
   const double writing = writing_seconds(scene.scenario()), share = writing / (writing + estimated_run_seconds(scene));
-  WrittenRun run{earthtop::run(scene, {watch.part(0, 1 - share), arguments.partial})};
+  WrittenRun run{earthtop::run(scene, {watch.part(0, 1 - share), arguments.partial, arguments.jobs})};
   run.was_interrupted = run.result.status == RunStatus::interrupted;
   run.is_written = !run.was_interrupted || is_partial(run.result);
   if (!run.is_written) return run;
@@ -181,6 +183,10 @@ Verb describe_run() {
   run.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
   run.add("--no-step-limit", &arguments->no_step_limit,
           "go on where the run takes more than ten times the steps estimated; without it, it stops there");
+  arguments->jobs = std::thread::hardware_concurrency() > 1 ? 2 : 1;
+  run.add("--jobs", &arguments->jobs, "threads: with two, error bounds are computed beside the solution; default: as there are cores")
+      .called("N")
+      .within(1, 4096);
   add_set_option(run, arguments->sets);
   run.describe(
       "Integrates the top's motion in the laboratory that turns with the Earth, and beside it the motion that "

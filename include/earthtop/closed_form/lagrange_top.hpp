@@ -24,6 +24,10 @@ enum class LagrangeRegime {
   plane_turning    ///< the same, but turns over the top
 };
 
+/// How far from the start a closed form is evaluated. Within a few periods its rates need no more digits than its values do,
+/// and their derivation takes a third of the time.
+enum class ClosedFormSpan { any, few_periods };
+
 /// Attitude and rate of the heavy symmetric top at any time, by theta functions.
 ///
 /// Write the quaternion as two complex numbers A = w + i z, B = x + i y, and the rate across the axis as Omega = w1 + i w2.
@@ -43,7 +47,8 @@ template <class T>
 class LagrangeTop {
  public:
   /// @param q0_NB  attitude at t = 0, not zero; normalised here   @param w0_NB_B  rate at t = 0 (rad/s), finite
-  LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B);
+  LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B,
+              ClosedFormSpan span = ClosedFormSpan::any);
 
   /// The state at time t (s); its quaternion may have either sign. In double it takes about 0.1 us; a construction takes about
   /// 2 us.
@@ -74,10 +79,12 @@ class LagrangeTop {
     T cos = T(1), sin = T(0);  ///< cosine and sine of its constant phase
   };
   struct Basis;
+  template <class W>
   struct Derivation;
 
   void evaluate_basis(T v, T v_low, Basis& basis) const;
-  void set_phases(const Derivation& start);
+  template <class W>
+  void set_phases(const Derivation<W>& start);
   T gap_loss(const Basis& basis) const;
 
   bool hyperbolic_ = false;

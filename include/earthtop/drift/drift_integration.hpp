@@ -41,11 +41,15 @@ struct DriftMeasures {
   Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
   Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon
 };
+/// What of a drift is sought: everything that a row shows, or only what an error bound compares, which are the angles `axis` and
+/// `attitude` and both vectors. The other measures are then 0, and no azimuth is defined.
+enum class DriftSought { rows, distances };
+
 template <class T>
-DriftMeasures<T> measure_drift(const DriftState<T>& state);
-extern template DriftMeasures<double> measure_drift(const DriftState<double>&);
-extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&);
-extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&);
+DriftMeasures<T> measure_drift(const DriftState<T>& state, DriftSought sought = DriftSought::rows);
+extern template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSought);
+extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
+extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
 
 /// The two drift angles that can go through more than a full turn, the half spin and the azimuth. Each is given by its sine and
 /// cosine, both times the same positive number: these are cheap enough to be followed from step to step.
@@ -83,6 +87,7 @@ template <class T>
 struct DriftProblem : MotionProblem<T> {
   std::optional<double> threshold_rad;  ///< axis drift of which the first passing is sought (rad)
   RotatingMotion rotating = RotatingMotion::integrated;
+  DriftSought sought = DriftSought::rows;  ///< with `distances` the samples' spin and azimuth are not followed
 };
 
 /// Both motions and the drift at the output times, and how their integration ended. Ended early, it has fewer samples.

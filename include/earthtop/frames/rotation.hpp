@@ -76,6 +76,13 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
   return q;
 }
 
+/// The matrix of a turn by `angle` (rad) about the unit vector `axis`.
+template <class T>
+Mat3<T> turn_matrix(const Vec3<T>& axis, const T& angle) {
+  const SinCos<T> half = real::sin_cos(T(angle / T(2)));
+  return rotation_matrix(Quaternion<T>{half.cos, half.sin * axis});
+}
+
 /// (R(e) - 1) u / epsilon for the quaternion e = (w, epsilon y) of any norm:  (2 w y x u + 2 epsilon y x (y x u)) / |e|^2.
 template <class T>
 Vec3<T> turn_minus_one_scaled(T w, const Vec3<T>& y, T epsilon, const Vec3<T>& u) {

@@ -135,7 +135,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_a_row = 40,
               .is_watched = true},
      .worth =
-         "an order that follows the tolerance: 34 digits in any scene, and the second integration that every bound rests on"},
+         "an order that follows the tolerance: 34 digits in any scene, and the second integration behind the bounds of all "
+         "methods but taylor and long_horizon"},
     {.method = Method::abm8,
      .word = "abm8",
      .step_s = Need::required,
@@ -159,7 +160,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_a_row = 1,
               .steps_past_rows = true,
               .is_watched = true},
-     .worth = "dense output of order 7 for every scene that no series is compiled for: rows cut no step"},
+     .worth = "dense output of order 7 where drag brakes a rate to zero, a corner that no series passes: rows cut no step"},
     {.method = Method::gauss,
      .word = "gauss",
      .step_s = Need::optional,

@@ -33,11 +33,14 @@ double least_tolerance(Precision precision);
 /// precision, as whoever asks for more bits wants the digits that they allow.
 double default_tolerance(Precision precision);
 
+/// Whether steps of long_horizon average over the nutation: not, with kicks spread over 5 times, or over 17.
+enum class Averaging { none, coarse, fine };
+
 /// The steps of the method long_horizon, as one run has found them, for another run to reuse.
 struct KickSteps {
-  double step_s = 0;      ///< longest step (s)
-  int kicks = 0;          ///< number of kicks in a step, at Gauss nodes; 0: the kicks of the composition ABA(8, 6, 4)
-  bool averages = false;  ///< whether the kicks are averaged over the nutation
+  double step_s = 0;  ///< longest step (s)
+  int kicks = 0;      ///< number of kicks in a step, at Gauss nodes; 0: the kicks of the composition ABA(8, 6, 4)
+  Averaging averaging = Averaging::none;
   bool operator==(const KickSteps&) const = default;
 };
 

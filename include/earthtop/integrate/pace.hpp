@@ -17,6 +17,7 @@ struct Pace {
   double joints = 0;               ///< number of other times at which steps must end
   double turning_rad = 0;          ///< angle that the fastest motion turns through, as seen from the body
   double reduced_turning_rad = 0;  ///< the same angle in the reduced form, which leaves the spin out
+  double reduced_damping = 0;      ///< `damping` in the reduced form
   double undamped_rest_rad =
       0;  ///< angle that a motion would have turned through after friction stopped it: it still bounds steps
   double watched_angle_rad = 0;  ///< largest angle that the watched angles turn through

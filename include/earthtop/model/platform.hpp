@@ -34,7 +34,7 @@ struct PivotAcceleration {
 /// in it
 template <class T>
 PivotAcceleration<T> pivot_acceleration(const Platform<T>& platform, const Vec3<T>& W_IL_L, const Vec3<T>& W_IL_L_scaled, T t) {
-  const Mat3<T> R_LP = Rotation<T>::about(platform.turn.axis, platform.turn.angle(t)).matrix();
+  const Mat3<T> R_LP = turn_matrix(platform.turn.axis, platform.turn.angle(t));
   const Vec3<T> d_L = R_LP * platform.pivot_offset_P;
   const Vec3<T> w_LP_L = platform.turn.angle_rate(t) * platform.turn.axis;
   const Vec3<T> alpha_LP_L = platform.turn.angle_acceleration(t) * platform.turn.axis;

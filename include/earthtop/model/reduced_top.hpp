@@ -50,15 +50,13 @@ bool is_reducible(const Model<T>& model) {
 }
 
 /// Whether a model is a symmetric top in any scene whose torques do not depend on the angle of spin (reduced_torques.hpp). A
-/// gimbal's constraint and left-out torques of [F] are not written in that form; a disc spins about body axis 3.
+/// gimbal's constraint is not written in that form; a disc spins about body axis 3.
 template <class T>
 bool is_reducible_when_driven(const Model<T>& model) {
   const AppliedTorques<T>& applied = model.applied;
-  const TorqueWeights<T>& weights = model.weights;
   const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
   const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
-  return axis >= 0 && !applied.level_axis && (axis == 2 || !has_disc) && weights.coriolis == T(1) &&
-         weights.transverse == T(1) && weights.centrifugal == T(1);
+  return axis >= 0 && !applied.level_axis && (axis == 2 || !has_disc);
 }
 
 /// Whether a model is a wheel symmetric about body axis 3 in a gimbal that keeps it level in the laboratory: a compass. Its

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The kernels of a symmetric top's reference and deviation without its spin, and the constants that they read.
+/// The kernels of a symmetric top's reference and deviation as quaternions (spherical_top_drift.hpp), and the constants that
+/// they read.
 #pragma once
 
 #include "integrate/lanes/block.hpp"
 
 namespace earthtop::lanes {
 
-/// The rows of `Block::constants`. b and its rest belong to the reference; k, axis_rate_factor and cross_factor to the deviation, see
-/// `ReducedDriftConstants`.
+/// The rows of `Block::constants`. The last two are read in inertial axes only.
 struct DriftConstants {
-  enum : int { b, b_rest, k, axis_rate_factor, cross_factor, moment_ratio, gravity, epsilon, W_scaled, kCount = W_scaled + 3 };
+  enum : int {
+    gravity,  ///< Gamma
+    c,        ///< c, and below it what its rounding left out
+    c_rest,
+    j,
+    epsilon,
+    b,  ///< of the reference
+    mu,
+    W_scaled,                  ///< three rows
+    last_term = W_scaled + 3,  ///< the highest order at which the series of gravity's change h counts
+    kCount
+  };
 };
 static_assert(DriftConstants::kCount <= kMostConstants);
-/// The component groups of the state n, u, a, w, y, V. The inertial state has further variables, which no group measures.
-constexpr Group kDriftGroups[] = {{0, 3, true}, {3, 3, false}, {6, 3, true}, {9, 1, true}, {10, 6, false}};
-/// Numbers of state variables: in laboratory axes, and in inertial axes, where the change h of gravity is added.
+/// The component groups of the coordinates q and delta; velocities are not in any.
+constexpr Group kDriftGroups[] = {{0, 4, true}, {4, 4, false}};
+/// Numbers of state variables: q, delta and their velocities; in inertial axes also the change h of gravity's direction.
 inline constexpr int kLaboratoryDriftVariables = 16, kInertialDriftVariables = 19;
 
 extern const Kernel kLaboratoryDrift_baseline, kInertialDrift_baseline;

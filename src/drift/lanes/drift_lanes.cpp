@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "drift/drift_system.hpp"
 #include "drift/lanes/drift_kernels.hpp"
 #include "drift/lanes/general_drift_kernels.hpp"
-#include "drift/reduced_drift_system.hpp"
+#include "drift/lanes/spherical_top_drift.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
 #include "integrate/lanes/choose_kernel.hpp"
@@ -17,37 +18,6 @@
 
 namespace earthtop {
 namespace {
-
-/// The drift of a symmetric top without its spin, in laboratory or in inertial axes.
-template <Observer O>
-class ReducedTopDrift : public ReducedDriftSystem<double, O> {
- public:
-  using Base = ReducedDriftSystem<double, O>;
-  static constexpr bool kInertial = O == Observer::inertial;
-  static constexpr int kVariables = kInertial ? lanes::kInertialDriftVariables : lanes::kLaboratoryDriftVariables;
-  static_assert(lanes::are_groups_of<Base>(lanes::kDriftGroups));
-
-  explicit ReducedTopDrift(const DriftProblem<double>& problem)
-      : Base(problem.model, problem.release, problem.units), model_(problem.model) {}
-
-  template <class Put>
-  void constants(const Put& put) const {
-    using Constants = lanes::DriftConstants;
-    const ReducedDriftConstants<double>& constants = Base::constants();
-    put(Constants::b, constants.b.value);
-    put(Constants::b_rest, constants.b.rest);
-    put(Constants::k, constants.k);
-    put(Constants::axis_rate_factor, constants.axis_rate_factor);
-    put(Constants::cross_factor, constants.cross_factor);
-    put(Constants::moment_ratio, this->top().moment_ratio);
-    put(Constants::gravity, model_.apparent_gravity_L[2]);
-    put(Constants::epsilon, model_.epsilon);
-    for (int i = 0; i < 3; ++i) put(Constants::W_scaled + i, model_.W_IL_L_scaled[i]);
-  }
-
- private:
-  const Model<double>& model_;
-};
 
 /// Puts in the constants that the kernels of any body's drift read.
 template <class Put>
@@ -120,7 +90,7 @@ class InertialBodyDrift {
   void follow(const State&) {}
   /// The system that the search for a threshold integrates.
   const Flow& flow() const { return outer_; }
-  Flow::State flow_state(const State& x) const { return in_outer_axes(x); }
+  Flow::State flow_state(const State& x, double) const { return in_outer_axes(x); }
   DriftState<double> shared_state(const State& x, double t) const { return outer_.shared_state(in_outer_axes(x), t); }
   DriftState<double> deviation_state(const State& x, double t) const { return outer_.deviation_state(in_outer_axes(x), t); }
   template <class Put>
@@ -171,12 +141,21 @@ class DriftPoint {
   System& system() { return system_; }
   const std::vector<double>& times() const { return times_; }
   const DriveOptions<double>& drive() const { return drive_; }
+  double longest_step() const {
+    if constexpr (requires { system_.longest(); }) return system_.longest();
+    return HUGE_VAL;
+  }
+  /// A search for a threshold does not bridge steps. Distances need no angles that are followed.
+  double longest_unseen_turn() const {
+    if (problem_.threshold_rad || drive_.largest_step > 0) return 0;
+    return problem_.sought == DriftSought::rows ? 1 : HUGE_VAL;
+  }
   void constants(lanes::Row* rows, std::size_t lane) const {
     system_.constants([&](int row, double value) { rows[row].lane[lane] = value; });
   }
   void on_step(double t, const State& x) { watcher_(t, x); }
   void on_row(std::size_t row, const State& x) {
-    trajectory_.samples.push_back(watcher_.sample(x, times_[row], problem_.times_s[row]));
+    trajectory_.samples.push_back(watcher_.seen_sample(x, times_[row], problem_.times_s[row]));
     if (row == 0) set_release_rates(problem_, trajectory_.samples.front().state);
   }
   void finish(RunStatus status, const StepCounters& counters) {
@@ -224,11 +203,11 @@ std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const Dr
   if (options.form == ModelForm::general) return integrate_general(problems, options, watch, taken);
   switch (options.observer) {
     case Observer::laboratory:
-      return integrate<ReducedTopDrift<Observer::laboratory>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kLaboratoryDrift), problems,
-                                                              options, watch);
+      return integrate<SphericalTopDrift<Observer::laboratory>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kLaboratoryDrift),
+                                                                problems, options, watch);
     case Observer::inertial:
-      return integrate<ReducedTopDrift<Observer::inertial>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kInertialDrift), problems,
-                                                            options, watch);
+      return integrate<SphericalTopDrift<Observer::inertial>>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kInertialDrift), problems,
+                                                              options, watch);
     case Observer::body: break;
   }
   throw std::logic_error("the reduced form has no body axes");

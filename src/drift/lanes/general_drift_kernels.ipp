@@ -30,6 +30,7 @@ template <SeenFrom kFrom>
 class GeneralDriftSeries {
  public:
   static constexpr bool kInertial = kFrom == SeenFrom::inertial;
+  static constexpr int kCoordinates = 0;
   static constexpr int kVariables = kInertial ? kInertialBodyDriftVariables : kBodyDriftVariables;
   static constexpr int kGroupCount = kInertial ? 7 : 4;
   static constexpr const Group* kGroups = kInertial ? kInertialBodyDriftGroups : kBodyDriftGroups;

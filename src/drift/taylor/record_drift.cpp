@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drift/taylor/recorded_model.hpp"  // must come first: the model's formulas call the recording scalar's functions
+#include "integrate/taylor/recorded_model.hpp"  // must come first: the model's formulas call the recording scalar's functions
 //
 #include <stdexcept>
 
 #include "drift/driven_reduced_equations.hpp"
 #include "drift/drift_system.hpp"
 #include "drift/taylor/record_drift.hpp"
-#include "drift/taylor/record_equations.hpp"
+#include "integrate/taylor/record_equations.hpp"
 
 namespace earthtop {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drift/taylor/recorded_model.hpp"  // must come first: the model's formulas call the recording scalar's functions
+#include "integrate/taylor/recorded_model.hpp"  // must come first: the model's formulas call the recording scalar's functions
 //
 #include "drift/compass_variations.hpp"
 #include "drift/driven_reduced_variations.hpp"
-#include "drift/taylor/record_equations.hpp"
+#include "integrate/taylor/record_equations.hpp"
 
 namespace earthtop {
 

@@ -105,14 +105,20 @@ EARTHTOP_LANE_INLINE Pack power_of_two(Pack x) {
 /// Takes one chunk of a block through one step.
 /// @tparam Series  the equations, with
 ///   kVariables, kStored   number of state variables, and of all series kept, of which the state's are the first
+///   kCoordinates          how many of the variables have equations of second order: these come first in the state, then as many
+///                         velocities, which have no series of their own, then the variables with equations of first order
 ///   kGroups, kGroupCount  the component groups of the state, and their number
 ///   Series(constants, chunk)
-///   start(c)              is given the state, as coefficients of order 0
-///   extend(c, k)          finds the state's coefficients of order k + 1 from all those up to order k
+///   start(c)              is given the state, as coefficients of order 0; velocities as those of order 1
+///   extend(c, k)          finds the state's coefficients of order k + 1, those of coordinates of order k + 2, from all those
+///                         below
+///   turns(c, first, second)   if there are coordinates: the largest first and second coefficients of everything that turns,
+///                         squared; otherwise they are those of the groups that turn
 template <class Series>
 struct Chunk {
   static constexpr int n = Series::kVariables, kStored = Series::kStored;
-  static_assert(n <= kMostVariables && kStored <= kMostStored);
+  static constexpr int kCoordinates = Series::kCoordinates;
+  static_assert(n <= kMostVariables && kStored <= kMostStored && 2 * kCoordinates <= n);
 
   EARTHTOP_LANE_INLINE static Coefficients<kStored> coefficients(const Block& block, int chunk) {
     Pack* all = reinterpret_cast<Pack*>(const_cast<double*>(block.series[0].lane));
@@ -132,30 +138,63 @@ struct Chunk {
     return sum;
   }
 
-  /// The change of kCount components from the beginning of the step to the time dt after it, including their rests.
+  static constexpr int kFirstOrder = 2 * kCoordinates;
+  static constexpr bool is_velocity(int i) { return i >= kCoordinates && i < kFirstOrder; }
+  /// The number of a variable's series.
+  static constexpr int series_of(int i) { return i < kCoordinates ? i : i - kCoordinates; }
+  /// A component at the beginning of the step.
+  EARTHTOP_LANE_INLINE static Pack at_start(const Coefficients<kStored>& c, int i) {
+    return c.get(is_velocity(i) ? 1 : 0, series_of(i));
+  }
+  /// The change of kCount coordinates and of their velocities. With U = c_2 + c_3 t + ..., the change of a coordinate is
+  /// (c_1 + t U) t, and that of its velocity (2 U + t U') t; Horner's scheme gives U and U' together.
+  template <int kCount>
+  EARTHTOP_LANE_INLINE static void add_changes_of_both(const Coefficients<kStored>& c, int order, int begin, Pack dt,
+                                                       const Row* rest, int chunk, Pack* change) {
+    Pack value[kCount], slope[kCount];
+    for (int i = 0; i < kCount; ++i) value[i] = c.get(order, begin + i), slope[i] = Pack{};
+    for (int k = order - 1; k > 1; --k)
+      for (int i = 0; i < kCount; ++i) {
+        slope[i] = slope[i] * dt + value[i];
+        value[i] = value[i] * dt + c.get(k, begin + i);
+      }
+    for (int i = 0; i < kCount; ++i) {
+      const int velocity = begin + i + kCoordinates;
+      change[begin + i] = (c.get(1, begin + i) + value[i] * dt) * dt + load(rest[begin + i], chunk);
+      change[velocity] = (value[i] + value[i] + slope[i] * dt) * dt + load(rest[velocity], chunk);
+    }
+  }
+  /// The change of kCount variables with equations of first order from the beginning of the step to the time dt after it,
+  /// including their rests.
   template <int kCount>
   EARTHTOP_LANE_INLINE static void add_change(const Coefficients<kStored>& c, int order, int begin, Pack dt, const Row* rest,
                                               int chunk, Pack* change) {
+    const int series = series_of(begin);
     Pack sum[kCount];
-    for (int i = 0; i < kCount; ++i) sum[i] = c.get(order, begin + i);
+    for (int i = 0; i < kCount; ++i) sum[i] = c.get(order, series + i);
     for (int k = order - 1; k > 0; --k)
-      for (int i = 0; i < kCount; ++i) sum[i] = sum[i] * dt + c.get(k, begin + i);
+      for (int i = 0; i < kCount; ++i) sum[i] = sum[i] * dt + c.get(k, series + i);
     for (int i = 0; i < kCount; ++i) change[begin + i] = sum[i] * dt + load(rest[begin + i], chunk);
   }
   EARTHTOP_LANE_INLINE static void find_change(const Coefficients<kStored>& c, int order, Pack dt, const Row* rest, int chunk,
                                                Pack* change) {
-    constexpr int kTogether = 8;
-    for (int i = 0; i + kTogether <= n; i += kTogether) add_change<kTogether>(c, order, i, dt, rest, chunk, change);
-    if constexpr (n % kTogether != 0) add_change<n % kTogether>(c, order, n / kTogether * kTogether, dt, rest, chunk, change);
+    constexpr int kBoth = 4, kTogether = 8, kWith = n - kFirstOrder;
+    static_assert(kCoordinates % kBoth == 0);
+    for (int i = 0; i < kCoordinates; i += kBoth) add_changes_of_both<kBoth>(c, order, i, dt, rest, chunk, change);
+    const int last = order - (kCoordinates > 0 ? 1 : 0);
+    for (int i = 0; i + kTogether <= kWith; i += kTogether)
+      add_change<kTogether>(c, last, kFirstOrder + i, dt, rest, chunk, change);
+    if constexpr (kWith % kTogether != 0)
+      add_change<kWith % kTogether>(c, last, kFirstOrder + kWith / kTogether * kTogether, dt, rest, chunk, change);
   }
 
   EARTHTOP_LANE_INLINE static void step(Block& block, int chunk) {
     const Coefficients<kStored> c = coefficients(block, chunk);
-    for (int i = 0; i < n; ++i) c.put(0, i, load(block.x[i], chunk));
+    for (int i = 0; i < n; ++i) c.put(is_velocity(i) ? 1 : 0, series_of(i), load(block.x[i], chunk));
     Series series(block.constants, chunk);
     series.start(c);
     const int order = block.order;
-    for (int k = 0; k < order; ++k) series.extend(c, k);
+    for (int k = 0; k < order - (kCoordinates > 0 ? 1 : 0); ++k) series.extend(c, k);
 
     // The last two terms count, as one of them may vanish by symmetry.
     const Pack log_h = smaller(log_step(block, chunk, c, order), log_step(block, chunk, c, order - 1));
@@ -165,21 +204,25 @@ struct Chunk {
     find_change(c, order, h, block.rest, chunk, change);
     // The sum is compensated: what rounding leaves out of it goes into the next step's.
     for (int i = 0; i < n; ++i) {
-      const Pack x = c.get(0, i), sum = x + change[i];
+      const Pack x = at_start(c, i), sum = x + change[i];
       store(block.rest_before[i], chunk, load(block.rest[i], chunk));
       store(block.rest[i], chunk, change[i] - (sum - x));
       store(block.x[i], chunk, sum);
       not_finite += sum - sum;
     }
     store(block.not_finite, chunk, not_finite);
-    Pack first{}, second{};
     for (int g = 0; g < Series::kGroupCount; ++g) {
       const Group group = Series::kGroups[g];
       Pack size{};
       for (int i = group.begin; i < group.begin + group.count; ++i) size += load(block.x[i], chunk) * load(block.x[i], chunk);
       store(block.squares[g], chunk, larger(size, load(block.squares[g], chunk)));
-      if (group.turns) first = larger(square(c, 1, g), first), second = larger(square(c, 2, g), second);
     }
+    Pack first{}, second{};
+    if constexpr (kCoordinates > 0)
+      series.turns(c, first, second);
+    else
+      for (int g = 0; g < Series::kGroupCount; ++g)
+        if (Series::kGroups[g].turns) first = larger(square(c, 1, g), first), second = larger(square(c, 2, g), second);
     store(block.first_turn, chunk, first);
     store(block.second_turn, chunk, second);
   }
@@ -188,7 +231,7 @@ struct Chunk {
     const Coefficients<kStored> c = coefficients(block, chunk);
     Pack change[n];
     find_change(c, block.order, load(after, chunk), block.rest_before, chunk, change);
-    for (int i = 0; i < n; ++i) store(x[i], chunk, c.get(0, i) + change[i]);
+    for (int i = 0; i < n; ++i) store(x[i], chunk, at_start(c, i) + change[i]);
   }
 };
 

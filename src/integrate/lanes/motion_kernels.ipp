@@ -11,6 +11,7 @@ namespace {
 template <bool kAttitude>
 class MotionSeries {
  public:
+  static constexpr int kCoordinates = 0;
   static constexpr int kVariables = kAttitude ? 9 : 6;
   static constexpr int kGroupCount = kAttitude ? 3 : 2;
   static constexpr const Group* kGroups = kMotionGroups;

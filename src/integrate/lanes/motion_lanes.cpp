@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/integrate/motion_lanes.hpp"
 
+#include <cmath>
 #include <tuple>
 
 #include "integrate/lanes/choose_kernel.hpp"
@@ -32,6 +33,8 @@ class MotionPoint {
   System& system() { return system_; }
   const std::vector<double>& times() const { return times_; }
   const DriveOptions<double>& drive() const { return drive_; }
+  double longest_step() const { return HUGE_VAL; }
+  double longest_unseen_turn() const { return 0; }
   void constants(lanes::Row* rows, std::size_t lane) const {
     const auto put = [&](int row, double value) { rows[row].lane[lane] = value; };
     using Constants = lanes::MotionConstants;
@@ -43,6 +46,7 @@ class MotionPoint {
   }
   void on_step(double, const State& x) { system_.follow(x); }
   void on_row(std::size_t row, const State& x) {
+    system_.follow(x);
     trajectory_.samples.push_back(sample_at(system_, problem_, x, times_[row], problem_.times_s[row]));
   }
   void finish(RunStatus status, const StepCounters& counters) {

@@ -38,8 +38,11 @@ inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
 ///   System                     the point's system, with the `Shape` of its states and initial_state(), typical_state() if any
 ///   kVariables                 number of the kernel's state variables; those that the system does not have begin at 0
 ///   system(), times(), drive() the system, the output times and the driver's options; in natural units
+///   longest_step()             a limit to the steps, in natural units
+///   longest_unseen_turn()      how far the motion may turn between two states that on_step or on_row sees (rad); 0: they see
+///                              the end of every step
 ///   constants(rows, lane)      puts the constants of the equations into the lane's place
-///   on_step(t, x), on_row(row, x)    see the states, as in the driver
+///   on_step(t, x), on_row(row, x)    see the states between the rows, and those of the rows
 ///   finish(status, counters)   is called at the end
 template <class Point>
 class Lane {
@@ -61,7 +64,6 @@ class Lane {
     scales.include(x);
     if constexpr (requires { point_.system().typical_state(); }) scales.include(point_.system().typical_state());
     if (!all_finite(x)) return end(RunStatus::not_finite);
-    point_.on_step(point_.times().front(), x);
     point_.on_row(0, x);
     if (point_.times().size() == 1) return end(RunStatus::completed);
     for (std::size_t i = 0; i < static_cast<std::size_t>(Point::kVariables); ++i) {
@@ -79,7 +81,7 @@ class Lane {
     if (const RunStatus status = may_go_on(point_.drive(), counters_, clock_.now(), times.front(), times.back());
         status != RunStatus::completed)
       return end(status);
-    at(block_.longest) = clock_.remaining();
+    at(block_.longest) = std::min(clock_.remaining(), point_.longest_step());
     return true;
   }
 
@@ -93,9 +95,14 @@ class Lane {
     if (!lands_ && step_ < least_step<double>()) return end(RunStatus::step_underflow);
     piece_ = 1;
     pieces_ = 1;
+    passes_end_ = !is_watched<System>();
     if constexpr (is_watched<System>()) {
-      const double turned = std::sqrt(at(block_.first_turn)) * step_ + std::sqrt(at(block_.second_turn)) * (step_ * step_);
-      pieces_ = static_cast<int>(pieces_of_step(point_.drive(), step_, turned));
+      turned_ = std::sqrt(at(block_.first_turn)) * step_ + std::sqrt(at(block_.second_turn)) * (step_ * step_);
+      pieces_ = static_cast<int>(pieces_of_step(point_.drive(), step_, turned_));
+      // The end may be passed if there is room for another step like this before the next look.
+      unseen_ += turned_;
+      passes_end_ = unseen_ + turned_ < point_.longest_unseen_turn();
+      if (!passes_end_) unseen_ = 0;
     }
     return true;
   }
@@ -108,7 +115,7 @@ class Lane {
     while (piece_ <= pieces_) {
       const bool in_piece = row_ < times.size() && (clock_.until(times[row_]) <= piece_end() || (piece_ == pieces_ && lands_));
       if (!in_piece && row_ == times.size()) return false;
-      if (!in_piece && !is_watched<System>()) {
+      if (!in_piece && passes_end_) {
         ++piece_;
         continue;
       }
@@ -124,9 +131,9 @@ class Lane {
     State seen;
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = x[i].lane[lane_];
     if (looks_at_row_) {
-      point_.on_step(point_.times()[row_], seen);
       point_.on_row(row_, seen);
       ++row_;
+      unseen_ = std::min(unseen_, turned_);
     } else {
       point_.on_step(clock_.now() + piece_end(), seen);
       ++piece_;
@@ -155,7 +162,9 @@ class Lane {
   std::size_t row_ = 1;
   double step_ = 0;
   bool lands_ = false;
-  int piece_ = 1, pieces_ = 1;  ///< the pieces in which the watcher sees the step
+  int piece_ = 1, pieces_ = 1;      ///< the pieces in which the watcher sees the step
+  double turned_ = 0, unseen_ = 0;  ///< how far the step turns the motion, and how far it has turned since the last look (rad)
+  bool passes_end_ = false;         ///< whether the step's end is not looked at
   bool looks_at_row_ = false;
 };
 

@@ -19,10 +19,13 @@ Quaternion<T> load_quaternion(const std::array<T, N>& x, std::size_t at) {
 template <class T>
 class AttitudeSeries {
  public:
-  static constexpr int kRateLanes = 12, kUpLanes = 6, kVectorLanes = 10;
+  static constexpr int kRateLanes = 12, kVectorLanes = 10;
 
   /// Notes |q|, which is constant along the exact motion: its round-off must not scale a torque.
   void start(const Quaternion<T>& q) { inverse_norm_squared_ = T(1) / (q.w * q.w + q.v.dot(q.v)); }
+
+  /// 2 / |q|^2
+  T double_inverse_norm_squared() const { return T(2) * inverse_norm_squared_; }
 
   /// Puts in the factors of q w_B at order k.
   template <class ProductsOfSystem>
@@ -36,25 +39,6 @@ class AttitudeSeries {
   static Quaternion<T> half_product(const ProductsOfSystem& products, int lane) {
     const Vec3<T> v = products.vector(lane) + products.cross(lane + 6);
     return {-products.sum_of_three(lane + 3) / T(2), v / T(2)};
-  }
-
-  /// Puts in the factors of the vertical as seen from the body.
-  template <class ProductsOfSystem>
-  static void put_up(ProductsOfSystem& products, int k, int lane, const Quaternion<T>& q) {
-    products.put(k, lane, q.v[0], q.v[2]);
-    products.put(k, lane + 1, q.w, q.v[1]);
-    products.put(k, lane + 2, q.v[1], q.v[2]);
-    products.put(k, lane + 3, q.w, q.v[0]);
-    products.put(k, lane + 4, q.v[0], q.v[0]);
-    products.put(k, lane + 5, q.v[1], q.v[1]);
-  }
-  /// The vertical as seen from the body, R_LB^T z = (2 (x z - w y), 2 (y z + w x), |q|^2 - 2 (x^2 + y^2)) / |q|^2 for
-  /// q = (w, x, y, z).
-  template <class ProductsOfSystem>
-  Vec3<T> up(const ProductsOfSystem& products, int k, int lane) const {
-    const T s = T(2) * inverse_norm_squared_;
-    return {s * (products.at(lane) - products.at(lane + 1)), s * (products.at(lane + 2) + products.at(lane + 3)),
-            T(k == 0 ? 1 : 0) - s * (products.at(lane + 4) + products.at(lane + 5))};
   }
 
   /// Puts in the factors of any constant vectors of the laboratory as seen from the body.

@@ -25,6 +25,7 @@ class Program {
 
   /// Finds the coefficients of order 0. @param x  the state at the beginning of a step   @param t  its time
   void start(std::span<const T> x, T t);
+  bool has_guards() const { return !guards_.empty(); }
   /// Whether all comparisons have the outcome they had when the right-hand side was recorded; after `start`.
   bool guards_hold() const;
   /// Finds the coefficients of order k of dx/dt. @param x  coefficients of order k of the state; orders come one by one, from 0 on

@@ -29,6 +29,13 @@ class RecordedSeries {
     program_.start(x, t);
     is_recorded_ = true;
   }
+  /// Whether the right-hand side is on the recorded branch there, too; the series of a step holds up to such a state only. To be
+  /// asked after the last order of a step.
+  bool reaches(const State& x, T t) {
+    if (!program_.has_guards()) return true;
+    program_.start(x, t);
+    return program_.guards_hold();
+  }
   void extend(int k, const State& x, State& next) {
     program_.extend(k, x, next);
     const T order = T(k + 1);

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "earthtop/integrate/motion_integration.hpp"
-#include "integrate/inline_all.hpp"
 #include "integrate/state_vectors.hpp"
-#include "integrate/taylor/products.hpp"
+#include "integrate/taylor/packed_products.hpp"
 
 namespace earthtop {
 
@@ -26,28 +25,64 @@ class ReducedMotionSeries {
     moment_ = moment_factor(top_, n);
     u_along_n_ = u.dot(n);
   }
-  EARTHTOP_INLINE_ALL void extend(int k, const State& x, State& next) {
-    const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3);
-    products_.put_cross(k, 0, u, n);
-    Vec3<T> a;
-    if constexpr (kAttitude) {
-      a = load_vector(x, 6);
-      products_.put_cross(k, 6, Vec3<T>(u - u_along_n_ * n), a);
+  /// Finds the coefficients of the orders 1 to `order`. @param x  the coefficients, with that of order 0
+  void expand(State* x, int order) { expand_series(*this, x, order); }
+
+  /// The same, as a part of a function compiled for each processor.
+  /// @tparam kWidth  how many numbers the processor's vectors have
+  template <int kWidth>
+  EARTHTOP_PACK_INLINE void expand_here(State* x, int order) {
+    Term term;
+    for (std::size_t i = 0; i < 3; ++i) {
+      term.axis_and_frame[i] = Pair{x[0][i], T(0)};
+      if constexpr (kAttitude) term.axis_and_frame[i] = Pair{x[0][i], x[0][6 + i]};
+      term.u[static_cast<int>(i)] = x[0][3 + i];
     }
-    products_.convolve(k);
-    const T factor = T(1) / T(k + 1);
-    const Vec3<T> s = products_.cross(0);
-    store_vector(factor * (s - W_L_.cross(n)), next, 0);
-    store_vector(factor * (moment_ * n.cross(gravity_L_) - b_.value * s - (b_.rest * s + W_L_.cross(u))), next, 3);
-    if constexpr (kAttitude) store_vector(factor * (products_.cross(6) - W_L_.cross(a)), next, 6);
+    taylor::for_each_order(
+        order, [&]<taylor::Place kPlace>(int k) __attribute__((always_inline)) { extend<kPlace, kWidth>(k, term, x[k + 1]); });
   }
 
  private:
+  using Pair = taylor::Pack<T, 2>;
+  /// The coefficients of one order.
+  struct Term {
+    std::array<Pair, 3> axis_and_frame;  ///< n and a, side by side
+    Vec3<T> u;
+  };
+
+  /// Finds the coefficients of order k + 1 from those of order k.
+  template <taylor::Place kPlace, int kWidth>
+  EARTHTOP_PACK_INLINE void extend(int k, Term& x, State& next) {
+    std::array<Pair, 3> rates, turned;
+    Vec3<T> n, s;
+    for (int i = 0; i < 3; ++i) {
+      n[i] = x.axis_and_frame[static_cast<std::size_t>(i)][0];
+      rates[static_cast<std::size_t>(i)] = Pair{x.u[i], x.u[i] - u_along_n_ * n[i]};
+    }
+    taylor::CrossTerms<T, 2> terms;
+    products_.template put_cross<kPlace, 2>(k, 0, rates, x.axis_and_frame, terms);
+    products_.template convolve<kPlace, kWidth>(k);
+    products_.template complete_cross<kPlace, 2>(k, 0, terms, turned);
+    const T factor = T(1) / T(k + 1);
+    for (int i = 0; i < 3; ++i) s[i] = turned[static_cast<std::size_t>(i)][0];
+    x.u = factor * (moment_ * n.cross(gravity_L_) - b_.value * s - (b_.rest * s + W_L_.cross(x.u)));
+    const std::array<Pair, 3> before = x.axis_and_frame;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+      const Pair carried = both(W_L_[static_cast<int>(j)]) * before[l] - both(W_L_[static_cast<int>(l)]) * before[j];
+      x.axis_and_frame[i] = both(factor) * (turned[i] - carried);
+      next[i] = x.axis_and_frame[i][0];
+      next[3 + i] = x.u[static_cast<int>(i)];
+      if constexpr (kAttitude) next[6 + i] = x.axis_and_frame[i][1];
+    }
+  }
+  EARTHTOP_PACK_INLINE static Pair both(T value) { return Pair{value, value}; }
+
   ReducedTop<T> top_;
   NutationRate<T> b_;
   Vec3<T> W_L_, gravity_L_;
   T moment_ = T(0), u_along_n_ = T(0);
-  taylor::Products<T, kAttitude ? 12 : 6> products_;
+  taylor::PackedProducts<T, 12> products_;
 };
 
 }  // namespace earthtop

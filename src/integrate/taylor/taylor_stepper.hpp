@@ -11,17 +11,20 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "earthtop/elementary.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/taylor/products.hpp"
+#include "integrate/taylor/rough_logarithm.hpp"
 
 namespace earthtop::taylor {
 
 /// @tparam System  has the `Shape` of its states, and a `Series` that finds the coefficients:
 ///   start(x), or start(x, t)    is given the state at the beginning of a step, and its time if it asks for it
 ///   extend(k, x_k, x_next)      finds the coefficients of order k + 1 from those of order k; called for k = 0, 1, 2, ...
+///   expand(x, order)            takes the place of `extend` where there is one: finds the coefficients 1 to `order` in x
 template <class T, class System>
 class TaylorStepper {
  public:
@@ -56,9 +59,13 @@ class TaylorStepper {
       series.start(x_, time_);
     else
       series.start(x_);
-    for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
+    if constexpr (requires { series.expand(coefficients_.data(), order_); })
+      series.expand(coefficients_.data(), order_);
+    else
+      for (int k = 0; k < order_; ++k) series.extend(k, at(k), at(k + 1));
     degree_ = order_;
     step_ = choose_step();
+    if constexpr (requires { series.reaches(x_, time_); }) keep_branch(series);
     // The sum is compensated: what rounding leaves out of it goes into the next step's. In a slow motion under a fast one only
     // this round-off would build up.
     rest_before_ = rest_;
@@ -117,32 +124,47 @@ class TaylorStepper {
     return x;
   }
 
+  /// Shortens the step until it ends where the series still holds; a step that is tiny by then may pass the end of the branch.
+  void keep_branch(Series& series) {
+    constexpr int kMostHalvings = 40;
+    State end;
+    for (int i = 0; i < kMostHalvings; ++i, step_ /= T(2)) {
+      end = change_after(step_, rest_);
+      for (std::size_t j = 0; j < end.size(); ++j) end[j] += x_[j];
+      if (series.reaches(end, time_ + step_)) return;
+    }
+  }
+
   /// Logarithm of the step at whose end the term of order k meets the tolerance.
   double log_step(int k) const {
-    const double size = static_cast<double>(scales_->largest_ratio(at(k)));
-    return size > 0 ? (log_tolerance_ - real::log(size)) / k : kUnlimited;
+    const double square = static_cast<double>(scales_->largest_squared_ratio(at(k)));
+    if (square > std::numeric_limits<double>::max()) return kShortest;
+    return square > 0 ? (log_tolerance_ - rough_logarithm(square) / 2) / k : kUnlimited;
   }
   /// The step for which the last two terms meet the tolerance; the last one alone may vanish by symmetry.
   T choose_step() {
     const double last = log_step(order_), before = log_step(order_ - 1);
     const double log_h = std::min(last, before);
     adapt_order(log_h, std::min(before, log_step(order_ - 2)));
-    const T h = log_h < kUnlimited / 2 ? T(real::exp(log_h)) : longest_;
+    const T h = log_h < kUnlimited / 2 ? T(rough_exponential(std::max(log_h, kShortest))) : longest_;
     return longest_ > T(0) && !(h < longest_) ? longest_ : h;
   }
   /// Changes the order by one, up or down, towards less work per unit of time. A step that is cut short needs no higher order.
   void adapt_order(double log_h, double log_h_below) {
-    const double log_longest = longest_ > T(0) ? real::log(static_cast<double>(longest_)) : kUnlimited;
+    const double log_longest = longest_ > T(0) ? rough_logarithm(static_cast<double>(longest_)) : kUnlimited;
     const auto log_work = [&](int order, double log_step) {
-      return 2 * real::log(order + 3.0) - std::min(log_step, log_longest);
+      return 2 * rough_logarithm(order + kOrderOffset) - std::min(log_step, log_longest);
     };
     if (log_work(order_ - 1, log_h_below) < log_work(order_, log_h))
       order_ = std::max(order_ - 1, kLeastOrder);
     else if (log_h < log_longest)
       order_ = std::min(order_ + 1, kMostOrder<T>);
   }
+  /// The work of a step is about proportional to (order + kOrderOffset)^2: what a step and an order take beside the products,
+  /// whose number is the square of the order, is most of the time at low orders.
+  static constexpr double kOrderOffset = 12;
 
-  static constexpr double kUnlimited = 1e4;
+  static constexpr double kUnlimited = 1e4, kShortest = -700;
   double log_tolerance_;
   const GroupScales<T, typename System::Shape>* scales_;
   int order_, degree_ = 0;

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "drift/taylor/recorded_model.hpp"
+#include "integrate/taylor/recorded_model.hpp"
 #include "earthtop/model/reduced_top.hpp"
 
 namespace earthtop {
