@@ -71,8 +71,12 @@ struct Responding {
 };
 
 /// Chooses the cheaper way. Differences of whole integrations exist for symmetric tops only.
-Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs) {
-  Responding by{std::nullopt, sensitivity_seconds(scene, time_s, kTolerance, inputs.size())};
+/// @param effects  number of the inputs that represent effects; they come first
+Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs, std::size_t effects) {
+  constexpr double kWithTorques = 3;  // right-hand sides with every torque, over those of a plain scene
+  const double effects_seconds = sensitivity_seconds(scene, time_s, kTolerance, effects);
+  const double inputs_seconds = sensitivity_seconds(scene, time_s, kTolerance, inputs.size() - effects);
+  Responding by{std::nullopt, (scene.is_plain() ? kWithTorques : 1) * effects_seconds + inputs_seconds};
   const Scene in_double = drift_scene(scene);
   const auto& problem = scene.problem<double>();
   if (!has_drift_differences(problem) || in_double.method_refusal(Method::taylor)) return by;
@@ -87,7 +91,7 @@ Responding responding(const Scene& scene, double time_s, const std::vector<Probl
     if (const double seconds = in_double.cost(steps).seconds * share; seconds < taylor) methods.alone = steps, alone = seconds;
   }
   const DifferenceRuns runs = difference_runs(problem, inputs, methods);
-  constexpr double kDriven = 4;  // a Taylor series with torques, over one without
+  constexpr double kDriven = 3;  // a Taylor series with torques, over one without
   const double seconds = runs.alone * alone + runs.driven * taylor * (scene.is_plain() ? kDriven : 1);
   if (seconds < by.seconds) by = {methods, seconds};
   return by;
@@ -240,7 +244,7 @@ struct Preparation {
         inputs(scene.rotation_rate_rad_s() != 0 ? input_derivatives(scene) : InputDerivatives()),
         all(all_inputs(candidates, inputs)),
         time_s(followed_time(scene)),
-        by(responding(scene, time_s, all)),
+        by(responding(scene, time_s, all, candidates.size())),
         drift_seconds(earthtop::drift_seconds(scene, time_s)) {}
 };
 

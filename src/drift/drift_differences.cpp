@@ -131,11 +131,11 @@ class Differences {
 
   /// Integrates the problem itself. Must come first. @returns whether it came to the end
   bool integrate_itself() {
+    if (kicks() && !find_steps()) return false;
     const DriftTrajectory<double> run = integrate_drift(problem_, methods_.alone, next_part());
     if (!note(run)) return false;
     base_ = axes_of(run);
     samples_ = run.samples;
-    if (run.kick_steps) methods_.alone.kick_steps = run.kick_steps;
     drift_ = epsilon() * largest_of(base_.drift);
     return true;
   }
@@ -177,6 +177,15 @@ class Differences {
   }
 
  private:
+  /// Lets long_horizon find its steps where no row has a partner: it takes none that is longer than the shortest interval.
+  bool find_steps() {
+    Problem coarse = problem_;
+    const double end_s = problem_.times_s.back();
+    coarse.times_s = {0, end_s / kStepRows, end_s};
+    const DriftTrajectory<double> run = integrate_drift(coarse, methods_.alone, watch_.part(0, 0));
+    methods_.alone.kick_steps = run.kick_steps;
+    return note(run) && run.kick_steps;
+  }
   double epsilon() const { return problem_.model.epsilon; }
   double spin() const { return problem_.units.rate_from_rad_s(problem_.release.w_XB_B[2]); }
   /// @param period_s  of the nutation, roughly; may be infinite
