@@ -73,7 +73,7 @@ struct Responding {
 /// Chooses the cheaper way. Differences of whole integrations exist for symmetric tops only.
 /// @param effects  number of the inputs that represent effects; they come first
 Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs, std::size_t effects) {
-  constexpr double kWithTorques = 3;  // right-hand sides with every torque, over those of a plain scene
+  constexpr double kWithTorques = 6;  // right-hand sides with every torque, over those of a plain scene
   const double effects_seconds = sensitivity_seconds(scene, time_s, kTolerance, effects);
   const double inputs_seconds = sensitivity_seconds(scene, time_s, kTolerance, inputs.size() - effects);
   Responding by{std::nullopt, (scene.is_plain() ? kWithTorques : 1) * effects_seconds + inputs_seconds};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "drift/kicked_axes.hpp"
 #include "earthtop/model/applied_motion.hpp"
@@ -13,16 +14,19 @@ namespace {
 
 using Problem = DriftProblem<double>;
 
-/// Displacement of the axis that a difference aims at (rad). The truncation error is of the order of its square; the rounding of
+/// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the order of its square; the rounding of
 /// a drift, 1e-10 of it, is divided by it.
 constexpr double kAim = 1e-3;
-constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3;  // displacements that are taken as they come (rad)
+constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3;  // moves that are taken as they come (rad, 1)
 constexpr double kLargestStep = 1e-2;                    // largest step in an input, in its own scale
 constexpr double kRateStep = 0.05;                       // step in the Earth's rate, as a share of it
 constexpr double kLargeDrift = 1e-4;                     // drift that a difference of two axes shows with seven digits (rad)
 constexpr double kAmplified = 1e-3;                      // size to which the Earth's rate brings a smaller drift (rad)
 constexpr double kPhase = 0.2;                           // largest change of the nutation's phase (rad)
-constexpr int kSeriesRows = 1000;                        // times at which responses are found, where those cost little
+constexpr int kSeriesRows = 400, kTailRows = 1000;       // times at which responses are found, where those cost little
+constexpr double kTailTurns = 1.2;                       // turns of the precession that have the second number of them
+constexpr double kRowsThatResolve = 8;                   // of a nutation: between them, a length is a parabola
+constexpr double kRowsPerNutation = 16;                  // of these, unless that makes too many
 constexpr int kStepRows = 96, kMostStepRows = 400;       // the same where each takes steps of its own
 constexpr double kRowsPerTurn = 12;                      // of the precession, unless that makes too many
 constexpr std::size_t kPaired = 4;                       // every so many rows one of them has a partner
@@ -142,6 +146,12 @@ class Differences {
   const std::vector<DriftSample<double>>& samples() const { return samples_; }
   const StepCounters& counters() const { return counters_; }
 
+  /// The largest length near a row between two others that are as far away: of the parabola through the three squares.
+  static double peak_of(const std::vector<Vec3<double>>& vectors, std::size_t i) {
+    const double before = vectors[i - 1].squaredNorm(), here = vectors[i].squaredNorm(), after = vectors[i + 1].squaredNorm();
+    const double bend = before - 2 * here + after, slope = after - before;
+    return here >= before && here >= after && bend < 0 ? std::sqrt(here - slope * slope / (8 * bend)) : 0;
+  }
   /// The final and the largest lengths. The response is made of a slow part and of one that turns with the nutation; half a
   /// period of it lies between a row and its partner, so that their sum and their difference tell the largest length within the
   /// period.
@@ -152,6 +162,10 @@ class Differences {
     const auto within = [](const Vec3<double>& a, const Vec3<double>& b) {
       return norm(Vec3<double>(a + b)) / 2 + norm(Vec3<double>(a - b)) / 2;
     };
+    for (std::size_t i = dense_from_ + 1; i + 1 < samples_.size(); ++i) {
+      r.displacement_largest = std::max(r.displacement_largest, peak_of(axes.reference, i));
+      r.drift_largest = std::max(r.drift_largest, peak_of(axes.drift, i));
+    }
     for (const std::size_t i : paired_) {
       r.displacement_largest = std::max(r.displacement_largest, within(axes.reference[i], axes.reference[i - 1]));
       r.drift_largest = std::max(r.drift_largest, within(axes.drift[i], axes.drift[i - 1]));
@@ -191,12 +205,22 @@ class Differences {
   /// @param period_s  of the nutation, roughly; may be infinite
   void choose_times(double time_s, double period_s) {
     const double turns = turned_ / (2 * real::pi<double>());
-    const int rows =
-        kicks() ? static_cast<int>(std::clamp(kRowsPerTurn * turns, double(kStepRows), double(kMostStepRows))) : kSeriesRows;
     problem_.times_s = {0};
+    if (!kicks()) {
+      // Responses grow: most are largest in the last turn of the precession, which is followed as closely as the nutation asks.
+      const double tail_s = time_s * std::min(1.0, kTailTurns / turns), apart_s = period_s / kRowsPerNutation;
+      const int last = static_cast<int>(std::clamp(tail_s / apart_s, double(kStepRows), double(kTailRows)));
+      const double begin_s = time_s - tail_s;
+      const int first = begin_s > 0 ? kSeriesRows : 0;
+      if (tail_s / last < period_s / kRowsThatResolve) dense_from_ = static_cast<std::size_t>(first);
+      for (int i = 1; i <= first; ++i) problem_.times_s.push_back(begin_s * (double(i) / first));
+      for (int i = 1; i <= last; ++i) problem_.times_s.push_back(i == last ? time_s : begin_s + tail_s * (double(i) / last));
+      return;
+    }
+    const int rows = static_cast<int>(std::clamp(kRowsPerTurn * turns, double(kStepRows), double(kMostStepRows)));
     for (int i = 1; i <= rows; ++i) {
       const double t = i == rows ? time_s : time_s * (double(i) / rows), partner = t - period_s / 2;
-      if (kicks() && static_cast<std::size_t>(rows - i) % kPaired == 0 && partner > problem_.times_s.back()) {
+      if (static_cast<std::size_t>(rows - i) % kPaired == 0 && partner > problem_.times_s.back()) {
         problem_.times_s.push_back(partner);
         paired_.push_back(problem_.times_s.size());
       }
@@ -294,7 +318,7 @@ class Differences {
       if (high) {
         Axes change = *high;
         change.add(-1, base_);
-        moves = largest_of(change.reference);
+        moves = std::max(largest_of(change.reference), drift_ > 0 ? epsilon() * largest_of(change.drift) / drift_ : 0);
       }
       if (!(moves <= kMostMoved)) {
         h *= std::isfinite(moves) ? std::max(kAim / moves, 1e-4) : 1e-2;
@@ -330,6 +354,7 @@ class Differences {
     Axes response = Axes::zero(samples_.size());
     response.add(has_tide ? -1 : 1, axes_of(run));
     response.add(has_tide ? 1 : -1, base_);
+    if (!(largest_of(response.reference) <= kMostMoved)) return std::nullopt;  // it grows too much to be of the first order
     for (Vec3<double>& drift : response.drift) drift *= epsilon();
     return response;
   }
@@ -355,6 +380,7 @@ class Differences {
         const std::optional<Axes> high = axes_at(d, h), low = axes_at(d, -h);
         if (!high || !low) return std::nullopt;
         by_rate_[i] = difference(*high, *low, h);
+        by_rate_[i]->reference.assign(samples_.size(), Vec3<double>::Zero());  // the Earth does not turn there
       }
       response.add(part, *by_rate_[i]);
     }
@@ -402,7 +428,8 @@ class Differences {
   StepCounters counters_;
   Axes base_;
   std::vector<DriftSample<double>> samples_;
-  std::vector<std::size_t> paired_;  ///< rows whose partner is the row before
+  std::size_t dense_from_ = std::numeric_limits<std::size_t>::max() - 1;  ///< row after which rows resolve the nutation
+  std::vector<std::size_t> paired_;                                       ///< rows whose partner is the row before
   double drift_ = 0, momentum_ = 1, turned_ = 0;
   std::array<std::optional<Axes>, 3> by_rate_;
   std::optional<Axes> centrifugal_, release_;
