@@ -85,7 +85,10 @@ Responding responding(const Scene& scene, double time_s, const std::vector<Probl
   const double share = time_s / scene.scenario().duration_s;
   const double taylor = share * in_double.cost(methods.alone).seconds;
   double alone = taylor;
-  if (!in_double.method_refusal(Method::long_horizon)) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double nutation = inertia(2, 2) * std::abs(scene.release<double>().w_XB_B[2]) / inertia(0, 0);
+  const bool nutates = nutation * time_s > 2 * real::pi<double>() * kLeastNutations;
+  if (nutates && !in_double.method_refusal(Method::long_horizon)) {
     IntegrationOptions steps;
     steps.method = Method::long_horizon;
     if (const double seconds = in_double.cost(steps).seconds * share; seconds < taylor) methods.alone = steps, alone = seconds;
@@ -102,18 +105,22 @@ struct SizedUp {
   std::vector<Sized> effects;
   DriftSensitivity drift;
   double reached_s = 0;
+  RunStatus inputs_status = RunStatus::completed;
 };
 
 /// The responses by the variational equations. The effects have torques of their own, which the inputs need not pay for.
+/// @param inputs_status  how the integration for the inputs alone ends
 DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                       std::size_t effects, double time_s, const Watch& watch,
-                                      const std::function<void(const FollowedStep&)>& on_step) {
+                                      const std::function<void(const FollowedStep&)>& on_step, RunStatus& inputs_status) {
   const auto middle = inputs.begin() + static_cast<std::ptrdiff_t>(effects);
   const double share = double(effects) / double(inputs.size());
   DriftSensitivity drift =
       drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), on_step);
-  if (drift.status != RunStatus::completed) return drift;
+  inputs_status = drift.status;
+  if (drift.status != RunStatus::completed || middle == inputs.end()) return drift;
   const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1));
+  inputs_status = more.status;
   drift.responses.insert(drift.responses.end(), more.responses.begin(), more.responses.end());
   return drift;
 }
@@ -134,8 +141,8 @@ SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, co
   };
   std::optional<DriftSensitivity> differences;
   if (by.differences) differences = drift_differences(problem, inputs, time_s, *by.differences, watch, on_step);
-  up.drift =
-      differences ? *std::move(differences) : integrated_responses(problem, inputs, candidates.size(), time_s, watch, on_step);
+  up.drift = differences ? *std::move(differences)
+                         : integrated_responses(problem, inputs, candidates.size(), time_s, watch, on_step, up.inputs_status);
   // To seconds and back the end may change by a rounding.
   up.reached_s = up.drift.status == RunStatus::completed ? time_s : real::scale(end, problem.units.time_exponent);
   for (std::size_t i = 0; i < std::min(candidates.size(), up.drift.responses.size()); ++i)
@@ -282,10 +289,8 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
                                           budget.followed_s, to_string(up.drift.status)));
   if (scene.rotation_rate_rad_s() == 0)
     budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
-  else if (!completed)
-    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.drift.status));
-  else if (up.drift.responses.size() < prepared.all.size())
-    budget.inputs_unavailable = "their integration ended early";
+  else if (up.inputs_status != RunStatus::completed)
+    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.inputs_status));
   else
     add_inputs(prepared.inputs, std::span(up.drift.responses).subspan(candidates.size()), later, drift_later, budget);
   return budget;

@@ -23,12 +23,15 @@ constexpr double kRateStep = 0.05;                       // step in the Earth's 
 constexpr double kLargeDrift = 1e-4;                     // drift that a difference of two axes shows with seven digits (rad)
 constexpr double kAmplified = 1e-3;                      // size to which the Earth's rate brings a smaller drift (rad)
 constexpr double kPhase = 0.2;                           // largest change of the nutation's phase (rad)
-constexpr int kSeriesRows = 400, kTailRows = 1000;       // times at which responses are found, where those cost little
+constexpr int kSeriesRows = 400, kTailRows = 1600;       // times at which responses are found, where those cost little
 constexpr double kTailTurns = 1.2;                       // turns of the precession that have the second number of them
-constexpr double kRowsThatResolve = 8;                   // of a nutation: between them, a length is a parabola
+constexpr double kRowsThatResolve = 6;                   // of a nutation: between them, a length is a parabola
 constexpr double kRowsPerNutation = 16;                  // of these, unless that makes too many
 constexpr int kStepRows = 96, kMostStepRows = 400;       // the same where each takes steps of its own
 constexpr double kRowsPerTurn = 12;                      // of the precession, unless that makes too many
+constexpr double kPartnerPeriods = 0.5;                  // of the nutation from a partner to its row
+constexpr double kLeastInterval = 4;                     // between two other rows, in periods of the nutation
+constexpr double kSeenTurning = 0.02;                    // part of a displacement that has to turn with the nutation to count
 constexpr std::size_t kPaired = 4;                       // every so many rows one of them has a partner
 constexpr int kTrials = 6;
 
@@ -152,23 +155,20 @@ class Differences {
     const double bend = before - 2 * here + after, slope = after - before;
     return here >= before && here >= after && bend < 0 ? std::sqrt(here - slope * slope / (8 * bend)) : 0;
   }
-  /// The final and the largest lengths. The response is made of a slow part and of one that turns with the nutation; half a
-  /// period of it lies between a row and its partner, so that their sum and their difference tell the largest length within the
-  /// period.
+  /// The final and the largest lengths. The displacement is made of a slow part and of one that turns with the nutation. Half a
+  /// period lies between a row and its partner, so that their sum and their difference tell the largest length within a period.
   Responses responses_of(const Axes& axes) const {
     Responses r;
     r.displacement_final = norm(axes.reference.back()), r.displacement_largest = largest_of(axes.reference);
     r.drift_final = norm(axes.drift.back()), r.drift_largest = largest_of(axes.drift);
-    const auto within = [](const Vec3<double>& a, const Vec3<double>& b) {
-      return norm(Vec3<double>(a + b)) / 2 + norm(Vec3<double>(a - b)) / 2;
-    };
     for (std::size_t i = dense_from_ + 1; i + 1 < samples_.size(); ++i) {
       r.displacement_largest = std::max(r.displacement_largest, peak_of(axes.reference, i));
       r.drift_largest = std::max(r.drift_largest, peak_of(axes.drift, i));
     }
     for (const std::size_t i : paired_) {
-      r.displacement_largest = std::max(r.displacement_largest, within(axes.reference[i], axes.reference[i - 1]));
-      r.drift_largest = std::max(r.drift_largest, within(axes.drift[i], axes.drift[i - 1]));
+      const Vec3<double>&here = axes.reference[i], &partner = axes.reference[i - 1];
+      const double slow = norm(Vec3<double>(here + partner)) / 2, turning = norm(Vec3<double>(here - partner)) / 2;
+      if (turning > kSeenTurning * slow) r.displacement_largest = std::max(r.displacement_largest, slow + turning);
     }
     return r;
   }
@@ -195,7 +195,7 @@ class Differences {
   bool find_steps() {
     Problem coarse = problem_;
     const double end_s = problem_.times_s.back();
-    coarse.times_s = {0, end_s / kStepRows, end_s};
+    coarse.times_s = {0, row_interval_s_, end_s};
     const DriftTrajectory<double> run = integrate_drift(coarse, methods_.alone, watch_.part(0, 0));
     methods_.alone.kick_steps = run.kick_steps;
     return note(run) && run.kick_steps;
@@ -217,11 +217,13 @@ class Differences {
       for (int i = 1; i <= last; ++i) problem_.times_s.push_back(i == last ? time_s : begin_s + tail_s * (double(i) / last));
       return;
     }
-    const int rows = static_cast<int>(std::clamp(kRowsPerTurn * turns, double(kStepRows), double(kMostStepRows)));
+    const double most = std::min(double(kMostStepRows), time_s / (kLeastInterval * period_s));
+    const int rows = static_cast<int>(std::max(1.0, std::min(most, std::max(kRowsPerTurn * turns, double(kStepRows)))));
+    row_interval_s_ = time_s / rows;
     for (int i = 1; i <= rows; ++i) {
-      const double t = i == rows ? time_s : time_s * (double(i) / rows), partner = t - period_s / 2;
-      if (static_cast<std::size_t>(rows - i) % kPaired == 0 && partner > problem_.times_s.back()) {
-        problem_.times_s.push_back(partner);
+      const double t = i == rows ? time_s : time_s * (double(i) / rows);
+      if (static_cast<std::size_t>(rows - i) % kPaired == 0) {
+        problem_.times_s.push_back(t - kPartnerPeriods * period_s);
         paired_.push_back(problem_.times_s.size());
       }
       problem_.times_s.push_back(t);
@@ -428,8 +430,9 @@ class Differences {
   StepCounters counters_;
   Axes base_;
   std::vector<DriftSample<double>> samples_;
-  std::size_t dense_from_ = std::numeric_limits<std::size_t>::max() - 1;  ///< row after which rows resolve the nutation
+  std::size_t dense_from_ = std::numeric_limits<std::size_t>::max() / 2;  ///< row after which rows resolve the nutation
   std::vector<std::size_t> paired_;                                       ///< rows whose partner is the row before
+  double row_interval_s_ = 0;
   double drift_ = 0, momentum_ = 1, turned_ = 0;
   std::array<std::optional<Axes>, 3> by_rate_;
   std::optional<Axes> centrifugal_, release_;
@@ -466,7 +469,10 @@ DifferenceRuns difference_runs(const DriftProblem<double>& problem, const std::v
 bool has_drift_differences(const DriftProblem<double>& problem) {
   const Model<double>& model = problem.model;
   const bool rests = model.platform.turn.never_turns() && norm(model.platform.pivot_offset_P) == 0;
-  return norm(model.W_IL_L) > 0 && rests && is_reducible_when_driven(model) &&
+  // The response to the Coriolis torque is taken from that to the Earth's rate, for which all the torques must act.
+  const TorqueWeights<double>& weights = model.weights;
+  const bool all_act = weights.coriolis == 1 && weights.transverse == 1 && weights.centrifugal == 1;
+  return norm(model.W_IL_L) > 0 && rests && all_act && is_reducible_when_driven(model) &&
          symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2;
 }
 
