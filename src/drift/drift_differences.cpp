@@ -33,6 +33,8 @@ constexpr double kPartnerPeriods = 0.5;                  // of the nutation from
 constexpr double kLeastInterval = 4;                     // between two other rows, in periods of the nutation
 constexpr double kSeenTurning = 0.02;                    // part of a displacement that has to turn with the nutation to count
 constexpr std::size_t kPaired = 4;                       // every so many rows one of them has a partner
+constexpr double kAxisRounding = 1e-12;                  // of an axis (rad)
+constexpr double kDriftRounding = 1e-10;                 // of a drift, as a share of it
 constexpr int kTrials = 6;
 
 /// The axes at all rows: of the reference, and (rotating - reference) times the Earth's rate in the unit of 1 / epsilon.
@@ -365,6 +367,10 @@ class Differences {
     response.add(1 / (2 * h), high);
     response.add(-1 / (2 * h), low);
     for (Vec3<double>& drift : response.drift) drift *= epsilon();
+    // What is no more than rounding is no response.
+    const auto clear = [](std::vector<Vec3<double>>& vectors) { std::ranges::fill(vectors, Vec3<double>::Zero()); };
+    if (h * largest_of(response.reference) < kAxisRounding) clear(response.reference);
+    if (h * largest_of(response.drift) < kDriftRounding * drift_) clear(response.drift);
     return response;
   }
 
