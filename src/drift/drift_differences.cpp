@@ -17,24 +17,25 @@ using Problem = DriftProblem<double>;
 /// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the order of its square; the rounding of
 /// a drift, 1e-10 of it, is divided by it.
 constexpr double kAim = 1e-3;
-constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3;  // moves that are taken as they come (rad, 1)
-constexpr double kLargestStep = 1e-2;                    // largest step in an input, in its own scale
-constexpr double kRateStep = 0.05;                       // step in the Earth's rate, as a share of it
-constexpr double kLargeDrift = 1e-4;                     // drift that a difference of two axes shows with seven digits (rad)
-constexpr double kAmplified = 1e-3;                      // size to which the Earth's rate brings a smaller drift (rad)
-constexpr double kPhase = 0.2;                           // largest change of the nutation's phase (rad)
-constexpr int kSeriesRows = 400, kTailRows = 1600;       // times at which responses are found, where those cost little
-constexpr double kTailTurns = 1.2;                       // turns of the precession that have the second number of them
-constexpr double kRowsThatResolve = 6;                   // of a nutation: between them, a length is a parabola
-constexpr double kRowsPerNutation = 16;                  // of these, unless that makes too many
-constexpr int kStepRows = 96, kMostStepRows = 400;       // the same where each takes steps of its own
-constexpr double kRowsPerTurn = 12;                      // of the precession, unless that makes too many
-constexpr double kPartnerPeriods = 0.5;                  // of the nutation from a partner to its row
-constexpr double kLeastInterval = 4;                     // between two other rows, in periods of the nutation
-constexpr double kSeenTurning = 0.02;                    // part of a displacement that has to turn with the nutation to count
-constexpr std::size_t kPaired = 4;                       // every so many rows one of them has a partner
-constexpr double kAxisRounding = 1e-12;                  // of an axis (rad)
-constexpr double kDriftRounding = 1e-10;                 // of a drift, as a share of it
+constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are taken as they come (rad, 1)
+constexpr double kLargestStep = 1e-2;                                   // largest step in an input, in its own scale
+constexpr double kRateStep = 0.05;                                      // step in the Earth's rate, as a share of it
+constexpr double kLargeDrift = 1e-4;                // drift that a difference of two axes shows with seven digits (rad)
+constexpr double kAmplified = 1e-3;                 // size to which the Earth's rate brings a smaller drift (rad)
+constexpr double kPhase = 0.2;                      // largest change of the nutation's phase (rad)
+constexpr int kSeriesRows = 400, kTailRows = 1600;  // times at which responses are found, where those cost little
+constexpr double kTailTurns = 1.2;                  // turns of the precession that have the second number of them
+constexpr double kRowsThatResolve = 6;              // of a nutation: between them, a length is a parabola
+constexpr double kRowsPerNutation = 16;             // of these, unless that makes too many
+constexpr int kStepRows = 96, kMostStepRows = 400;  // the same where each takes steps of its own
+constexpr double kRowsPerTurn = 12;                 // of the precession, unless that makes too many
+constexpr double kPartnerPeriods = 0.5;             // of the nutation from a partner to its row
+constexpr double kLeastInterval = 4;                // between two other rows, in periods of the nutation
+constexpr double kSeenTurning = 0.02;               // part of a displacement that has to turn with the nutation to count
+constexpr std::size_t kPaired = 4;                  // every so many rows one of them has a partner
+constexpr double kAxisRounding = 1e-12;             // of an axis (rad)
+constexpr double kDriftRounding = 1e-10;            // of a drift, as a share of it
+constexpr double kPhaseError = 1e-3;                // twice what the nutation's phase may change by its size (rad)
 constexpr int kTrials = 6;
 
 /// The axes at all rows: of the reference, and (rotating - reference) times the Earth's rate in the unit of 1 / epsilon.
@@ -133,6 +134,9 @@ class Differences {
     momentum_ = kappa + std::sqrt(G * I1);
     const double end = problem_.units.time_from_s(time_s);
     turned_ = momentum_ > 0 ? G / momentum_ * end : 0;
+    // A nutation of the aimed size is faster than a small one by half its square: the phase must stay the same to 5e-4 rad.
+    const double phase = kappa / I1 * end;
+    if (phase > 0) aim_ = std::min(kAim, std::sqrt(kPhaseError / phase));
     choose_times(time_s, real::scale(2 * real::pi<double>() * I1 / kappa, problem_.units.time_exponent));
   }
 
@@ -295,7 +299,7 @@ class Differences {
     return largest;
   }
   /// A step that moves the axis by about the aim, from a rough displacement for a unit step.
-  static double first_step(double moves) { return moves > 0 ? kAim / moves : 0; }
+  double first_step(double moves) const { return moves > 0 ? aim_ / moves : 0; }
 
   /// How fast the nutation's phase at the end changes with an input (rad). The axis can then hardly move, and yet be far from
   /// linear in the input.
@@ -324,12 +328,12 @@ class Differences {
         change.add(-1, base_);
         moves = std::max(largest_of(change.reference), drift_ > 0 ? epsilon() * largest_of(change.drift) / drift_ : 0);
       }
-      if (!(moves <= kMostMoved)) {
-        h *= std::isfinite(moves) ? std::max(kAim / moves, 1e-4) : 1e-2;
+      if (!(moves <= kMostAims * aim_)) {
+        h *= std::isfinite(moves) ? std::max(aim_ / moves, 1e-4) : 1e-2;
         continue;
       }
       if (moves < kLeastMoved && h < largest && trial + 1 < kTrials) {
-        h = std::min(largest, h * std::min(kAim / std::max(moves, 1e-12), 1e4));
+        h = std::min(largest, h * std::min(aim_ / std::max(moves, 1e-12), 1e4));
         continue;
       }
       const std::optional<Axes> low = axes_at(d, -h);
@@ -438,7 +442,7 @@ class Differences {
   std::vector<DriftSample<double>> samples_;
   std::size_t dense_from_ = std::numeric_limits<std::size_t>::max() / 2;  ///< row after which rows resolve the nutation
   std::vector<std::size_t> paired_;                                       ///< rows whose partner is the row before
-  double row_interval_s_ = 0;
+  double row_interval_s_ = 0, aim_ = kAim;
   double drift_ = 0, momentum_ = 1, turned_ = 0;
   std::array<std::optional<Axes>, 3> by_rate_;
   std::optional<Axes> centrifugal_, release_;
