@@ -7,8 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "budget/effects.hpp"
+#include "drift/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
 
@@ -41,27 +43,111 @@ double in_newton_metres(double torque, const NaturalUnits& units) {
   return real::scale(torque, units.mass_exponent - 2 * units.time_exponent);
 }
 
-std::vector<Sized> size_up(const std::vector<Candidate>& candidates, const DriftProblem<double>& problem, double time_s,
-                           double& drift_rad, double& reached_s, RunStatus& status, const Watch& watch) {
-  std::vector<Sized> sized(candidates.size());
-  std::vector<ProblemDerivative> inputs;
-  inputs.reserve(candidates.size());
-  for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
+/// Returns the scene whose drift is computed for a budget: in double precision, without sensitivities and ledger.
+Scene drift_scene(const Scene& scene) {
+  Scenario scenario = scene.scenario();
+  scenario.sensitivities = false;
+  scenario.ledger.reset();
+  if (scenario.precision != Precision::bits53) {
+    scenario.precision = Precision::bits53;
+    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
+  }
+  return resolve(std::move(scenario));
+}
+
+/// The inputs that represent the candidate effects and, after them, the inputs of the scene.
+std::vector<ProblemDerivative> all_inputs(const std::vector<Candidate>& candidates, const InputDerivatives& inputs) {
+  std::vector<ProblemDerivative> all;
+  all.reserve(candidates.size() + inputs.by_scaled_input.size());
+  for (const Candidate& candidate : candidates) all.push_back(candidate.input);
+  all.insert(all.end(), inputs.by_scaled_input.begin(), inputs.by_scaled_input.end());
+  return all;
+}
+
+/// How the responses of both motions are found.
+struct Responding {
+  std::optional<DifferenceMethods> differences;  ///< of whole integrations; empty for the variational equations
+  double seconds = 0;
+};
+
+/// Chooses the cheaper way. Differences of whole integrations exist for symmetric tops only.
+/// @param effects  number of the inputs that represent effects; they come first
+Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs, std::size_t effects) {
+  constexpr double kWithTorques = 6;  // right-hand sides with every torque, over those of a plain scene
+  const double effects_seconds = sensitivity_seconds(scene, time_s, kTolerance, effects);
+  const double inputs_seconds = sensitivity_seconds(scene, time_s, kTolerance, inputs.size() - effects);
+  Responding by{std::nullopt, (scene.is_plain() ? kWithTorques : 1) * effects_seconds + inputs_seconds};
+  const Scene in_double = drift_scene(scene);
+  const auto& problem = scene.problem<double>();
+  if (!has_drift_differences(problem) || in_double.method_refusal(Method::taylor)) return by;
+  DifferenceMethods methods;
+  methods.alone.method = methods.driven.method = Method::taylor;
+  const double share = time_s / scene.scenario().duration_s;
+  const double taylor = share * in_double.cost(methods.alone).seconds;
+  double alone = taylor;
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double nutation = inertia(2, 2) * std::abs(scene.release<double>().w_XB_B[2]) / inertia(0, 0);
+  const bool nutates = nutation * time_s > 2 * real::pi<double>() * kLeastNutations;
+  if (nutates && !in_double.method_refusal(Method::long_horizon)) {
+    IntegrationOptions steps;
+    steps.method = Method::long_horizon;
+    if (const double seconds = in_double.cost(steps).seconds * share; seconds < taylor) methods.alone = steps, alone = seconds;
+  }
+  const DifferenceRuns runs = difference_runs(problem, inputs, methods);
+  constexpr double kDriven = 3;  // a Taylor series with torques, over one without
+  const double seconds = runs.alone * alone + runs.driven * taylor * (scene.is_plain() ? kDriven : 1);
+  if (seconds < by.seconds) by = {methods, seconds};
+  return by;
+}
+
+/// The responses to all inputs, and the torques of the candidates.
+struct SizedUp {
+  std::vector<Sized> effects;
+  DriftSensitivity drift;
+  double reached_s = 0;
+  RunStatus inputs_status = RunStatus::completed;
+};
+
+/// The responses by the variational equations. The effects have torques of their own, which the inputs need not pay for.
+/// @param inputs_status  how the integration for the inputs alone ends
+DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
+                                      std::size_t effects, double time_s, const Watch& watch,
+                                      const std::function<void(const FollowedStep&)>& on_step, RunStatus& inputs_status) {
+  const auto middle = inputs.begin() + static_cast<std::ptrdiff_t>(effects);
+  const double share = double(effects) / double(inputs.size());
+  DriftSensitivity drift =
+      drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), on_step);
+  inputs_status = drift.status;
+  if (drift.status != RunStatus::completed || middle == inputs.end()) return drift;
+  const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1));
+  inputs_status = more.status;
+  drift.responses.insert(drift.responses.end(), more.responses.begin(), more.responses.end());
+  return drift;
+}
+
+SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, const std::vector<ProblemDerivative>& inputs,
+                double time_s, const Responding& by, const Watch& watch) {
+  const auto& problem = scene.problem<double>();
+  SizedUp up;
+  up.effects.resize(candidates.size());
   double end = 0;
   const auto on_step = [&](const FollowedStep& step) {
     end = step.t;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const double torque = candidates[i].torque(step);
-      if (step.t == 0) sized[i].torque_release = torque;
-      sized[i].torque_largest = std::max(sized[i].torque_largest, torque);
+      if (step.t == 0) up.effects[i].torque_release = torque;
+      up.effects[i].torque_largest = std::max(up.effects[i].torque_largest, torque);
     }
   };
-  const DriftSensitivity drift = drift_sensitivity(problem, inputs, time_s, kTolerance, watch, on_step);
-  reached_s = real::scale(end, problem.units.time_exponent);
-  status = drift.status;
-  drift_rad = status == RunStatus::completed ? drift.axis.value : std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < drift.responses.size(); ++i) sized[i].responses = drift.responses[i];
-  return sized;
+  std::optional<DriftSensitivity> differences;
+  if (by.differences) differences = drift_differences(problem, inputs, time_s, *by.differences, watch, on_step);
+  up.drift = differences ? *std::move(differences)
+                         : integrated_responses(problem, inputs, candidates.size(), time_s, watch, on_step, up.inputs_status);
+  // To seconds and back the end may change by a rounding.
+  up.reached_s = up.drift.status == RunStatus::completed ? time_s : real::scale(end, problem.units.time_exponent);
+  for (std::size_t i = 0; i < std::min(candidates.size(), up.drift.responses.size()); ++i)
+    up.effects[i].responses = up.drift.responses[i];
+  return up;
 }
 
 /// Makes the budget entry of a candidate effect.
@@ -83,18 +169,6 @@ EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized
   entry.drift_rad = grown * size * sized.responses->drift_largest;
   entry.drift_final_rad = grown * size * sized.responses->drift_final;
   return entry;
-}
-
-/// Returns the scene whose drift is computed for a budget: in double precision, without sensitivities and ledger.
-Scene drift_scene(const Scene& scene) {
-  Scenario scenario = scene.scenario();
-  scenario.sensitivities = false;
-  scenario.ledger.reset();
-  if (scenario.precision != Precision::bits53) {
-    scenario.precision = Precision::bits53;
-    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
-  }
-  return resolve(std::move(scenario));
 }
 
 bool has_affordable_drift(const Scene& scene) {
@@ -149,19 +223,11 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
   return warnings;
 }
 
-void add_inputs(const Scene& scene, double time_s, double later, double drift_later, const Watch& watch, Budget& budget) {
-  if (scene.rotation_rate_rad_s() == 0) {
-    budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
-    return;
-  }
-  const InputDerivatives inputs = input_derivatives(scene);
-  const DriftSensitivity drift = drift_sensitivity(scene.problem<double>(), inputs.by_scaled_input, time_s, kTolerance, watch);
-  if (drift.status != RunStatus::completed) {
-    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(drift.status));
-    return;
-  }
+/// @param responses  to the inputs alone
+void add_inputs(const InputDerivatives& inputs, std::span<const Responses> responses, double later, double drift_later,
+                Budget& budget) {
   for (std::size_t i = 0; i < kInputNames.size(); ++i) {
-    const Responses& r = drift.responses[i];
+    const Responses& r = responses[i];
     InputNeed need{std::string(kInputNames[i]), inputs.values[i], later * r.displacement_largest / inputs.scales[i],
                    drift_later * r.drift_final / inputs.scales[i], std::nullopt};
     const bool of_earth = need.name == "latitude_deg" || need.name == "rotation_rate_rad_s";
@@ -171,52 +237,62 @@ void add_inputs(const Scene& scene, double time_s, double later, double drift_la
   }
 }
 
-/// Times of the parts of a budget on one core (s).
-struct BudgetSeconds {
-  double effects = 0, drift = 0, inputs = 0;
-  double all() const { return effects + drift + inputs; }
-};
+/// Everything that a budget needs, before anything is integrated.
+struct Preparation {
+  std::vector<Candidate> candidates;
+  InputDerivatives inputs;  ///< none where the Earth does not turn
+  std::vector<ProblemDerivative> all;
+  double time_s;
+  Responding by;
+  double drift_seconds;
 
-BudgetSeconds seconds_of(const Scene& scene, double time_s, std::size_t candidates) {
-  BudgetSeconds seconds;
-  seconds.effects = sensitivity_seconds(scene, time_s, kTolerance, candidates);
-  seconds.drift = drift_seconds(scene, time_s);
-  if (scene.rotation_rate_rad_s() != 0) seconds.inputs = sensitivity_seconds(scene, time_s, kTolerance, kInputNames.size());
-  return seconds;
-}
+  explicit Preparation(const Scene& scene)
+      : candidates(effect_candidates(scene)),
+        inputs(scene.rotation_rate_rad_s() != 0 ? input_derivatives(scene) : InputDerivatives()),
+        all(all_inputs(candidates, inputs)),
+        time_s(followed_time(scene)),
+        by(responding(scene, time_s, all, candidates.size())),
+        drift_seconds(earthtop::drift_seconds(scene, time_s)) {}
+};
 
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
-  return seconds_of(scene, followed_time(scene), effect_candidates(scene).size()).all();
+  const Preparation prepared(scene);
+  return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
-  const auto& problem = scene.problem<double>();
-  const std::vector<Candidate> candidates = effect_candidates(scene);
-  const double time_s = followed_time(scene);
-  const BudgetSeconds seconds = seconds_of(scene, time_s, candidates.size());
-  Parts parts(watch, seconds.all());
+  const NaturalUnits& units = scene.problem<double>().units;
+  const Preparation prepared(scene);
+  const std::vector<Candidate>& candidates = prepared.candidates;
+  Parts parts(watch, prepared.by.seconds + prepared.drift_seconds);
   Budget budget;
-  RunStatus status = RunStatus::completed;
-  const std::vector<Sized> sized = size_up(candidates, problem, time_s, budget.earth_drift_rad, budget.followed_s, status,
-                                           parts.next(seconds.effects, "effects"));
+  const SizedUp up =
+      size_up(scene, candidates, prepared.all, prepared.time_s, prepared.by, parts.next(prepared.by.seconds, "effects"));
+  const bool completed = up.drift.status == RunStatus::completed;
+  budget.followed_s = up.reached_s;
   const double later = budget.followed_s > 0 ? scene.scenario().duration_s / budget.followed_s : 1;
-  const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(seconds.drift, "drift"));
-  budget.earth_drift_rad *= drift_later;
+  const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(prepared.drift_seconds, "drift"));
+  budget.earth_drift_rad = completed ? drift_later * up.drift.axis.value : std::numeric_limits<double>::quiet_NaN();
   std::size_t next = 0;  // index of the next candidate; candidates are in the catalogue's order
   for (const Effect& effect : all_effects()) {
     if (!effect.is_in_budget(scene)) continue;
     const bool is_sized = next < candidates.size() && candidates[next].effect == &effect;
-    budget.effects.push_back(is_sized ? entry_of(scene, candidates[next], sized[next], problem.units, later, drift_later)
+    budget.effects.push_back(is_sized ? entry_of(scene, candidates[next], up.effects[next], units, later, drift_later)
                                       : unsized_entry(effect, scene));
     if (is_sized) ++next;
   }
   budget.warnings = warnings_of(budget.effects);
-  if (status != RunStatus::completed)
+  if (!completed)
     budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",
-                                          budget.followed_s, to_string(status)));
-  add_inputs(scene, budget.followed_s, later, drift_later, parts.next(seconds.inputs, "inputs"), budget);
+                                          budget.followed_s, to_string(up.drift.status)));
+  if (scene.rotation_rate_rad_s() == 0)
+    budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
+  else if (up.inputs_status != RunStatus::completed)
+    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.inputs_status));
+  else
+    add_inputs(prepared.inputs, std::span(up.drift.responses).subspan(candidates.size()), later, drift_later, budget);
   return budget;
 }
 

@@ -147,7 +147,7 @@ class LongHorizonDrift {
       const T step = problem_.units.time_from_s(T(*options_.step_s));
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
     }
-    LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps)
+    LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps, problem_.units)
                                                   : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
     found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks,
               plan.averaging};
@@ -157,11 +157,6 @@ class LongHorizonDrift {
     return plan;
   }
   bool is_second() const { return options_.observer != Observer::laboratory; }
-  LongHorizonPlan<T> plan_from(const Top& top, const KickSteps& steps) const {
-    const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
-    const bool is_periodic = real::isfinite(top.nutation_period());
-    return make_plan(top, schedule, problem_.units.time_from_s(steps.step_s), is_periodic ? steps.averaging : Averaging::none);
-  }
   void set_step(const LongHorizonPlan<T>& plan) {
     const T interval = times_[1] - times_[0];
     step_s_ = static_cast<double>(

@@ -167,6 +167,7 @@ class System {
   System(const Model<double>& plain, const Model<Jet>& model, const Inputs& inputs)
       : values_(plain), model_(model), inputs_(inputs) {
     const auto is_torque = [](const ProblemDerivative& d) { return d.applied.any || !d.tide.empty(); };
+    rests_ = plain.platform.turn.never_turns() && norm(plain.platform.pivot_offset_P) == 0;
     has_torques_ = plain.applied.any || std::any_of(inputs.begin(), inputs.end(), is_torque);
   }
 
@@ -193,7 +194,7 @@ class System {
     turn.angle0 = table.angle(t) - t * (rate - acceleration * t / 2);
   }
   PivotField<Jet> field_at(double t) const {
-    PivotField<Jet> field = pivot_field<K>(model_, Jet(t));
+    PivotField<Jet> field = rests_ ? pivot_field<SceneKind::plain>(model_, Jet(t)) : pivot_field<K>(model_, Jet(t));
     if constexpr (K == SceneKind::full)
       if (!values_.tide.empty()) {
         const Vec3<Jet> tide_L = values_.tide.acceleration_L(t).cast<Jet>();
@@ -253,6 +254,7 @@ class System {
   const Model<double>& values_;
   Model<Jet> model_;
   bool has_torques_;
+  bool rests_;  ///< whether the pivot is at rest in the laboratory: the formulas of a platform are half of the work
   const Inputs& inputs_;
 };
 

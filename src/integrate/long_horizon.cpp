@@ -96,6 +96,13 @@ LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedu
 }
 
 template <class T>
+LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units) {
+  const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
+  const bool is_periodic = real::isfinite(top.nutation_period());
+  return make_plan(top, schedule, units.time_from_s(steps.step_s), is_periodic ? steps.averaging : Averaging::none);
+}
+
+template <class T>
 T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging) {
   const T ripple = top.kick_rate() * top.nutation_period() / (T(2) * real::pi<T>());
   const T second_order = ripple * top.earth_rate() * duration / T(5);
@@ -266,6 +273,7 @@ LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T
 template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, Averaging);
 template KickFilter<double> make_filter(const TiltedTop<double>&, Averaging, bool);
 template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
+template LongHorizonPlan<double> plan_from(const TiltedTop<double>&, const KickSteps&, const NaturalUnits&);
 template LongHorizonWork walking_work(const LongHorizonPlan<double>&, double, double);
 template LongHorizonWork expected_work(const TiltedTop<double>&, double, double, double, double, double);
 template double averaging_error(const TiltedTop<double>&, double, Averaging);

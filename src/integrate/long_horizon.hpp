@@ -80,12 +80,16 @@ Averaging may_average(const TiltedTop<T>& top, T duration, T step, T tolerance);
 template <class T>
 T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging);
 
-/// Moves a top through time by a plan.
+/// The plan with the steps that another run has found.
 template <class T>
+LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units);
+
+/// Moves a top through time by a plan.   @tparam Top  a TiltedTop, or one whose kicks do more
+template <class T, class Top = TiltedTop<T>>
 class LongHorizonWalk {
  public:
   /// @param watch  may stop the walk between any two steps
-  LongHorizonWalk(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
+  LongHorizonWalk(const Top& top, const LongHorizonPlan<T>& plan, StepCounters& counters, const Watch& watch)
       : top_(top), plan_(plan), counters_(counters), watch_(watch), x_(top.start()) {
     if (plan.averages()) ripple(T(-1), x_);
   }
@@ -167,7 +171,7 @@ class LongHorizonWalk {
     counters_.evaluations += filter.ripple_flows();
   }
 
-  const TiltedTop<T>& top_;
+  const Top& top_;
   const LongHorizonPlan<T>& plan_;
   StepCounters& counters_;
   Watch watch_;

@@ -147,6 +147,14 @@ void TiltedTop<T>::kick(T b, TiltedTopState<T>& x) const {
 }
 
 template <class T>
+void TiltedTop<T>::push(T b, const Vec3<T>& f_F, TiltedTopState<T>& x) const {
+  const Complex<T> change{-b * f_F[1] / I1_, b * f_F[0] / I1_};
+  x.across = x.across + change;
+  const Mat3<T> R_GF = rotation_matrix(x.q_GF);
+  add(I1_ * (change.re * R_GF(2, 0) + change.im * R_GF(2, 1)), x.M_G, x.M_G_rest);
+}
+
+template <class T>
 typename TiltedTop<T>::Seen TiltedTop<T>::seen(const TiltedTopState<T>& x, T t) const {
   const T angle = spin_start_ * t + x.turn + x.turn_rest;
   const SinCos<T> half = real::sin_cos(T(angle / T(2)));

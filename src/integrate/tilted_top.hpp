@@ -80,6 +80,10 @@ class TiltedTop {
   }
   /// The kick: the effect of the perturbation in the time b while n is held.
   void kick(T b, TiltedTopState<T>& x) const;
+  /// The effect of a further torque n x f in the time b while n is held.   @param f_F  f in the frame F
+  void push(T b, const Vec3<T>& f_F, TiltedTopState<T>& x) const;
+  /// The axes of F in the laboratory; the third is n.
+  Mat3<T> rotation_to_laboratory(const TiltedTopState<T>& x) const { return rotation_matrix(q_LG_ * x.q_GF); }
 
   /// The top without the part w3 t of its turn about n, w3 being the rate along the axis at release: the body's attitude is
   /// q_LF steady_turn(2, w3, t), and `across` is the rate of n in that frame.
