@@ -29,7 +29,8 @@ namespace earthtop {
 /// rows. The tests, not the run, show that the formula is the motion: they compare it with integrations of every kind of scene
 /// that it fits.
 ///
-/// With dry friction both integrations use body axes, in which a motion at rest can be held.
+/// With dry friction both integrations use body axes, in which a motion at rest can be held; not so where `taylor` integrates,
+/// which is made for tops that do not come to rest.
 ///
 /// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself.
 /// Elsewhere it checks itself, with steps that are shorter than the first ones and incommensurate with them (the observer

@@ -25,11 +25,9 @@ struct Quaternion {
   }
 };
 
-/// The rotation matrix of q / |q|. Dividing by the norm keeps a norm that drifts from scaling a torque.
+/// The rotation matrix of q / |q|, given s = 2 / |q|^2.
 template <class T>
-Mat3<T> rotation_matrix(const Quaternion<T>& q) {
-  using real::conserved;
-  const T s = conserved(T(T(2) / q.squared_norm()));
+Mat3<T> scaled_rotation_matrix(const Quaternion<T>& q, const T& s) {
   const T x = q.v[0], y = q.v[1], z = q.v[2], w = q.w;
   const T wx = s * w * x, wy = s * w * y, wz = s * w * z;
   const T xx = s * x * x, xy = s * x * y, xz = s * x * z;
@@ -37,6 +35,13 @@ Mat3<T> rotation_matrix(const Quaternion<T>& q) {
   Mat3<T> R;
   R << T(1) - (yy + zz), xy - wz, xz + wy, xy + wz, T(1) - (xx + zz), yz - wx, xz - wy, yz + wx, T(1) - (xx + yy);
   return R;
+}
+/// The rotation matrix of q / |q|. Dividing by the norm keeps a norm that drifts from scaling a torque.
+template <class T>
+Mat3<T> rotation_matrix(const Quaternion<T>& q) {
+  using real::conserved;
+  const T s = conserved(T(T(2) / q.squared_norm()));
+  return scaled_rotation_matrix(q, s);
 }
 
 /// The unit quaternion of a rotation matrix, of either sign. It is built from its largest component, so that no digits are
@@ -80,7 +85,7 @@ Quaternion<T> steady_turn(int axis, T rate, T t) {
 template <class T>
 Mat3<T> turn_matrix(const Vec3<T>& axis, const T& angle) {
   const SinCos<T> half = real::sin_cos(T(angle / T(2)));
-  return rotation_matrix(Quaternion<T>{half.cos, half.sin * axis});
+  return scaled_rotation_matrix(Quaternion<T>{half.cos, half.sin * axis}, T(2));
 }
 
 /// (R(e) - 1) u / epsilon for the quaternion e = (w, epsilon y) of any norm:  (2 w y x u + 2 epsilon y x (y x u)) / |e|^2.
