@@ -15,7 +15,7 @@ class CompassDrift : public WithSeries<RecordedSeries<T, CompassShape::kSize>> {
  public:
   using Shape = CompassShape;
   static constexpr std::size_t kSize = Shape::kSize;
-  static constexpr bool kBoundOnly = true;
+  static constexpr bool kSeriesOnly = true;
   using State = std::array<T, kSize>;
 
   /// @param release  with rates relative to the laboratory

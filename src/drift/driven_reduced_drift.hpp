@@ -15,7 +15,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
  public:
   using Shape = DrivenReducedShape;
   static constexpr std::size_t kSize = Shape::kSize;
-  static constexpr bool kBoundOnly = true;
+  static constexpr bool kSeriesOnly = true;
   using State = std::array<T, kSize>;
 
   DrivenReducedDrift(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)

@@ -107,6 +107,15 @@ constexpr bool is_bound_only() {
     return false;
 }
 
+/// Whether a system is integrated only by its Taylor series.
+template <class System>
+constexpr bool is_series_only() {
+  if constexpr (requires { System::kSeriesOnly; })
+    return System::kSeriesOnly;
+  else
+    return false;
+}
+
 /// Whether another step may be taken: RunStatus::completed, or else the reason to stop. It stops at the limits, which count
 /// rejected steps as well; and after any million steps, if at their pace the end would not be reached within the step limit.
 template <class T>

@@ -59,17 +59,34 @@ class Driver {
       times = stops_->times;
     }
     const Method method = options_.method;
+    if constexpr (is_series_only<System>()) {
+      if (method == Method::taylor) return run_series(x, times);
+      throw std::logic_error("these equations are integrated by their series only");
+    } else {
+      return run_by(method, x, times);
+    }
+  }
+
+  const StepCounters& counters() const { return counters_; }
+  /// The step that a fixed-step method has taken in the first interval.
+  T first_step_taken() const { return first_step_taken_; }
+
+ private:
+  RunStatus run_series(State& x, std::span<const T> times) {
+    taylor::TaylorStepper<T, System> stepper(options_.relative_tolerance, scales_);
+    auto series = system_.series();
+    return run_dense(stepper, series, x, times);
+  }
+
+  RunStatus run_by(Method method, State& x, std::span<const T> times) {
+    using namespace boost::numeric::odeint;
     if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
     if (method == Method::extrapolation) {
       Extrapolation<T, Shape> stepper(options_.relative_tolerance, scales_);
       return run_controlled(stepper, x, times);
     }
     if constexpr (requires { typename System::Series; }) {
-      if (method == Method::taylor) {
-        taylor::TaylorStepper<T, System> stepper(options_.relative_tolerance, scales_);
-        auto series = system_.series();
-        return run_dense(stepper, series, x, times);
-      }
+      if (method == Method::taylor) return run_series(x, times);
     }
     if constexpr (!std::is_same_v<T, float128> && !is_bound_only<System>()) {
       if (method == Method::bulirsch_stoer) {
@@ -93,11 +110,6 @@ class Driver {
     throw std::logic_error("method not built for this precision");
   }
 
-  const StepCounters& counters() const { return counters_; }
-  /// The step that a fixed-step method has taken in the first interval.
-  T first_step_taken() const { return first_step_taken_; }
-
- private:
   /// Lets the system change its state after an event, such as a motion coming to rest.
   void settle(State& x, T t) {
     if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
