@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The forces on a top whose tip touches a table: friction under each law, the field on the centre of mass, and the torques about
+/// it that are not the table's. Each formula is a template on its scalar S: with Paired<T> it gives both predictions and their
+/// difference without cancellation. Vectors are in any axes A that all arguments share.
+///
+/// Friction is affine in the normal force N: force F = N phi + F0, moment M = N mh, by
+///
+/// | law          | F                                    | M                                                          |
+/// | frictionless | 0                                    | 0                                                          |
+/// | viscous      | -k v_P                               | 0                                                          |
+/// | viscous_load | -mu_v N v_P                          | 0                                                          |
+/// | coulomb      | -mu N v_P / sqrt(v_P^2 + eps^2)      | 0                                                          |
+/// | contensou    | -mu N v_P / sqrt(v_P^2 + (a u)^2)    | -(3 pi/16) mu N R u / sqrt(u^2 + (b v_P)^2) z , u = R w.z  |
+/// | rolling      | of the constraint v_P = 0            | 0                                                          |
+///
+/// with a = 8/(3 pi), b = 15 pi/16: both limits, of slip and of spin, are those of a patch of radius R under Hertz pressure.
+/// Under any law, spinning friction adds -c_s N w_z/sqrt(w_z^2 + floor^2) z, and rolling resistance the same of w's horizontal
+/// part. w is the rate relative to the table, v_P the velocity of the body's point at P relative to it.
+#pragma once
+
+#include "earthtop/model/contact.hpp"
+#include "earthtop/model/contact_algebra.hpp"
+
+namespace earthtop {
+
+/// Friction as an affine function of the normal force.
+template <class S>
+struct Friction {
+  Vec3<S> force_per_normal, force;  ///< phi and F0
+  Vec3<S> moment_per_normal;        ///< mh
+};
+
+/// What the table does to the body.
+template <class S>
+struct ContactReaction {
+  S normal_force = S(0);
+  /// Of the normal force, times the mass. Positive; at 0 and below no unique force exists (Painleve's paradox).
+  S denominator = S(1);
+  Vec3<S> friction;  ///< F
+  Vec3<S> moment;    ///< M
+};
+
+/// What surrounds the body at one time.
+template <class S>
+struct ContactSurroundings {
+  Vec3<S> normal;   ///< z of the table
+  Vec3<S> gravity;  ///< apparent gravity and tide at the origin of the laboratory
+  Vec3<S> W;        ///< the Earth's rate; 0 for a motion without it
+  Mat3<S> gradient;
+};
+
+/// x / sqrt(x.x + floor^2), and 0 where both are 0.
+template <class S>
+Vec3<S> regularised_direction(const Vec3<S>& x, const S& floor_squared) {
+  using real::sqrt;
+  const S square = inner(x, x) + floor_squared;
+  if (!is_above_zero(square)) return Vec3<S>(S(0) * x);
+  return S(S(1) / sqrt(square)) * x;
+}
+
+/// @param v_P  slip   @param w  rate of the body relative to the table
+template <class S>
+Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S>& w, const Vec3<S>& normal) {
+  using real::sqrt;
+  const Vec3<S> zero(S(0), S(0), S(0));
+  Friction<S> f{zero, zero, zero};
+  const S w_z = inner(w, normal);
+  switch (contact.law) {
+    case ContactLaw::frictionless:
+    case ContactLaw::rolling: break;
+    case ContactLaw::viscous: f.force = S(-contact.viscosity) * v_P; break;
+    case ContactLaw::viscous_load: f.force_per_normal = S(-contact.viscosity) * v_P; break;
+    case ContactLaw::coulomb:
+      f.force_per_normal =
+          S(-contact.coefficient) * regularised_direction(v_P, S(contact.slip_floor * contact.slip_floor));
+      break;
+    case ContactLaw::contensou: {
+      const S u = contact.patch_radius * w_z, au = contact.slip_of_spin * u;
+      const S bv_squared = contact.spin_of_slip * contact.spin_of_slip * inner(v_P, v_P);
+      f.force_per_normal = S(-contact.coefficient) * regularised_direction(v_P, S(au * au));
+      const S square = u * u + bv_squared;
+      if (is_above_zero(square))
+        f.moment_per_normal =
+            S(-(contact.moment_factor * contact.coefficient * contact.patch_radius) * u / sqrt(square)) * normal;
+      break;
+    }
+  }
+  const S floor_squared = contact.rate_floor * contact.rate_floor;
+  if (contact.has_spinning_friction)
+    f.moment_per_normal -= contact.spinning_length * regularised_direction(Vec3<S>(w_z * normal), floor_squared);
+  if (contact.has_rolling_resistance)
+    f.moment_per_normal -= contact.rolling_length * regularised_direction(Vec3<S>(w - w_z * normal), floor_squared);
+  return f;
+}
+
+/// The acceleration -2 W x v_C - W x (W x p_C) + Gamma p_C that a field uniform in inertial space, seen from the laboratory, and
+/// the gradient of gravitation give the centre of mass beside apparent gravity.
+/// @param p_C, v_C  position and velocity of C relative to the laboratory
+template <class S>
+Vec3<S> field_beside_gravity(const Contact<S>& contact, const ContactSurroundings<S>& around, const Vec3<S>& p_C,
+                             const Vec3<S>& v_C) {
+  Vec3<S> a = S(S(-2) * contact.weights.coriolis) * Vec3<S>(around.W.cross(v_C)) -
+              contact.weights.centrifugal * Vec3<S>(around.W.cross(Vec3<S>(around.W.cross(p_C))));
+  if (contact.has_gradient) a += times(around.gradient, p_C);
+  return a;
+}
+/// The Coriolis and centrifugal accelerations of C that a scene leaves out.
+template <class S>
+Vec3<S> left_out_acceleration(const Contact<S>& contact, const Vec3<S>& W, const Vec3<S>& p_C, const Vec3<S>& v_C) {
+  return S(S(-2) * (S(1) - contact.weights.coriolis)) * Vec3<S>(W.cross(v_C)) -
+         S(S(1) - contact.weights.centrifugal) * Vec3<S>(W.cross(Vec3<S>(W.cross(p_C))));
+}
+
+/// The torque integral r x (Gamma r) dm of the gradient of gravitation about C.   @param S_BC  second moment about C
+template <class S>
+Vec3<S> gradient_torque(const Mat3<S>& gradient, const Mat3<S>& S_BC) {
+  Vec3<S> torque(S(0), S(0), S(0));
+  for (int j = 0; j < 3; ++j) torque += Vec3<S>(S_BC.col(j)).cross(Vec3<S>(gradient.col(j)));
+  return torque;
+}
+
+/// z.x is constant along the motion and known; the part of a vector in the table's plane.
+template <class S>
+Vec3<S> in_table_plane(const Vec3<S>& x, const Vec3<S>& normal) {
+  return x - inner(x, normal) * normal;
+}
+
+}  // namespace earthtop

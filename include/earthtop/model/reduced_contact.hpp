@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Equations of a symmetric top on a table, in the table's axes H, without its angle of spin. Variables: the axis n, the
+/// transverse inertial rate u = n x (dn/dt in inertial space), the inertial spin w3, the slip velocity v_P and the position p_O of
+/// the centre of the tip's sphere. With W the Earth's rate, w = u + w3 n - W, s' = u x n, b = I3 w3 / I1 and tau the sum of the
+/// torques about the centre of mass C, at which s = -(r z + l n) points to the contact point:
+///
+///   dn/dt = s' - W x n ,  du/dt = tau_perp/I1 - b s' - W x u ,  dw3/dt = tau.n/I3 ,  tau = s x (N z + F) + M + ...
+///   a_C = g + f/m + (N z + F)/m ,  a_O = a_C - l n'' ,  dv_P/dt = a_O - r w' x z ,  dp_O/dt = v_O = v_P + r w x z
+///
+/// Sliding: n'' is affine in N, and z.a_O = 0 gives N. Rolling: v_P = 0; with rho = -s,
+///   (Theta + m (rho^2 1 - rho rho^T)) w' = -w_IB x L_C + Theta (w x W) + ... - m rho x acc + M ,  N z + F = m (w' x rho + acc)
+/// with acc = w x (w x r_c) - g - f/m.
+#pragma once
+
+#include "earthtop/model/contact_forces.hpp"
+
+namespace earthtop {
+
+template <class S>
+struct ReducedContactState {
+  Vec3<S> n, u;
+  S w3 = S(0);
+  Vec3<S> v_P, p_O;  ///< v_P.z = 0, p_O.z = r
+};
+/// The time derivatives in axes H, and the table's reaction.
+template <class S>
+struct ReducedContactRates {
+  Vec3<S> n, u;
+  S w3 = S(0);
+  Vec3<S> v_P, p_O;
+  ContactReaction<S> reaction;
+};
+
+namespace reduced_contact {
+
+/// What follows from a state without the forces.
+template <class S>
+struct Kinematics {
+  Vec3<S> s_dot, n_dot, w, r_c, s, v_O, v_C, field;
+  S b;
+};
+template <class S>
+Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& around, const ReducedContactState<S>& x) {
+  Kinematics<S> k;
+  k.s_dot = x.u.cross(x.n);
+  k.n_dot = k.s_dot - Vec3<S>(around.W.cross(x.n));
+  k.w = x.u + x.w3 * x.n - around.W;
+  k.r_c = c.height_of_center * x.n;
+  k.s = -(c.tip_radius * around.normal + k.r_c);
+  k.v_O = x.v_P + c.tip_radius * Vec3<S>(k.w.cross(around.normal));
+  k.v_C = k.v_O + c.height_of_center * k.n_dot;
+  k.field = field_beside_gravity(c, around, Vec3<S>(x.p_O + k.r_c), k.v_C);
+  k.b = (c.I3 / c.I1) * x.w3;
+  return k;
+}
+
+/// The torque about C that is neither gyroscopic nor the table's: that of the gradient, less those of [F] that the scene leaves
+/// out. With the second moment S = s1 (1 - n n^T) + s3 n n^T about C these are -2 (S W) x w and -(S W) x W (reduced_torques.hpp).
+template <class S>
+Vec3<S> further_torque(const Contact<S>& c, const ContactSurroundings<S>& around, const Vec3<S>& n, const Vec3<S>& w) {
+  Vec3<S> torque(S(0), S(0), S(0));
+  if (c.has_gradient) torque += S(c.I1 - c.I3) * Vec3<S>(n.cross(times(around.gradient, n)));
+  if (c.omits_torques) {
+    const S s1 = c.I3 / S(2), s3 = c.I1 - s1;
+    const Vec3<S> SW = s1 * around.W + S((s3 - s1) * inner(n, around.W)) * n;
+    torque += SW.cross(Vec3<S>(S(S(2) * (S(1) - c.weights.coriolis)) * w + S(S(1) - c.weights.centrifugal) * around.W));
+  }
+  return torque;
+}
+
+/// dn/dt, du/dt, dw3/dt and dp_O/dt under a torque about C.
+template <class S>
+ReducedContactRates<S> turning(const Contact<S>& c, const ContactSurroundings<S>& around, const ReducedContactState<S>& x,
+                               const Kinematics<S>& k, const Vec3<S>& torque) {
+  ReducedContactRates<S> rates;
+  const S along = inner(torque, x.n);
+  rates.n = k.n_dot;
+  rates.u = S(S(1) / c.I1) * Vec3<S>(torque - along * x.n) - k.b * k.s_dot - Vec3<S>(around.W.cross(x.u));
+  rates.w3 = along / c.I3;
+  rates.p_O = k.v_O;
+  return rates;
+}
+
+}  // namespace reduced_contact
+
+/// The time derivatives under a law of sliding friction.
+template <class S>
+ReducedContactRates<S> reduced_sliding(const Contact<S>& c, const ContactSurroundings<S>& around,
+                                       const ReducedContactState<S>& x) {
+  using namespace reduced_contact;
+  const Vec3<S>& z = around.normal;
+  const Vec3<S>& W = around.W;
+  const Kinematics<S> k = kinematics(c, around, x);
+  const Friction<S> f = friction(c, x.v_P, k.w, z);
+  const Vec3<S> torque_0 = Vec3<S>(k.s.cross(f.force)) + further_torque(c, around, x.n, k.w);
+  const Vec3<S> torque_1 = Vec3<S>(k.s.cross(Vec3<S>(z + f.force_per_normal))) + f.moment_per_normal;
+
+  // n'' = du/dt x n + u x dn/dt - W x dn/dt = n''_0 + N (torque_1 x n)/I1
+  const S across = S(1) / c.I1;
+  const Vec3<S> n_ddot_0 = across * Vec3<S>(torque_0.cross(x.n)) - Vec3<S>(Vec3<S>(k.b * k.s_dot + W.cross(x.u)).cross(x.n)) +
+                           Vec3<S>(Vec3<S>(x.u - W).cross(k.n_dot));
+  const S numerator = c.height_of_center * inner(z, n_ddot_0) - inner(z, Vec3<S>(around.gravity + k.field));
+  const S denominator =
+      S(1) - (c.mass * c.height_of_center * across) * inner(z, Vec3<S>(torque_1.cross(x.n)));
+  const S N = c.mass * numerator / denominator;
+
+  ReducedContactRates<S> rates = turning(c, around, x, k, Vec3<S>(torque_0 + N * torque_1));
+  rates.reaction = {N, denominator, Vec3<S>(N * f.force_per_normal + f.force), Vec3<S>(N * f.moment_per_normal)};
+  const Vec3<S> n_ddot = n_ddot_0 + S(N * across) * Vec3<S>(torque_1.cross(x.n));
+  const Vec3<S> a_O =
+      around.gravity + k.field + S(S(1) / c.mass) * rates.reaction.friction - c.height_of_center * n_ddot;
+  const Vec3<S> w_dot = rates.u + rates.w3 * x.n + x.w3 * k.n_dot;
+  rates.v_P = in_table_plane(Vec3<S>(a_O - c.tip_radius * Vec3<S>(w_dot.cross(z))), z);
+  return rates;
+}
+
+/// The time derivatives without slip; `v_P` of the state is taken to be 0 and stays so.
+template <class S>
+ReducedContactRates<S> reduced_rolling(const Contact<S>& c, const ContactSurroundings<S>& around, ReducedContactState<S> x) {
+  using namespace reduced_contact;
+  const Vec3<S>& z = around.normal;
+  x.v_P = Vec3<S>(S(0), S(0), S(0));
+  const Kinematics<S> k = kinematics(c, around, x);
+  const Vec3<S> rho = -k.s, further = further_torque(c, around, x.n, k.w);
+  const Vec3<S> acc = k.w.cross(Vec3<S>(c.height_of_center * k.n_dot)) - around.gravity - k.field;
+  // -w_IB x L_C + Theta (w x W) with Theta = I1 + (I3 - I1) n n^T
+  const Vec3<S> wW = k.w.cross(around.W);
+  const S extra = c.I3 - c.I1;
+  const Vec3<S> gyroscopic = c.I1 * wW + S(extra * inner(x.n, wW)) * x.n - S(extra * x.w3) * k.s_dot;
+  const Vec3<S> right = gyroscopic + further - c.mass * Vec3<S>(rho.cross(acc));
+  const S diagonal = c.I1 + c.mass * inner(rho, rho);
+  Mat3<S> A;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      A(i, j) = (i == j ? diagonal : S(0)) + extra * (x.n[i] * x.n[j]) - c.mass * (rho[i] * rho[j]);
+  Vec3<S> w_dot = solved(A, right);
+  const auto normal_force = [&](const Vec3<S>& rate) { return S(c.mass * inner(z, Vec3<S>(Vec3<S>(rate.cross(rho)) + acc))); };
+
+  S N = normal_force(w_dot), denominator = S(1);
+  Vec3<S> moment(S(0), S(0), S(0));
+  if (c.has_spinning_friction || c.has_rolling_resistance) {
+    const Vec3<S> per_normal = friction(c, x.v_P, k.w, z).moment_per_normal;
+    const Vec3<S> w_dot_1 = solved(A, per_normal);
+    denominator = S(1) - c.mass * inner(z, Vec3<S>(w_dot_1.cross(rho)));
+    N = N / denominator;
+    w_dot += N * w_dot_1;
+    moment = N * per_normal;
+  }
+  const Vec3<S> force = c.mass * Vec3<S>(Vec3<S>(w_dot.cross(rho)) + acc);
+  ReducedContactRates<S> rates =
+      turning(c, around, x, k, Vec3<S>(Vec3<S>(k.s.cross(force)) + moment + further));
+  rates.v_P = x.v_P;
+  rates.reaction = {N, denominator, in_table_plane(force, z), moment};
+  return rates;
+}
+
+template <class S>
+ReducedContactRates<S> reduced_rates(const Contact<S>& c, const ContactSurroundings<S>& around,
+                                     const ReducedContactState<S>& x) {
+  return c.law == ContactLaw::rolling ? reduced_rolling(c, around, x) : reduced_sliding(c, around, x);
+}
+
+}  // namespace earthtop

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/model/contact.hpp"
+
+#include "earthtop/frames/degrees.hpp"
+#include "earthtop/model/contact_algebra.hpp"
+
+namespace earthtop {
+namespace {
+
+template <class T>
+Mat3<T> scaled(const Mat3<T>& m, int exponent) {
+  Mat3<T> made;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) made(i, j) = real::scale(m(i, j), exponent);
+  return made;
+}
+
+/// The inverse of a symmetric matrix, exactly symmetric.
+template <class T>
+Mat3<T> inverse_of(const Mat3<T>& m) {
+  Mat3<T> inverse;
+  for (int j = 0; j < 3; ++j) inverse.col(j) = solved<T>(m, Vec3<T>::Unit(j));
+  const Mat3<T> transposed = inverse.transpose();
+  return (inverse + transposed) / T(2);
+}
+
+}  // namespace
+
+template <class T>
+Quaternion<T> table_attitude(double tilt_deg, double azimuth_deg) {
+  // Up turns toward the direction of descent (sin A, cos A, 0) about the axis Up x descent = (-cos A, sin A, 0).
+  const SinCos<T> half = sin_cos_degrees(T(tilt_deg) / T(2)), azimuth = sin_cos_degrees(T(azimuth_deg));
+  return {half.cos, Vec3<T>(-half.sin * azimuth.cos, half.sin * azimuth.sin, T(0))};
+}
+template Quaternion<double> table_attitude(double, double);
+template Quaternion<long double> table_attitude(double, double);
+template Quaternion<float128> table_attitude(double, double);
+
+template <class T>
+Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site& site, const TorqueWeights<T>& weights,
+                        const GravityGradientSpec* gradient, const NaturalUnits& units) {
+  const int mass = units.mass_exponent, time = units.time_exponent;
+  Contact<T> c;
+  c.law = spec.law;
+  c.has_spinning_friction = spec.spinning_friction_m != 0, c.has_rolling_resistance = spec.rolling_resistance_m != 0;
+  c.mass = real::scale(body.mass, -mass);
+  c.tip_radius = T(spec.tip_radius_m);
+  if (spec.law == ContactLaw::viscous) c.viscosity = real::scale(T(spec.sliding_viscosity_N_s_m), time - mass);
+  if (spec.law == ContactLaw::viscous_load) c.viscosity = real::scale(T(spec.sliding_viscosity_s_m), -time);
+  c.coefficient = T(spec.friction_coefficient);
+  c.slip_floor = real::scale(T(spec.regularisation_m_s), time);
+  c.patch_radius = T(spec.patch_radius_m);
+  c.slip_of_spin = T(8) / (T(3) * real::pi<T>());
+  c.spin_of_slip = T(15) * real::pi<T>() / T(16);
+  c.moment_factor = T(3) * real::pi<T>() / T(16);
+  c.spinning_length = T(spec.spinning_friction_m), c.rolling_length = T(spec.rolling_resistance_m);
+  c.rate_floor = real::scale(T(spec.regularisation_rad_s), time);
+
+  const Mat3<T> I_BC_B = body.I_BBcm_B();
+  c.p_OC_B = body.p_PBcm_B;
+  c.I_BC_B = scaled(I_BC_B, -mass);
+  c.I_BC_B_inverse = inverse_of(c.I_BC_B);
+  c.S_BC_B = (c.I_BC_B.trace() / T(2)) * Mat3<T>::Identity() - c.I_BC_B;
+  c.height_of_center = c.p_OC_B[2], c.I1 = c.I_BC_B(0, 0), c.I3 = c.I_BC_B(2, 2);
+
+  c.weights = weights;
+  c.omits_torques = weights.coriolis != T(1) || weights.centrifugal != T(1);
+  c.has_gradient = gradient != nullptr;
+  c.gradient_H = Mat3<T>::Zero();
+  if (gradient != nullptr) {
+    const Mat3<T> R_LH = rotation_matrix(table_attitude<T>(spec.table_tilt_deg, spec.table_tilt_azimuth_deg));
+    const Mat3<double> in_L = gradient_L(*gradient, site);
+    Mat3<T> exact;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) exact(i, j) = T(in_L(i, j));
+    c.gradient_H = scaled<T>(turned_tensor<T>(R_LH.transpose(), exact), 2 * time);
+  }
+  return c;
+}
+template Contact<double> make_contact(const ContactSpec&, const Body<double>&, const Site&, const TorqueWeights<double>&,
+                                      const GravityGradientSpec*, const NaturalUnits&);
+template Contact<long double> make_contact(const ContactSpec&, const Body<long double>&, const Site&,
+                                           const TorqueWeights<long double>&, const GravityGradientSpec*, const NaturalUnits&);
+template Contact<float128> make_contact(const ContactSpec&, const Body<float128>&, const Site&, const TorqueWeights<float128>&,
+                                        const GravityGradientSpec*, const NaturalUnits&);
+
+}  // namespace earthtop
