@@ -5,7 +5,7 @@
 /// | quantity                         | for                        | rate                                  |
 /// | Jacobi J                         | any body and law           | dJ/dt = F.v_P + M.w                    |
 /// | Jellett lambda = L_C.rho         | symmetric bodies, any law  | dlambda/dt = r L_C.(W x z) + M.rho     |
-/// | Routh                            | symmetric, rolling, no M   | 0 without the Earth                   |
+/// | Routh                            | symmetric, rolling, no M   | 0 on a level table without the Earth  |
 ///
 /// J = m v_C^2/2 + w.Theta_C w/2 - m g.p_C - m |W x p_C|^2/2 - W.Theta_C W/2. Both rates hold where all of the Earth's torques
 /// act, and neither a tide nor the gradient of gravitation does.
