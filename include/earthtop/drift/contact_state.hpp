@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a drift state (drift_integration.hpp) of a top on a table has beside attitudes and rates.
+#pragma once
+
+#include "earthtop/model/contact_forces.hpp"
+
+namespace earthtop {
+
+/// Both motions on the table and their differences over epsilon, in the model's natural units.
+template <class T>
+struct ContactDriftState {
+  Vec3<Paired<T>> axis_L;  ///< body axis 3
+  Vec3<Paired<T>> tip_L;   ///< centre of the tip's sphere, less its radius along the table's normal: the contact point
+  Vec3<Paired<T>> slip_L;
+  Paired<T> slip;        ///< its size
+  Paired<T> spin;        ///< inertial rate about axis 3
+  Paired<T> relative_spin;  ///< rate about axis 3 relative to the laboratory
+  ContactReaction<Paired<T>> reaction;  ///< vectors in L
+};
+
+}  // namespace earthtop
