@@ -63,6 +63,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     return x;
   }
 
+  /// The longest time between two states that are seen; 0: no limit.
+  T largest_step() const { return T(0); }
   void follow(const State& x, T t) { attitude_.follow(equations_.top(x, t), equations_.model().epsilon); }
 
   /// The variables that all observers share.

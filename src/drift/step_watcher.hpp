@@ -50,7 +50,7 @@ class StepWatcher {
   }
 
   void operator()(T t, const typename System::State& x) {
-    system_.follow(x);
+    follow(x, t);
     if (sought_ == DriftSought::rows) follow_angles(system_.deviation_state(x, t));
     search(t, x);
   }
@@ -62,7 +62,7 @@ class StepWatcher {
   }
   /// Both in one: the angles are followed to those of the sample.
   DriftSample<T> seen_sample(const typename System::State& x, T t, double t_s) {
-    system_.follow(x);
+    follow(x, t);
     DriftState<T> state = system_.shared_state(x, t);
     if (sought_ == DriftSought::rows) follow_angles(state);
     search(t, x);
@@ -76,6 +76,12 @@ class StepWatcher {
   }
 
  private:
+  void follow(const typename System::State& x, [[maybe_unused]] T t) {
+    if constexpr (requires { system_.follow(x, t); })
+      system_.follow(x, t);
+    else
+      system_.follow(x);
+  }
   void follow_angles(const DriftState<T>& state) {
     const DriftPhases<T> phases = drift_phases(state);
     half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);

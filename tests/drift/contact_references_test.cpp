@@ -2,8 +2,6 @@
 /// Tops on a table against reference values of 15 to 20 digits, in the laboratory's equations and in those of inertial axes.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "support/contact_references.hpp"
 
 namespace earthtop {
@@ -56,16 +54,13 @@ Errors errors_of(const ContactReference& reference, double tolerance) {
   }
   for (const DriftReference& known : reference.drifts) {
     const ContactRow<T>& row = row_at(known.t_s);
-    const T epsilon = row.epsilon_rad_s;
+    const T epsilon = row.epsilon;
     const Vec3<Paired<T>>& p = row.contact.tip_L;
     double& worst = known.in_inversion ? errors.drift_in_inversion : errors.drift;
     worst = std::max({worst, relative_error<T, 1>({row.measures.axis}, {parsed<T>(known.angle)}),
                       relative_error<T, 2>({epsilon * p[0].diff, epsilon * p[1].diff}, {parsed<T>(known.p[0]), parsed<T>(known.p[1])}),
                       relative_error<T, 1>({epsilon * row.spin_rad_s.diff}, {parsed<T>(known.w3)})});
   }
-  std::printf("%-28s %s: motion %.1e, in inversion %.1e, drift %.1e, in inversion %.1e\n", reference.name,
-              O == Observer::laboratory ? "laboratory" : "inertial  ", errors.motion, errors.motion_in_inversion, errors.drift,
-              errors.drift_in_inversion);
   return errors;
 }
 

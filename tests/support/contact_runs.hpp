@@ -19,6 +19,7 @@ struct ContactScene {
   RatesRelativeTo rates = RatesRelativeTo::laboratory;
   std::array<double, 2> transverse_rad_s = {0, 0};  ///< of the body's rate at release
   double latitude_deg = 45;
+  bool gradient = false;  ///< a radial gravity gradient, 1e6 times as strong as the Earth's
 };
 
 /// A row in SI units.
@@ -28,7 +29,7 @@ struct ContactRow {
   DriftMeasures<T> measures;
   ContactDriftState<T> contact;  ///< in natural units
   Paired<T> spin_rad_s;
-  T epsilon_rad_s;  ///< what differences over epsilon are to be multiplied with for lengths and angles
+  T epsilon;  ///< what differences are divided by
 };
 
 template <class T>
@@ -57,7 +58,8 @@ struct ContactProblem {
     units = natural_units(rough, make_release<double>(released, rough, scene.gravity_m_s2), scene.gravity_m_s2,
                           scene.earth_rate_rad_s, nullptr);
     model = make_model<T>(body, site, scene.earth_rate_rad_s, {}, nullptr, units);
-    contact = make_contact<T>(scene.contact, body, site, {}, nullptr, units);
+    const GravityGradientSpec strong{GradientField::given, 1.5};
+    contact = make_contact<T>(scene.contact, body, site, {}, scene.gradient ? &strong : nullptr, units);
     start = make_contact_release<T>(scene.contact, units);
   }
   template <Observer O>
@@ -65,6 +67,16 @@ struct ContactProblem {
     return {model, contact, start, release, units};
   }
 };
+
+template <class T, class System>
+ContactRow<T> contact_row(const ContactProblem<T>& problem, const System& system, const typename System::State& x, T t) {
+  ContactRow<T> row{system.shared_state(x, t), {}, system.contact_state(x, t), {}, problem.model.epsilon};
+  row.measures = measure_drift(system.deviation_state(x, t));
+  const Paired<T>& spin = row.contact.spin;
+  row.spin_rad_s = {problem.units.rate_to_rad_s(spin.ref), problem.units.rate_to_rad_s(spin.rot),
+                    problem.units.rate_to_rad_s(spin.diff)};
+  return row;
+}
 
 /// The states at ascending times, by extrapolation.   @param tolerance  per step, relative to each group's size
 template <class T, Observer O>
@@ -93,13 +105,7 @@ std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::ve
         dt = step;
       }
     }
-    ContactRow<T> row{system.shared_state(x, t), {}, system.contact_state(x, t), {}, {}};
-    row.measures = measure_drift(system.deviation_state(x, t));
-    const Paired<T>& spin = row.contact.spin;
-    row.spin_rad_s = {problem.units.rate_to_rad_s(spin.ref), problem.units.rate_to_rad_s(spin.rot),
-                      problem.units.rate_to_rad_s(spin.diff)};
-    row.epsilon_rad_s = problem.model.epsilon;
-    rows.push_back(row);
+    rows.push_back(contact_row(problem, system, x, t));
   }
   return rows;
 }

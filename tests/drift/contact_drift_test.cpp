@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The drift of symmetric tops on a table: laboratory against inertial axes at a fast Earth, its smallest rates, its start, and
+/// its Taylor series.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "integrate/odeint_driver.hpp"
+#include "support/contact_references.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::ContactProblem;
+using testing::ContactRow;
+using testing::ContactScene;
+
+double size_of(const Vec3<Paired<double>>& v, double Paired<double>::*member) {
+  return norm(Vec3<double>(v[0].*member, v[1].*member, v[2].*member));
+}
+/// The difference of two pairs of vectors, relative to the larger of the vectors and `floor`.
+double difference(const Vec3<Paired<double>>& a, const Vec3<Paired<double>>& b, double floor) {
+  const Vec3<Paired<double>> d = a - b;
+  double worst = 0;
+  for (const auto member : {&Paired<double>::ref, &Paired<double>::rot, &Paired<double>::diff})
+    worst = std::max(worst, size_of(d, member) / std::max({size_of(a, member), size_of(b, member), floor}));
+  return worst;
+}
+/// The same of a number.
+double difference(const Paired<double>& a, const Paired<double>& b, double floor) {
+  const Paired<double> zero(0.0);
+  return difference(Vec3<Paired<double>>(a, zero, zero), Vec3<Paired<double>>(b, zero, zero), floor);
+}
+
+/// The largest relative difference of anything that two rows show.
+double difference(const ContactRow<double>& a, const ContactRow<double>& b) {
+  const auto& x = a.contact;
+  const auto& y = b.contact;
+  const double force = 0.1 * std::abs(x.reaction.normal_force.ref);
+  // Slip can be far below the rates that it is made of.
+  double worst = std::max({difference(x.axis_L, y.axis_L, 0), difference(x.tip_L, y.tip_L, 1e-4),
+                           difference(x.slip_L, y.slip_L, 1e-3), difference(x.spin, y.spin, 1e-3),
+                           difference(x.relative_spin, y.relative_spin, 1e-3),
+                           difference(x.reaction.normal_force, y.reaction.normal_force, force),
+                           difference(x.reaction.friction, y.reaction.friction, force),
+                           difference(x.reaction.moment, y.reaction.moment, force)});
+  const auto &s = a.state, &o = b.state;
+  const double sign = s.e_w * o.e_w + s.epsilon * s.epsilon * s.e_v_scaled.dot(o.e_v_scaled) < 0 ? -1 : 1;
+  worst = std::max({worst, norm(Vec3<double>(s.e_v_scaled - sign * o.e_v_scaled)) / norm(s.e_v_scaled),
+                    std::abs(s.e_w - sign * o.e_w), norm(Vec3<double>(s.w_LB_B - o.w_LB_B)),
+                    norm(Vec3<double>(s.ref_w_LB_B - o.ref_w_LB_B))});
+  for (const auto& [q, p] : {std::pair(s.q_LB, o.q_LB), std::pair(s.ref_q_LB, o.ref_q_LB)})
+    worst = std::max(worst, 1 - std::abs(q.w * p.w + q.v.dot(p.v)));
+  return worst;
+}
+
+/// A random top under a law, with slip rates of 1 to 100 per second.
+ContactScene random_scene(ContactLaw law, std::mt19937& engine) {
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  ContactScene scene{};
+  scene.mass_kg = number(0.02, 0.2), scene.center_m = number(-0.01, 0.02);
+  scene.I1_kg_m2 = scene.mass_kg * number(1, 2) * 1e-4, scene.I3_kg_m2 = scene.mass_kg * number(1, 2) * 1e-4;
+  scene.gravity_m_s2 = 9.8, scene.spin_rad_s = number(100, 200), scene.tilt_deg = number(5, 40);
+  scene.transverse_rad_s = {number(-5, 5), number(-5, 5)};
+  scene.latitude_deg = number(-90, 90);
+  scene.gradient = number(0, 1) < 0.3;
+  scene.rates = number(0, 1) < 0.5 ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
+  ContactSpec& c = scene.contact;
+  c.law = law, c.tip_radius_m = number(0, 1) < 0.2 && law != ContactLaw::contensou ? 0 : number(0.002, 0.02);
+  c.sliding_viscosity_N_s_m = scene.mass_kg * number(0.5, 5), c.sliding_viscosity_s_m = number(0.05, 0.5);
+  c.friction_coefficient = number(0.1, 0.3), c.regularisation_m_s = number(0.02, 0.1), c.patch_radius_m = number(5e-4, 1e-3);
+  if (number(0, 1) < 0.4) c.spinning_friction_m = 1e-4, c.rolling_resistance_m = 2e-5, c.regularisation_rad_s = 3;
+  if (number(0, 1) < 0.4) c.table_tilt_deg = number(0, 5), c.table_tilt_azimuth_deg = number(0, 360);
+  constexpr std::array kStarts{ContactStart::tip_at_rest, ContactStart::rolling, ContactStart::center_of_mass_at_rest,
+                               ContactStart::tip_velocity};
+  c.start = law == ContactLaw::rolling ? ContactStart::rolling : kStarts[static_cast<std::size_t>(number(0, 3.999))];
+  c.tip_velocity_m_s = {0.1, -0.05};
+  return scene;
+}
+
+class ContactDrift : public ::testing::TestWithParam<ContactLaw> {};
+
+/// Over a third of a turn of the Earth about its axis, at half a radian per second.
+TEST_P(ContactDrift, IsTheSameInLaboratoryAndInertialAxes) {
+  std::mt19937 engine(5);
+  for (int i = 0; i < 12; ++i) {
+    ContactScene scene = random_scene(GetParam(), engine);
+    scene.earth_rate_rad_s = 0.5;
+    const std::vector<double> times{0, 0.01, 1};
+    const auto laboratory = testing::contact_rows<double, Observer::laboratory>(scene, times, 1e-14);
+    const auto inertial = testing::contact_rows<double, Observer::inertial>(scene, times, 1e-14);
+    for (std::size_t row = 1; row < times.size(); ++row) {
+      const double worst = difference(laboratory[row], inertial[row]);
+      // The tolerance of some 100 steps each, by at most a hundredfold growth.
+      EXPECT_LT(worst, 1e-9) << "scene " << i << " at " << times[row] << " s";
+    }
+  }
+}
+
+/// Differences over epsilon do not depend on epsilon while they are small: at 1e-300 rad/s nothing underflows.
+TEST_P(ContactDrift, IsTheSameAtTheSmallestEarthRates) {
+  std::mt19937 engine(6);
+  for (int i = 0; i < 2; ++i) {
+    ContactScene scene = random_scene(GetParam(), engine);
+    scene.earth_rate_rad_s = 1e-14;
+    const auto small = testing::contact_rows<double, Observer::laboratory>(scene, {0.5}, 1e-13);
+    scene.earth_rate_rad_s = 1e-300;
+    const auto smallest = testing::contact_rows<double, Observer::laboratory>(scene, {0.5}, 1e-13);
+    EXPECT_LT(difference(small[0], smallest[0]), 1e-10);
+    EXPECT_GT(smallest[0].measures.axis, 0);
+    const auto inertial = testing::contact_rows<double, Observer::inertial>(scene, {0.5}, 1e-13);
+    EXPECT_LT(difference(inertial[0], smallest[0]), 1e-9);
+  }
+}
+
+template <Observer O>
+void expect_series_agree(const ContactScene& scene) {
+  const ContactProblem<double> problem(scene);
+  auto system = problem.template system<O>();
+  using System = decltype(system);
+  DriveOptions<double> options;
+  options.method = Method::taylor;
+  options.relative_tolerance = 1e-14;
+  options.step_limit = 100000;
+  const double end = problem.units.time_from_s(0.5);
+  const std::vector<double> times{0, end};
+  auto on_step = [&](double t, const typename System::State& x) { system.follow(x, t); };
+  std::vector<ContactRow<double>> rows;
+  auto on_row = [&](std::size_t row, const typename System::State& x) {
+    rows.push_back(testing::contact_row(problem, system, x, times[row]));
+  };
+  Driver<double, System, decltype(on_step), decltype(on_row)> driver(system, options, on_step, on_row);
+  auto x = system.initial_state();
+  ASSERT_EQ(driver.run(x, times), RunStatus::completed);
+  const auto known = testing::contact_rows<double, O>(scene, {0.5}, 1e-14);
+  EXPECT_LT(difference(rows[1], known[0]), 1e-10);
+}
+TEST_P(ContactDrift, HasATaylorSeries) {
+  std::mt19937 engine(7);
+  for (int i = 0; i < 2; ++i) {
+    const ContactScene scene = random_scene(GetParam(), engine);
+    expect_series_agree<Observer::laboratory>(scene);
+    expect_series_agree<Observer::inertial>(scene);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, ContactDrift,
+                         ::testing::Values(ContactLaw::frictionless, ContactLaw::viscous, ContactLaw::viscous_load,
+                                           ContactLaw::coulomb, ContactLaw::contensou, ContactLaw::rolling));
+
+/// At release both motions share the attitude, the position, the rates of the kind that the release names, and the velocity that
+/// the start names.
+TEST(ContactStart, SharesWhatItNames) {
+  std::mt19937 engine(8);
+  for (const ContactStart start : {ContactStart::tip_at_rest, ContactStart::rolling, ContactStart::center_of_mass_at_rest,
+                                   ContactStart::tip_velocity})
+    for (const RatesRelativeTo rates : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
+      ContactScene scene = random_scene(ContactLaw::viscous, engine);
+      scene.contact.start = start, scene.rates = rates, scene.earth_rate_rad_s = 0.5;
+      const ContactProblem<double> problem(scene);
+      const auto system = problem.system<Observer::laboratory>();
+      const auto top = system.equations().top(system.initial_state(), 0);
+      const auto& s = top.state;
+      const auto earth = [&](double Paired<double>::*member) {
+        return member == &Paired<double>::rot ? system.equations().model().W_IL_L : Vec3<double>(Vec3<double>::Zero());
+      };
+      Vec3<double> w[2], v_O[2], v_C[2];
+      int i = 0;
+      for (const auto member : {&Paired<double>::ref, &Paired<double>::rot}) {
+        const auto part = [&](const Vec3<Paired<double>>& v) { return Vec3<double>(v[0].*member, v[1].*member, v[2].*member); };
+        const Vec3<double> n = part(s.n), w_IB = part(s.u) + s.w3.*member * n, w_LB = w_IB - earth(member);
+        w[i] = rates == RatesRelativeTo::laboratory ? w_LB : w_IB;
+        v_O[i] = part(s.v_P) + problem.contact.tip_radius * w_LB.cross(Vec3<double>::UnitZ());
+        v_C[i] = v_O[i] + problem.contact.height_of_center * w_LB.cross(n);
+        v_C[i][2] = 0;
+        const Vec3<double> named = start == ContactStart::rolling                  ? part(s.v_P)
+                                   : start == ContactStart::center_of_mass_at_rest ? v_C[i]
+                                                                                   : Vec3<double>(v_O[i] - problem.start.v_O);
+        EXPECT_LT(norm(named), 1e-15);
+        EXPECT_EQ(s.v_P[2].*member, 0);
+        ++i;
+      }
+      EXPECT_LT(norm(Vec3<double>(w[1] - w[0])), 1e-15);
+      EXPECT_EQ(size_of(s.n, &Paired<double>::diff) + size_of(s.p_O, &Paired<double>::diff), 0);
+    }
+}
+
+}  // namespace
+}  // namespace earthtop
