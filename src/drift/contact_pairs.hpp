@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Vectors of both predictions: in laboratory axes, and turned with the Earth into inertial ones.
+/// Vectors of both predictions, and what surrounds a top on a table in both: in laboratory axes, and turned with the Earth into
+/// inertial ones.
 #pragma once
 
+#include "earthtop/integrate/options.hpp"
+#include "earthtop/model/contact_forces.hpp"
 #include "earthtop/model/equations.hpp"
-#include "earthtop/model/paired.hpp"
 
 namespace earthtop {
 
@@ -48,5 +50,27 @@ class EarthTurn {
   }
   Vec3<Paired<T>> column_[3], row_[3];  ///< of R_NH: its columns, and those of its transpose
 };
+
+/// What surrounds both motions at a time: the reference has no Earth rate, and its table does not turn.
+/// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide
+template <Observer O, class T>
+ContactSurroundings<Paired<T>> contact_surroundings(const Model<T>& model, const Mat3<T>& R_LH, const Contact<T>& contact,
+                                                    const T& t) {
+  const Vec3<T> up(T(0), T(0), T(1));
+  Vec3<T> gravity = model.apparent_gravity_L;
+  if (!model.tide.empty()) gravity += transposed_times(R_LH, model.tide.acceleration_L(t));
+  ContactSurroundings<Paired<T>> around;
+  around.W = pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon);
+  if constexpr (O == Observer::laboratory) {
+    around.normal = unchanged<T>(up), around.gravity = unchanged<T>(gravity);
+    if (contact.has_gradient)
+      for (int j = 0; j < 3; ++j) around.gradient.col(j) = unchanged<T>(contact.gradient_H.col(j));
+  } else {
+    const EarthTurn<T> turn(model, t);
+    around.normal = turn.into_inertial(up), around.gravity = turn.into_inertial(gravity);
+    if (contact.has_gradient) around.gradient = turn.into_inertial(contact.gradient_H);
+  }
+  return around;
+}
 
 }  // namespace earthtop

@@ -50,8 +50,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
       slip_change = slip_difference_at_release(start_, contact, W, r_c);
     return equations_.initial_state(R_HB, w, rate_change, slip_at_release(start_, contact, w, r_c), slip_change, start_.p_O);
   }
-  /// A state with the sizes that errors are measured against from the start: u against the nutation rate, slip and position
-  /// against those of a rolling tip.
+  /// A state with the sizes that errors are measured against from the start: u against the nutation rate, the position against the
+  /// body's lengths, the change of the spin's difference against the Earth's rate, as it may be 0 but for rounding.
   State typical_state() const {
     State x = initial_state();
     const Contact<T>& contact = equations_.contact();
@@ -59,6 +59,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     const T length = std::max(contact.tip_radius, real::abs(contact.height_of_center));
     x[Shape::kU] = std::max(norm(load_vector(x, Shape::kU)), rate);
     x[Shape::kSpin] = spin;
+    x[Shape::kHalf + Shape::kSpin] = norm(equations_.model().W_IL_L_scaled);
     x[Shape::kPosition] = std::max(real::hypot(x[Shape::kPosition], x[Shape::kPosition + 1]), length);
     return x;
   }

@@ -178,23 +178,7 @@ class ContactReducedEquations {
     return top;
   }
 
-  ContactSurroundings<P> surroundings(const T& t) const {
-    Vec3<T> gravity = model_.apparent_gravity_L;
-    if (!model_.tide.empty()) gravity += transposed_times(R_LH_, model_.tide.acceleration_L(t));
-    ContactSurroundings<P> around;
-    around.W = pair_of(Vec3<T>(Vec3<T>::Zero()), model_.W_IL_L_scaled, model_.epsilon);
-    if constexpr (O == Observer::laboratory) {
-      around.normal = unchanged<T>(Vec3<T>(T(0), T(0), T(1)));
-      around.gravity = unchanged<T>(gravity);
-      if (pairs_.has_gradient) around.gradient = pairs_.gradient_H;
-    } else {
-      const EarthTurn<T> turn(model_, t);
-      around.normal = turn.into_inertial(Vec3<T>(T(0), T(0), T(1)));
-      around.gravity = turn.into_inertial(gravity);
-      if (pairs_.has_gradient) around.gradient = turn.into_inertial(contact_.gradient_H);
-    }
-    return around;
-  }
+  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
 
   Model<T> model_;
   Contact<T> contact_;

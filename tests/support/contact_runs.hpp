@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Drift integrations of symmetric tops on a table without the rest of a run: a scene, and the states at some times.
+/// Drift integrations of tops on a table without the rest of a run: a scene, and the states at some times.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "drift/contact_general_drift.hpp"
 #include "drift/contact_reduced_drift.hpp"
 #include "integrate/extrapolation.hpp"
 
 namespace earthtop::testing {
+
+/// Without the angle of spin, or for any body.
+enum class Form { reduced, general };
 
 /// A top on a table at latitude 45 degrees that leans toward the East.
 struct ContactScene {
@@ -19,6 +23,8 @@ struct ContactScene {
   RatesRelativeTo rates = RatesRelativeTo::laboratory;
   std::array<double, 2> transverse_rad_s = {0, 0};  ///< of the body's rate at release
   double latitude_deg = 45;
+  double I2_kg_m2 = 0;              ///< 0: as I1
+  double center_across_m = 0;       ///< of the centre of mass along body axis 1
   bool gradient = false;  ///< a radial gravity gradient, 1e6 times as strong as the Earth's
 };
 
@@ -44,8 +50,8 @@ struct ContactProblem {
   explicit ContactProblem(const ContactScene& scene) {
     BodySpec spec;
     spec.mass_kg = scene.mass_kg;
-    spec.center_of_mass_m = {0, 0, scene.center_m};
-    spec.inertia_kg_m2 = {{{scene.I1_kg_m2, 0, 0}, {0, scene.I1_kg_m2, 0}, {0, 0, scene.I3_kg_m2}}};
+    spec.center_of_mass_m = {scene.center_across_m, 0, scene.center_m};
+    spec.inertia_kg_m2 = {{{scene.I1_kg_m2, 0, 0}, {0, scene.I2_kg_m2 > 0 ? scene.I2_kg_m2 : scene.I1_kg_m2, 0}, {0, 0, scene.I3_kg_m2}}};
     spec.inertia_about = InertiaAbout::center_of_mass;
     ReleaseSpec released;
     released.tilt_deg = scene.tilt_deg, released.azimuth_deg = 90;
@@ -62,9 +68,10 @@ struct ContactProblem {
     contact = make_contact<T>(scene.contact, body, site, {}, scene.gradient ? &strong : nullptr, units);
     start = make_contact_release<T>(scene.contact, units);
   }
-  template <Observer O>
-  ContactReducedDrift<T, O> system() const {
-    return {model, contact, start, release, units};
+  template <Observer O, Form F = Form::reduced>
+  auto system() const {
+    using System = std::conditional_t<F == Form::reduced, ContactReducedDrift<T, O>, ContactGeneralDrift<T, O>>;
+    return System(model, contact, start, release, units);
   }
 };
 
@@ -79,10 +86,10 @@ ContactRow<T> contact_row(const ContactProblem<T>& problem, const System& system
 }
 
 /// The states at ascending times, by extrapolation.   @param tolerance  per step, relative to each group's size
-template <class T, Observer O>
+template <class T, Observer O, Form F = Form::reduced>
 std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::vector<double>& times_s, double tolerance) {
   const ContactProblem<T> problem(scene);
-  auto system = problem.template system<O>();
+  auto system = problem.template system<O, F>();
   using System = decltype(system);
   auto x = system.initial_state();
   GroupScales<T, typename System::Shape> scales;
@@ -99,7 +106,7 @@ std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::ve
       if (stepper.try_step(system, x, t, step) == boost::numeric::odeint::success) {
         if (lands) t = end;
         scales.include(x);
-        system.follow(x, t);
+        if constexpr (F == Form::reduced) system.follow(x, t);
         dt = tried < dt ? std::max(dt, step) : step;
       } else {
         dt = step;

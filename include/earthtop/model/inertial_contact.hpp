@@ -32,6 +32,7 @@ struct InertialContactRates {
   Vec3<S> X_C;  ///< V_C
   Vec3<S> v_P;
   Vec3<S> w_IB;
+  Vec3<S> momentum;  ///< dL_C/dt
   ContactReaction<S> reaction;
 };
 
@@ -39,7 +40,8 @@ namespace inertial_contact {
 
 template <class S>
 struct Kinematics {
-  Vec3<S> s, s_dot, V_C, r_c_dot, z_dot, acceleration, torque;
+  Vec3<S> s, s_dot, V_C, r_c_dot, z_dot, acceleration;
+  Vec3<S> torque, gyroscopic;  ///< about C: of others than the table, and L_C x w_IB
 };
 template <class S>
 Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& around, const InertialContactBody<S>& body,
@@ -52,7 +54,8 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   k.s_dot = -(c.tip_radius * k.z_dot + k.r_c_dot);
   k.V_C = x.v_P - Vec3<S>(x.w_IB.cross(k.s)) + Vec3<S>(W.cross(Vec3<S>(x.X_C + k.s)));
   k.acceleration = around.gravity;
-  k.torque = Vec3<S>(body.L_C.cross(x.w_IB));
+  k.torque = Vec3<S>(S(0), S(0), S(0));
+  k.gyroscopic = body.L_C.cross(x.w_IB);
   if (c.has_gradient) {
     k.acceleration += times(around.gradient, x.X_C);
     k.torque += gradient_torque(around.gradient, body.S_BC);
@@ -84,8 +87,9 @@ InertialContactRates<S> inertial_sliding(const Contact<S>& c, const ContactSurro
   const Friction<S> f = friction(c, x.v_P, Vec3<S>(x.w_IB - W), z);
   const S per_mass = S(1) / c.mass;
   const Vec3<S> A_0 = k.acceleration + per_mass * f.force, A_1 = per_mass * Vec3<S>(z + f.force_per_normal);
-  const Vec3<S> w_0 = times<S>(body.I_inverse, k.torque + Vec3<S>(k.s.cross(f.force)));
-  const Vec3<S> w_1 = times<S>(body.I_inverse, Vec3<S>(k.s.cross(Vec3<S>(z + f.force_per_normal))) + f.moment_per_normal);
+  const Vec3<S> torque_0 = k.torque + Vec3<S>(k.s.cross(f.force));
+  const Vec3<S> torque_1 = Vec3<S>(k.s.cross(Vec3<S>(z + f.force_per_normal))) + f.moment_per_normal;
+  const Vec3<S> w_0 = times<S>(body.I_inverse, torque_0 + k.gyroscopic), w_1 = times(body.I_inverse, torque_1);
   // z''.X_O + 2 z'.V_O + z.A_O = 0
   const Vec3<S> X_O = x.X_C - body.r_c, V_O = k.V_C - k.r_c_dot, z_ddot = W.cross(k.z_dot);
   const Vec3<S> A_O_0 = A_0 - Vec3<S>(w_0.cross(body.r_c)) - Vec3<S>(x.w_IB.cross(k.r_c_dot));
@@ -96,6 +100,7 @@ InertialContactRates<S> inertial_sliding(const Contact<S>& c, const ContactSurro
   InertialContactRates<S> rates;
   rates.X_C = k.V_C;
   rates.w_IB = w_0 + N * w_1;
+  rates.momentum = torque_0 + N * torque_1;
   rates.v_P = inertial_contact::slip_rate(around, x, k, Vec3<S>(A_0 + N * A_1), rates.w_IB);
   rates.reaction = {N, S(c.mass * slope), Vec3<S>(f.force + N * f.force_per_normal), Vec3<S>(N * f.moment_per_normal)};
   return rates;
@@ -111,7 +116,7 @@ InertialContactRates<S> inertial_rolling(const Contact<S>& c, const ContactSurro
   const Vec3<S> per_normal = friction(c, x.v_P, Vec3<S>(x.w_IB - around.W), z).moment_per_normal;
   const S per_mass = S(1) / c.mass;
   // The derivative of the slip is affine in the table's force: its part without a force, and that of each component.
-  const Vec3<S> w_0 = times(body.I_inverse, k.torque);
+  const Vec3<S> w_0 = times<S>(body.I_inverse, k.torque + k.gyroscopic);
   const Vec3<S> slip_0 = inertial_contact::slip_rate(around, x, k, k.acceleration, w_0);
   Mat3<S> w_of, slip_of;
   for (int j = 0; j < 3; ++j) {
@@ -127,6 +132,7 @@ InertialContactRates<S> inertial_rolling(const Contact<S>& c, const ContactSurro
   rates.v_P = x.v_P;
   rates.w_IB = w_0 + times(w_of, force);
   const S N = inner(z, force);
+  rates.momentum = k.torque + Vec3<S>(k.s.cross(force)) + N * per_normal;
   // The three components are found together; a moment that made N ambiguous would make their matrix singular.
   rates.reaction = {N, S(1), Vec3<S>(force - N * z), Vec3<S>(N * per_normal)};
   return rates;

@@ -5,23 +5,43 @@
 #include "integrate/taylor/record_equations.hpp"
 
 namespace earthtop {
+namespace {
+
+template <class T>
+Contact<real::Recorded<T>> recorded_contact(const Contact<T>& contact) {
+  using R = real::Recorded<T>;
+  return converted<R>(contact, [](const T& number) { return R(number); });
+}
+template <class T>
+Quaternion<real::Recorded<T>> recorded_quaternion(const Quaternion<T>& q) {
+  return {q.w, Vec3<real::Recorded<T>>(q.v[0], q.v[1], q.v[2])};
+}
+
+}  // namespace
 
 template <class T, Observer O>
 taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>& equations, std::span<const T> x, T t) {
-  using R = real::Recorded<T>;
   taylor::Recording<T> recording;
-  const Quaternion<T>& q = equations.q_LH();
-  const ContactReducedEquations<R, O> made(recorded_model(equations.model()),
-                                           converted<R>(equations.contact(), [](const T& number) { return R(number); }),
-                                           Quaternion<R>{q.w, Vec3<R>(q.v[0], q.v[1], q.v[2])}, equations.w3());
+  const ContactReducedEquations<real::Recorded<T>, O> made(recorded_model(equations.model()), recorded_contact(equations.contact()),
+                                                           recorded_quaternion(equations.q_LH()), equations.w3());
   return recorded_equations<T, ContactReducedShape<O>::kSize>(made, recording, x, t);
 }
+template <class T, Observer O>
+taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>& equations, std::span<const T> x, T t) {
+  taylor::Recording<T> recording;
+  const ContactGeneralEquations<real::Recorded<T>, O> made(
+      recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()));
+  return recorded_equations<T, ContactGeneralShape<O>::kSize>(made, recording, x, t);
+}
 
-#define EARTHTOP_RECORD_CONTACT(T)                                                                                              \
-  template taylor::Operations<T> record_contact(const ContactReducedEquations<T, Observer::laboratory>&, std::span<const T>, T); \
-  template taylor::Operations<T> record_contact(const ContactReducedEquations<T, Observer::inertial>&, std::span<const T>, T);
-EARTHTOP_RECORD_CONTACT(double)
-EARTHTOP_RECORD_CONTACT(long double)
-EARTHTOP_RECORD_CONTACT(float128)
+#define EARTHTOP_RECORD_CONTACT(T, O)                                                                         \
+  template taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>&, std::span<const T>, T); \
+  template taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>&, std::span<const T>, T);
+EARTHTOP_RECORD_CONTACT(double, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(double, Observer::inertial)
+EARTHTOP_RECORD_CONTACT(long double, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(long double, Observer::inertial)
+EARTHTOP_RECORD_CONTACT(float128, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(float128, Observer::inertial)
 
 }  // namespace earthtop

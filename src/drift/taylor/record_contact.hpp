@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "drift/contact_general_equations.hpp"
 #include "drift/contact_reduced_equations.hpp"
 #include "integrate/taylor/operations.hpp"
 
@@ -12,8 +13,12 @@ namespace earthtop {
 /// The equations of a symmetric top in contact_reduced_equations.hpp.   @param x, t  state and time at which they are recorded
 template <class T, Observer O>
 taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>& equations, std::span<const T> x, T t);
-#define EARTHTOP_RECORD_CONTACT(T, O) \
-  extern template taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>&, std::span<const T>, T);
+/// The equations of any body in contact_general_equations.hpp.
+template <class T, Observer O>
+taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>& equations, std::span<const T> x, T t);
+#define EARTHTOP_RECORD_CONTACT(T, O)                                                                                \
+  extern template taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>&, std::span<const T>, T); \
+  extern template taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>&, std::span<const T>, T);
 EARTHTOP_RECORD_CONTACT(double, Observer::laboratory)
 EARTHTOP_RECORD_CONTACT(double, Observer::inertial)
 EARTHTOP_RECORD_CONTACT(long double, Observer::laboratory)
