@@ -147,6 +147,9 @@ class ContactReducedEquations {
     return x;
   }
 
+  /// Goes on under another law, as when slip stops.
+  void set_law(ContactLaw law) { contact_.law = pairs_.law = law; }
+
   const Model<T>& model() const { return model_; }
   const Contact<T>& contact() const { return contact_; }
   const Quaternion<T>& q_LH() const { return q_LH_; }

@@ -107,11 +107,12 @@ TEST_P(ContactDrift, IsTheSameInTheEquationsForAnyBody) {
     const std::vector<double> times{0.2};
     const auto reduced = testing::contact_rows<double, Observer::laboratory>(scene, times, 1e-14);
     const auto general = testing::contact_rows<double, Observer::laboratory, Form::general>(scene, times, 1e-14);
-    EXPECT_LT(difference(reduced[0], general[0]), 1e-10) << "scene " << i;
+    // The least exact is the difference of the normal forces, which go with the phases of the fast spins.
+    EXPECT_LT(difference(reduced[0], general[0]), 3e-9) << "scene " << i;
     scene.I2_kg_m2 = 1.1 * scene.I1_kg_m2, scene.center_across_m = 0.001;
     const auto laboratory = testing::contact_rows<double, Observer::laboratory, Form::general>(scene, times, 1e-14);
     const auto inertial = testing::contact_rows<double, Observer::inertial, Form::general>(scene, times, 1e-14);
-    EXPECT_LT(difference(laboratory[0], inertial[0]), 1e-10) << "scene " << i;
+    EXPECT_LT(difference(laboratory[0], inertial[0]), 3e-9) << "scene " << i;
     EXPECT_GT(difference(laboratory[0], general[0]), 1e-3);
   }
 }

@@ -77,6 +77,19 @@ void expect_reference(const ContactReference& reference) {
 TEST_P(ContactReferences, AreMetInLaboratoryAxes) { expect_reference<Observer::laboratory>(GetParam()); }
 TEST_P(ContactReferences, AreMetInInertialAxes) { expect_reference<Observer::inertial>(GetParam()); }
 
+/// All printed digits but the last two, in 113 bits: of the frictionless, the contensou and the rolling top.
+TEST(ContactReferencesInQuad, AreMetToThePrintedDigits) {
+  for (ContactReference& reference : testing::contact_references()) {
+    const std::string name(reference.name, 2);
+    if (name != "K1" && name != "K4" && name != "K8") continue;
+    std::erase_if(reference.motions, [](const MotionReference& row) { return row.t_s > 1; });
+    std::erase_if(reference.drifts, [](const DriftReference& row) { return row.t_s > 1; });
+    const Errors errors = errors_of<float128, Observer::laboratory>(reference, 1e-23);
+    EXPECT_LT(errors.motion, 1e-18) << name;  // 20 digits are printed
+    EXPECT_LT(errors.drift, 1e-15) << name;   // 17
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(K, ContactReferences, ::testing::ValuesIn(testing::contact_references()),
                          [](const auto& chosen) { return std::string(chosen.param.name, 2); });
 

@@ -2,6 +2,8 @@
 /// How a top is released on a table: the velocities that the start names, in both predictions.
 #pragma once
 
+#include <optional>
+
 #include "earthtop/model/contact.hpp"
 #include "earthtop/model/contact_algebra.hpp"
 
@@ -52,6 +54,28 @@ Vec3<T> slip_difference_at_release(const ContactRelease<T>& release, const Conta
   ContactRelease<T> at_rest = release;
   at_rest.v_O = Vec3<T>::Zero();
   return slip_at_release(at_rest, contact, Vec3<T>(-W_scaled), r_c);
+}
+
+/// The rate V (counterclockwise about the normal) of a steady precession on a level table without the Earth, of a symmetric top
+/// whose angular velocity has the component w3 along its axis; c = cos(tilt):
+///   frictionless: I1 c V^2 - I3 w3 V + m g l = 0 ,
+///   rolling: V^2 [I1 c + m (l + r c)(r + l c)] - V w3 [I3 + m r (r + l c)] + m g l = 0
+/// The slow root is found without the difference of large numbers.
+/// @returns none if there is no such rate
+template <class T>
+std::optional<T> steady_precession_on_table(const Contact<T>& c, T gravity, T cosine, T w3, Precession which) {
+  const T l = c.height_of_center, r = c.tip_radius;
+  T a = c.I1 * cosine, b = c.I3 * w3;
+  const T moment = c.mass * gravity * l;
+  if (c.law == ContactLaw::rolling) {
+    a += c.mass * (l + r * cosine) * (r + l * cosine);
+    b += w3 * c.mass * r * (r + l * cosine);
+  }
+  const T discriminant = b * b - T(4) * a * moment;
+  if (!(discriminant >= T(0))) return std::nullopt;
+  const T root = real::sqrt(discriminant), sum = b < T(0) ? b - root : b + root;
+  if (sum == T(0) || (which == Precession::steady_fast && a == T(0))) return std::nullopt;
+  return which == Precession::steady_fast ? sum / (T(2) * a) : T(2) * moment / sum;
 }
 
 /// The model with its gravity and the Earth's rate in the table's axes. Its tide stays in laboratory axes.
