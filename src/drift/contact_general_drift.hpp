@@ -23,8 +23,8 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
   using State = std::array<T, kSize>;
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table
-  ContactGeneralDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start, const Release<T>& release,
-                      const NaturalUnits& units)
+  ContactGeneralDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
+                      const Release<T>& release, const NaturalUnits& units)
       : release_(release),
         start_(start),
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),

@@ -173,18 +173,18 @@ class ContactGeneralEquations {
   }
   Found rates(const Loaded& s, const ContactSurroundings<P>& around) const {
     if constexpr (O == Observer::laboratory) {
-      const GeneralContactRates<P> found = general_rates(pairs_, around, GeneralContactState<P>{s.R, s.momentum, s.v_P, s.position});
+      const GeneralContactRates<P> found =
+          general_rates(pairs_, around, GeneralContactState<P>{s.R, s.momentum, s.v_P, s.position});
       return {found.w, found.momentum, found.v_P, found.p_O, found.reaction};
     } else {
       const InertialContactBody<P> body = inertial_body(pairs_, s.R, s.momentum);
       const Vec3<P> w_IB = times(body.I_inverse, s.momentum);
-      const InertialContactRates<P> found = inertial_rates(pairs_, around, body, InertialContactState<P>{s.position, s.v_P, w_IB});
+      const InertialContactRates<P> found =
+          inertial_rates(pairs_, around, body, InertialContactState<P>{s.position, s.v_P, w_IB});
       return {Vec3<P>(w_IB - around.W), found.momentum, found.v_P, found.X_C, found.reaction};
     }
   }
-  ContactSurroundings<P> surroundings(const T& t) const {
-    return contact_surroundings<O>(model_, R_LH_, contact_, t);
-  }
+  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
 
   Model<T> model_;
   Contact<T> contact_;

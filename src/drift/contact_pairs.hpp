@@ -39,8 +39,7 @@ class EarthTurn {
   Mat3<Paired<T>> into_inertial(const Mat3<T>& m) const {
     Mat3<Paired<T>> half, turned;
     for (int j = 0; j < 3; ++j) half.col(j) = into_inertial(Vec3<T>(m.col(j)));
-    for (int i = 0; i < 3; ++i)
-      turned.row(i) = combined(column_, Vec3<Paired<T>>(half.row(i).transpose())).transpose();
+    for (int i = 0; i < 3; ++i) turned.row(i) = combined(column_, Vec3<Paired<T>>(half.row(i).transpose())).transpose();
     return turned;
   }
 

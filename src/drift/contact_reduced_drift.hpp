@@ -22,8 +22,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
   using State = std::array<T, kSize>;
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table
-  ContactReducedDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start, const Release<T>& release,
-                      const NaturalUnits& units)
+  ContactReducedDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
+                      const Release<T>& release, const NaturalUnits& units)
       : release_(release),
         start_(start),
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
@@ -100,8 +100,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     row.slip_L = in_L(s.v_P);
     row.slip = real::sqrt(inner(s.v_P, s.v_P));
     row.spin = s.w3;
-    row.relative_spin =
-        s.w3 - inner(s.n, pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon));
+    row.relative_spin = s.w3 - inner(s.n, pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon));
     const ContactReaction<P> reaction = equations_.reaction(x, t);
     row.reaction = {reaction.normal_force, reaction.denominator, in_L(reaction.friction), in_L(reaction.moment)};
     return row;

@@ -38,12 +38,11 @@ double difference(const ContactRow<double>& a, const ContactRow<double>& b) {
   const auto& y = b.contact;
   const double force = 0.1 * std::abs(x.reaction.normal_force.ref);
   // Slip can be far below the rates that it is made of.
-  double worst = std::max({difference(x.axis_L, y.axis_L, 0), difference(x.tip_L, y.tip_L, 1e-4),
-                           difference(x.slip_L, y.slip_L, 1e-3), difference(x.spin, y.spin, 1e-3),
-                           difference(x.relative_spin, y.relative_spin, 1e-3),
-                           difference(x.reaction.normal_force, y.reaction.normal_force, force),
-                           difference(x.reaction.friction, y.reaction.friction, force),
-                           difference(x.reaction.moment, y.reaction.moment, force)});
+  double worst = std::max(
+      {difference(x.axis_L, y.axis_L, 0), difference(x.tip_L, y.tip_L, 1e-4), difference(x.slip_L, y.slip_L, 1e-3),
+       difference(x.spin, y.spin, 1e-3), difference(x.relative_spin, y.relative_spin, 1e-3),
+       difference(x.reaction.normal_force, y.reaction.normal_force, force),
+       difference(x.reaction.friction, y.reaction.friction, force), difference(x.reaction.moment, y.reaction.moment, force)});
   const auto &s = a.state, &o = b.state;
   const double sign = s.e_w * o.e_w + s.epsilon * s.epsilon * s.e_v_scaled.dot(o.e_v_scaled) < 0 ? -1 : 1;
   worst = std::max({worst, norm(Vec3<double>(s.e_v_scaled - sign * o.e_v_scaled)) / norm(s.e_v_scaled),
@@ -178,8 +177,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, ContactDrift,
 /// the start names.
 TEST(ContactStart, SharesWhatItNames) {
   std::mt19937 engine(8);
-  for (const ContactStart start : {ContactStart::tip_at_rest, ContactStart::rolling, ContactStart::center_of_mass_at_rest,
-                                   ContactStart::tip_velocity})
+  for (const ContactStart start :
+       {ContactStart::tip_at_rest, ContactStart::rolling, ContactStart::center_of_mass_at_rest, ContactStart::tip_velocity})
     for (const RatesRelativeTo rates : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial}) {
       ContactScene scene = random_scene(ContactLaw::viscous, engine);
       scene.contact.start = start, scene.rates = rates, scene.earth_rate_rad_s = 0.5;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Tops on a table against reference values of 15 to 20 digits, in the laboratory's equations and in those of inertial axes.
-#include <gtest/gtest.h>
-
 #include "support/contact_references.hpp"
+
+#include <gtest/gtest.h>
 
 namespace earthtop {
 namespace {

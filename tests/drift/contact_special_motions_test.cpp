@@ -9,9 +9,9 @@
 namespace earthtop {
 namespace {
 
+using testing::contact_rows;
 using testing::ContactProblem;
 using testing::ContactScene;
-using testing::contact_rows;
 using testing::Form;
 
 ContactSpec under(ContactLaw law, double tip_radius_m, ContactStart start = ContactStart::tip_at_rest) {
@@ -23,9 +23,8 @@ ContactSpec under(ContactLaw law, double tip_radius_m, ContactStart start = Cont
 /// Steady precession, without the Earth: the rates from their quadratic equation, and the motions that they start.
 TEST(ContactSteadyPrecession, GoesOnAsItStarts) {
   for (const bool rolls : {false, true}) {
-    ContactScene scene = testing::toy_on_table(
-        under(rolls ? ContactLaw::rolling : ContactLaw::frictionless, 0.002,
-              rolls ? ContactStart::rolling : ContactStart::center_of_mass_at_rest));
+    ContactScene scene = testing::toy_on_table(under(rolls ? ContactLaw::rolling : ContactLaw::frictionless, 0.002,
+                                                     rolls ? ContactStart::rolling : ContactStart::center_of_mass_at_rest));
     scene.earth_rate_rad_s = 0;
     const double tilt = 20 * real::pi<double>() / 180, sine = std::sin(tilt), cosine = std::cos(tilt);
     const ContactProblem<double> problem(scene);
@@ -64,7 +63,9 @@ TEST(ContactSteadyPrecession, GoesOnAsItStarts) {
 TEST(ContactBall, RollsAsItsClosedForm) {
   ContactScene ball{0.1, 0, 1.6e-5, 1.6e-5, 9.80665, 200, 0, under(ContactLaw::rolling, 0.02, ContactStart::rolling)};
   ball.transverse_rad_s = {5, 0};
-  const auto rolling = [](const ContactScene& scene) { return contact_rows<double, Observer::laboratory>(scene, {20}, 1e-14)[0]; };
+  const auto rolling = [](const ContactScene& scene) {
+    return contact_rows<double, Observer::laboratory>(scene, {20}, 1e-14)[0];
+  };
   const auto row = rolling(ball);
   const ContactProblem<double> problem(ball);
   const Vec3<double> w = problem.units.rate_to_rad_s(1.0) * times(rotation_matrix(row.state.q_LB), row.state.w_LB_B);

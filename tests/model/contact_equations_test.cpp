@@ -64,7 +64,8 @@ void expect_formulations_agree(const ContactCase<T>& c, const ContactVariety& va
   const InertialContactRates<T> inertial = inertial_rates(c.contact, seen.around, seen.body, seen.state);
   expect_near<T>(times<T>(R, general.w_dot + W.cross(Vec3<T>(c.w + W))), inertial.w_IB, "w_IB, inertial");
   expect_near<T>(times<T>(R, general.v_P + W.cross(c.v_P)), inertial.v_P, "slip, inertial");
-  const Vec3<T> L_C = times<T>(turned_tensor(c.R_HB, c.contact.I_BC_B), c.w + W), d_w = general.w_dot + W.cross(Vec3<T>(c.w + W));
+  const Vec3<T> L_C = times<T>(turned_tensor(c.R_HB, c.contact.I_BC_B), c.w + W),
+                d_w = general.w_dot + W.cross(Vec3<T>(c.w + W));
   expect_near<T>(times<T>(R, times(turned_tensor(c.R_HB, c.contact.I_BC_B), d_w) + Vec3<T>(c.w + W).cross(L_C)),
                  inertial.momentum, "L_C, inertial");
   const Vec3<T> r_c = times(c.R_HB, c.contact.p_OC_B);

@@ -34,13 +34,13 @@ ContactSurroundings<Paired<T>> fixed(const ContactSurroundings<T>& around) {
 }
 template <class T>
 ReducedContactState<Paired<T>> moving(const ReducedContactState<T>& x, const ReducedContactRates<T>& rates) {
-  return {moving(x.n, rates.n), moving(x.u, rates.u), {x.w3, x.w3, rates.w3}, moving(x.v_P, rates.v_P),
-          moving(x.p_O, rates.p_O)};
+  return {
+      moving(x.n, rates.n), moving(x.u, rates.u), {x.w3, x.w3, rates.w3}, moving(x.v_P, rates.v_P), moving(x.p_O, rates.p_O)};
 }
 template <class T>
 GeneralContactState<Paired<T>> moving(const GeneralContactState<T>& x, const GeneralContactRates<T>& rates) {
-  GeneralContactState<Paired<T>> made{{}, moving(x.momentum, rates.momentum), moving(x.v_P, rates.v_P),
-                                      moving(x.p_O, rates.p_O)};
+  GeneralContactState<Paired<T>> made{
+      {}, moving(x.momentum, rates.momentum), moving(x.v_P, rates.v_P), moving(x.p_O, rates.p_O)};
   for (int j = 0; j < 3; ++j) made.R_HB.col(j) = moving<T>(x.R_HB.col(j), rates.w.cross(Vec3<T>(x.R_HB.col(j))));
   return made;
 }

@@ -23,9 +23,9 @@ struct ContactScene {
   RatesRelativeTo rates = RatesRelativeTo::laboratory;
   std::array<double, 2> transverse_rad_s = {0, 0};  ///< of the body's rate at release
   double latitude_deg = 45;
-  double I2_kg_m2 = 0;              ///< 0: as I1
-  double center_across_m = 0;       ///< of the centre of mass along body axis 1
-  bool gradient = false;  ///< a radial gravity gradient, 1e6 times as strong as the Earth's
+  double I2_kg_m2 = 0;         ///< 0: as I1
+  double center_across_m = 0;  ///< of the centre of mass along body axis 1
+  bool gradient = false;       ///< a radial gravity gradient, 1e6 times as strong as the Earth's
 };
 
 /// A row in SI units.
@@ -51,7 +51,8 @@ struct ContactProblem {
     BodySpec spec;
     spec.mass_kg = scene.mass_kg;
     spec.center_of_mass_m = {scene.center_across_m, 0, scene.center_m};
-    spec.inertia_kg_m2 = {{{scene.I1_kg_m2, 0, 0}, {0, scene.I2_kg_m2 > 0 ? scene.I2_kg_m2 : scene.I1_kg_m2, 0}, {0, 0, scene.I3_kg_m2}}};
+    spec.inertia_kg_m2 = {
+        {{scene.I1_kg_m2, 0, 0}, {0, scene.I2_kg_m2 > 0 ? scene.I2_kg_m2 : scene.I1_kg_m2, 0}, {0, 0, scene.I3_kg_m2}}};
     spec.inertia_about = InertiaAbout::center_of_mass;
     ReleaseSpec released;
     released.tilt_deg = scene.tilt_deg, released.azimuth_deg = 90;

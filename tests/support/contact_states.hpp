@@ -38,9 +38,7 @@ struct ContactCase {
     const T w3 = inner(w_IB, n);
     return {n, Vec3<T>(w_IB - w3 * n), w3, v_P, p_O};
   }
-  GeneralContactState<T> general() const {
-    return {R_HB, times(turned_tensor(R_HB, contact.I_BC_B), w), v_P, p_O};
-  }
+  GeneralContactState<T> general() const { return {R_HB, times(turned_tensor(R_HB, contact.I_BC_B), w), v_P, p_O}; }
 };
 
 class ContactCases {

@@ -23,13 +23,13 @@ struct Contact {
 
   S mass = S(1);
   S tip_radius = S(0);
-  S viscosity = S(0);       ///< k of `viscous` (mass/time), mu_v of `viscous_load` (time/m)
-  S coefficient = S(0);     ///< mu
-  S slip_floor = S(0);      ///< regularisation of `coulomb` (m/time)
-  S patch_radius = S(0);    ///< R of `contensou` (m)
-  S slip_of_spin = S(0);    ///< a = 8/(3 pi) of `contensou`
-  S spin_of_slip = S(0);    ///< b = 15 pi/16
-  S moment_factor = S(0);   ///< 3 pi/16
+  S viscosity = S(0);                               ///< k of `viscous` (mass/time), mu_v of `viscous_load` (time/m)
+  S coefficient = S(0);                             ///< mu
+  S slip_floor = S(0);                              ///< regularisation of `coulomb` (m/time)
+  S patch_radius = S(0);                            ///< R of `contensou` (m)
+  S slip_of_spin = S(0);                            ///< a = 8/(3 pi) of `contensou`
+  S spin_of_slip = S(0);                            ///< b = 15 pi/16
+  S moment_factor = S(0);                           ///< 3 pi/16
   S spinning_length = S(0), rolling_length = S(0);  ///< c_s, c_r (m)
   S rate_floor = S(0);                              ///< their regularisation (1/time)
 

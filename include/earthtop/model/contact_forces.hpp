@@ -71,8 +71,7 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
     case ContactLaw::viscous: f.force = S(-contact.viscosity) * v_P; break;
     case ContactLaw::viscous_load: f.force_per_normal = S(-contact.viscosity) * v_P; break;
     case ContactLaw::coulomb:
-      f.force_per_normal =
-          S(-contact.coefficient) * regularised_direction(v_P, S(contact.slip_floor * contact.slip_floor));
+      f.force_per_normal = S(-contact.coefficient) * regularised_direction(v_P, S(contact.slip_floor * contact.slip_floor));
       break;
     case ContactLaw::contensou: {
       const S u = contact.patch_radius * w_z, au = contact.slip_of_spin * u;

@@ -71,8 +71,8 @@ S routh(const Contact<S>& c, const ContactSurroundings<S>& around, const Reduced
   const S cosine = inner(x.n, around.normal);
   const Vec3<S> across = x.n.cross(around.normal);
   const S lever = c.height_of_center + c.tip_radius * cosine;
-  return x.w3 * sqrt(c.I1 * c.I3 + c.mass * (c.I1 * c.tip_radius * c.tip_radius * inner(across, across) +
-                                             c.I3 * lever * lever));
+  return x.w3 *
+         sqrt(c.I1 * c.I3 + c.mass * (c.I1 * c.tip_radius * c.tip_radius * inner(across, across) + c.I3 * lever * lever));
 }
 
 }  // namespace earthtop

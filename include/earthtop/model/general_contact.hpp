@@ -80,8 +80,8 @@ GeneralContactRates<S> general_sliding(const Contact<S>& c, const ContactSurroun
   rates.momentum = torque_0 + N * torque_1;
   rates.p_O = k.v_O;
   rates.reaction = {N, denominator, Vec3<S>(N * f.force_per_normal + f.force), Vec3<S>(N * f.moment_per_normal)};
-  const Vec3<S> a_O = acceleration + S(S(1) / c.mass) * rates.reaction.friction - Vec3<S>(rates.w_dot.cross(k.r_c)) -
-                      k.centripetal;
+  const Vec3<S> a_O =
+      acceleration + S(S(1) / c.mass) * rates.reaction.friction - Vec3<S>(rates.w_dot.cross(k.r_c)) - k.centripetal;
   rates.v_P = in_table_plane(Vec3<S>(a_O - c.tip_radius * Vec3<S>(rates.w_dot.cross(z))), z);
   return rates;
 }

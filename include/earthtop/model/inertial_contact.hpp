@@ -22,10 +22,10 @@ struct InertialContactState {
 /// The body as its attitude leaves it, in axes N.
 template <class S>
 struct InertialContactBody {
-  Vec3<S> r_c;         ///< from O to C
-  Mat3<S> I_inverse;   ///< of the inertia about C
-  Vec3<S> L_C;         ///< inertial angular momentum about C
-  Mat3<S> S_BC;        ///< second moment about C; read only where the gradient acts or torques are left out
+  Vec3<S> r_c;        ///< from O to C
+  Mat3<S> I_inverse;  ///< of the inertia about C
+  Vec3<S> L_C;        ///< inertial angular momentum about C
+  Mat3<S> S_BC;       ///< second moment about C; read only where the gradient acts or torques are left out
 };
 template <class S>
 struct InertialContactRates {
@@ -73,8 +73,7 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
 template <class S>
 Vec3<S> slip_rate(const ContactSurroundings<S>& around, const InertialContactState<S>& x, const Kinematics<S>& k,
                   const Vec3<S>& A_C, const Vec3<S>& w_dot) {
-  return A_C + Vec3<S>(w_dot.cross(k.s)) + Vec3<S>(x.w_IB.cross(k.s_dot)) -
-         Vec3<S>(around.W.cross(Vec3<S>(k.V_C + k.s_dot)));
+  return A_C + Vec3<S>(w_dot.cross(k.s)) + Vec3<S>(x.w_IB.cross(k.s_dot)) - Vec3<S>(around.W.cross(Vec3<S>(k.V_C + k.s_dot)));
 }
 
 }  // namespace inertial_contact

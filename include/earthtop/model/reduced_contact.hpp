@@ -100,15 +100,13 @@ ReducedContactRates<S> reduced_sliding(const Contact<S>& c, const ContactSurroun
   const Vec3<S> n_ddot_0 = across * Vec3<S>(torque_0.cross(x.n)) - Vec3<S>(Vec3<S>(k.b * k.s_dot + W.cross(x.u)).cross(x.n)) +
                            Vec3<S>(Vec3<S>(x.u - W).cross(k.n_dot));
   const S numerator = c.height_of_center * inner(z, n_ddot_0) - inner(z, Vec3<S>(around.gravity + k.field));
-  const S denominator =
-      S(1) - (c.mass * c.height_of_center * across) * inner(z, Vec3<S>(torque_1.cross(x.n)));
+  const S denominator = S(1) - (c.mass * c.height_of_center * across) * inner(z, Vec3<S>(torque_1.cross(x.n)));
   const S N = c.mass * numerator / denominator;
 
   ReducedContactRates<S> rates = turning(c, around, x, k, Vec3<S>(torque_0 + N * torque_1));
   rates.reaction = {N, denominator, Vec3<S>(N * f.force_per_normal + f.force), Vec3<S>(N * f.moment_per_normal)};
   const Vec3<S> n_ddot = n_ddot_0 + S(N * across) * Vec3<S>(torque_1.cross(x.n));
-  const Vec3<S> a_O =
-      around.gravity + k.field + S(S(1) / c.mass) * rates.reaction.friction - c.height_of_center * n_ddot;
+  const Vec3<S> a_O = around.gravity + k.field + S(S(1) / c.mass) * rates.reaction.friction - c.height_of_center * n_ddot;
   const Vec3<S> w_dot = rates.u + rates.w3 * x.n + x.w3 * k.n_dot;
   rates.v_P = in_table_plane(Vec3<S>(a_O - c.tip_radius * Vec3<S>(w_dot.cross(z))), z);
   return rates;
@@ -131,8 +129,7 @@ ReducedContactRates<S> reduced_rolling(const Contact<S>& c, const ContactSurroun
   const S diagonal = c.I1 + c.mass * inner(rho, rho);
   Mat3<S> A;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      A(i, j) = (i == j ? diagonal : S(0)) + extra * (x.n[i] * x.n[j]) - c.mass * (rho[i] * rho[j]);
+    for (int j = 0; j < 3; ++j) A(i, j) = (i == j ? diagonal : S(0)) + extra * (x.n[i] * x.n[j]) - c.mass * (rho[i] * rho[j]);
   Vec3<S> w_dot = solved(A, right);
   const auto normal_force = [&](const Vec3<S>& rate) { return S(c.mass * inner(z, Vec3<S>(Vec3<S>(rate.cross(rho)) + acc))); };
 
@@ -147,8 +144,7 @@ ReducedContactRates<S> reduced_rolling(const Contact<S>& c, const ContactSurroun
     moment = N * per_normal;
   }
   const Vec3<S> force = c.mass * Vec3<S>(Vec3<S>(w_dot.cross(rho)) + acc);
-  ReducedContactRates<S> rates =
-      turning(c, around, x, k, Vec3<S>(Vec3<S>(k.s.cross(force)) + moment + further));
+  ReducedContactRates<S> rates = turning(c, around, x, k, Vec3<S>(Vec3<S>(k.s.cross(force)) + moment + further));
   rates.v_P = x.v_P;
   rates.reaction = {N, denominator, in_table_plane(force, z), moment};
   return rates;

@@ -22,7 +22,8 @@ Quaternion<real::Recorded<T>> recorded_quaternion(const Quaternion<T>& q) {
 template <class T, Observer O>
 taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>& equations, std::span<const T> x, T t) {
   taylor::Recording<T> recording;
-  const ContactReducedEquations<real::Recorded<T>, O> made(recorded_model(equations.model()), recorded_contact(equations.contact()),
+  const ContactReducedEquations<real::Recorded<T>, O> made(recorded_model(equations.model()),
+                                                           recorded_contact(equations.contact()),
                                                            recorded_quaternion(equations.q_LH()), equations.w3());
   return recorded_equations<T, ContactReducedShape<O>::kSize>(made, recording, x, t);
 }
