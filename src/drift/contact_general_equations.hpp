@@ -13,6 +13,7 @@
 
 #include <array>
 
+#include "drift/contact_change.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/model/contact_release.hpp"
@@ -61,9 +62,12 @@ class ContactGeneralEquations {
   using State = std::array<T, kSize>;
   using P = Paired<T>;
 
-  /// @param model  in the table's axes
-  ContactGeneralEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH)
-      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), pairs_(paired(contact)) {}
+  /// @param model  in the table's axes   @param change  see contact_change.hpp
+  ContactGeneralEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH,
+                          const ContactChange<T>& change = {})
+      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), change_(change), pairs_(paired(contact)) {
+    change.apply(pairs_);
+  }
 
   void operator()(const State& x, State& dxdt, T t) const {
     const T& epsilon = model_.epsilon;
@@ -129,6 +133,7 @@ class ContactGeneralEquations {
   const Model<T>& model() const { return model_; }
   const Contact<T>& contact() const { return contact_; }
   const Quaternion<T>& q_LH() const { return q_LH_; }
+  const ContactChange<T>& change() const { return change_; }
 
  private:
   /// Both motions in the axes of the state.
@@ -184,12 +189,15 @@ class ContactGeneralEquations {
       return {Vec3<P>(w_IB - around.W), found.momentum, found.v_P, found.X_C, found.reaction};
     }
   }
-  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
+  ContactSurroundings<P> surroundings(const T& t) const {
+    return contact_surroundings<O>(model_, R_LH_, contact_, change_.gravity_H, t);
+  }
 
   Model<T> model_;
   Contact<T> contact_;
   Quaternion<T> q_LH_;
   Mat3<T> R_LH_;
+  ContactChange<T> change_;
   Contact<P> pairs_;
 };
 

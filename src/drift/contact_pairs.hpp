@@ -33,12 +33,12 @@ class EarthTurn {
       row_[j] = pair_of(unit, turn_minus_one_scaled(turn.w, back, model.epsilon, unit), model.epsilon);
     }
   }
-  Vec3<Paired<T>> into_inertial(const Vec3<T>& v) const { return combined(column_, unchanged<T>(v)); }
+  Vec3<Paired<T>> into_inertial(const Vec3<Paired<T>>& v) const { return combined(column_, v); }
   Vec3<Paired<T>> from_inertial(const Vec3<Paired<T>>& v) const { return combined(row_, v); }
   /// R m R^T
   Mat3<Paired<T>> into_inertial(const Mat3<T>& m) const {
     Mat3<Paired<T>> half, turned;
-    for (int j = 0; j < 3; ++j) half.col(j) = into_inertial(Vec3<T>(m.col(j)));
+    for (int j = 0; j < 3; ++j) half.col(j) = into_inertial(unchanged<T>(m.col(j)));
     for (int i = 0; i < 3; ++i) turned.row(i) = combined(column_, Vec3<Paired<T>>(half.row(i).transpose())).transpose();
     return turned;
   }
@@ -51,22 +51,24 @@ class EarthTurn {
 };
 
 /// What surrounds both motions at a time: the reference has no Earth rate, and its table does not turn.
-/// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide
+/// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide   @param gravity_change_H  of gravity over
+/// epsilon, where the inputs are changed
 template <Observer O, class T>
 ContactSurroundings<Paired<T>> contact_surroundings(const Model<T>& model, const Mat3<T>& R_LH, const Contact<T>& contact,
-                                                    const T& t) {
+                                                    const Vec3<T>& gravity_change_H, const T& t) {
   const Vec3<T> up(T(0), T(0), T(1));
   Vec3<T> gravity = model.apparent_gravity_L;
   if (!model.tide.empty()) gravity += transposed_times(R_LH, model.tide.acceleration_L(t));
   ContactSurroundings<Paired<T>> around;
   around.W = pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon);
   if constexpr (O == Observer::laboratory) {
-    around.normal = unchanged<T>(up), around.gravity = unchanged<T>(gravity);
+    around.normal = unchanged<T>(up), around.gravity = pair_of(gravity, gravity_change_H, model.epsilon);
     if (contact.has_gradient)
       for (int j = 0; j < 3; ++j) around.gradient.col(j) = unchanged<T>(contact.gradient_H.col(j));
   } else {
     const EarthTurn<T> turn(model, t);
-    around.normal = turn.into_inertial(up), around.gravity = turn.into_inertial(gravity);
+    around.normal = turn.into_inertial(unchanged<T>(up)),
+    around.gravity = turn.into_inertial(pair_of(gravity, gravity_change_H, model.epsilon));
     if (contact.has_gradient) around.gradient = turn.into_inertial(contact.gradient_H);
   }
   return around;

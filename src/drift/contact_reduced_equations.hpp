@@ -13,6 +13,7 @@
 
 #include <array>
 
+#include "drift/contact_change.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/contact_release.hpp"
@@ -65,9 +66,18 @@ class ContactReducedEquations {
   using State = std::array<T, kSize>;
   using P = Paired<T>;
 
-  /// @param model  in the table's axes   @param w3  inertial spin of the reference at release
-  ContactReducedEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH, T w3)
-      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), w3_(w3), pairs_(paired(contact)) {}
+  /// @param model  in the table's axes   @param w3  inertial spin of the reference at release   @param change  see contact_change.hpp
+  ContactReducedEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH, T w3,
+                          const ContactChange<T>& change = {})
+      : model_(model),
+        contact_(contact),
+        q_LH_(q_LH),
+        R_LH_(rotation_matrix(q_LH)),
+        w3_(w3),
+        change_(change),
+        pairs_(paired(contact)) {
+    change.apply(pairs_);
+  }
 
   void operator()(const State& x, State& dxdt, T t) const {
     ReducedContactRates<P> rates;
@@ -154,6 +164,7 @@ class ContactReducedEquations {
   const Contact<T>& contact() const { return contact_; }
   const Quaternion<T>& q_LH() const { return q_LH_; }
   T w3() const { return w3_; }
+  const ContactChange<T>& change() const { return change_; }
 
  private:
   P pair_at(const State& x, std::size_t i) const { return {x[i], x[i] + model_.epsilon * x[kHalf + i], x[kHalf + i]}; }
@@ -181,13 +192,16 @@ class ContactReducedEquations {
     return top;
   }
 
-  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
+  ContactSurroundings<P> surroundings(const T& t) const {
+    return contact_surroundings<O>(model_, R_LH_, contact_, change_.gravity_H, t);
+  }
 
   Model<T> model_;
   Contact<T> contact_;
   Quaternion<T> q_LH_;
   Mat3<T> R_LH_;
   T w3_;
+  ContactChange<T> change_;
   Contact<P> pairs_;
 };
 

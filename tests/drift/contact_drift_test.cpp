@@ -169,9 +169,7 @@ TEST_P(ContactDrift, HasATaylorSeries) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ContactDrift,
-                         ::testing::Values(ContactLaw::frictionless, ContactLaw::viscous, ContactLaw::viscous_load,
-                                           ContactLaw::coulomb, ContactLaw::contensou, ContactLaw::rolling));
+INSTANTIATE_TEST_SUITE_P(Laws, ContactDrift, ::testing::ValuesIn(testing::kAllLaws));
 
 /// At release both motions share the attitude, the position, the rates of the kind that the release names, and the velocity that
 /// the start names.
@@ -208,6 +206,80 @@ TEST(ContactStart, SharesWhatItNames) {
       EXPECT_LT(norm(Vec3<double>(w[1] - w[0])), 1e-15);
       EXPECT_EQ(size_of(s.n, &Paired<double>::diff) + size_of(s.p_O, &Paired<double>::diff), 0);
     }
+}
+
+/// The derivatives of the non-rotating prediction with a coefficient and with the tilt of the table, against differences of two
+/// predictions; and their sizes for the toy top under the law of a contact patch, at 1 % and 1 arcsecond.
+TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
+  const ContactScene scene = testing::toy_on_table(
+      {.tip_radius_m = 0.002, .law = ContactLaw::contensou, .friction_coefficient = 0.2, .patch_radius_m = 3e-5});
+  ContactProblem<double> problem(scene);
+  problem.model = model_for_change(problem.model);
+  ContactChange<double> friction;
+  friction.coefficient = 1;
+  const auto down_to_the_east = table_tilt_change(problem.model.apparent_gravity_L, SinCos<double>{1, 0});
+  constexpr double kArcsecond = 4.848136811095360e-6;
+  const std::vector<double> times{0.2, 5};
+  const auto of_friction = testing::rows_of(problem, problem.system<Observer::laboratory>(friction), times, 1e-12);
+  const auto of_tilt = testing::rows_of(problem, problem.system<Observer::laboratory>(down_to_the_east), times, 1e-12);
+  EXPECT_NEAR(0.002 * size_of(of_friction[1].contact.axis_L, &Paired<double>::diff), 6.6e-5, 0.1e-5);
+  EXPECT_NEAR(0.002 * size_of(of_friction[1].contact.tip_L, &Paired<double>::diff), 1.3e-5, 0.1e-5);
+  EXPECT_NEAR(kArcsecond * size_of(of_tilt[1].contact.axis_L, &Paired<double>::diff), 9e-6, 1e-6);
+  EXPECT_NEAR(kArcsecond * size_of(of_tilt[1].contact.tip_L, &Paired<double>::diff), 1.0e-5, 0.1e-5);
+
+  const auto central = [&](auto&& changed, double step, const auto& derivative) {
+    ContactScene more = scene, less = scene;
+    changed(more.contact, step), changed(less.contact, -step);
+    const ContactProblem<double> m(more), l(less);
+    // In the axes of the table: the release is the same there.
+    const auto in_table = [&](const ContactProblem<double>& p) {
+      auto row = testing::rows_of(p, p.system<Observer::laboratory>(), {0.2}, 1e-14)[0];
+      const Mat3<double> R_LH = rotation_matrix(p.start.q_LH);
+      return std::pair(
+          transposed_times(R_LH, Vec3<double>(row.contact.axis_L[0].ref, row.contact.axis_L[1].ref, row.contact.axis_L[2].ref)),
+          transposed_times(R_LH, Vec3<double>(row.contact.tip_L[0].ref, row.contact.tip_L[1].ref, row.contact.tip_L[2].ref)));
+    };
+    const auto [n_more, p_more] = in_table(m);
+    const auto [n_less, p_less] = in_table(l);
+    const double unit = step == 0.1 ? 0.1 * real::pi<double>() / 180 : step;
+    const auto compare = [&](const Vec3<Paired<double>>& known, const Vec3<double>& a, const Vec3<double>& b) {
+      const Vec3<double> difference = (a - b) / (2 * unit);
+      // Second order of the step: some 1e-4 of the derivative.
+      EXPECT_LT(norm(Vec3<double>(difference - Vec3<double>(known[0].diff, known[1].diff, known[2].diff))),
+                1e-3 * norm(difference));
+    };
+    compare(derivative.contact.axis_L, n_more, n_less), compare(derivative.contact.tip_L, p_more, p_less);
+  };
+  central([](ContactSpec& c, double step) { c.friction_coefficient += step; }, 1e-3, of_friction[0]);
+  central(
+      [](ContactSpec& c, double step) { c.table_tilt_deg = std::abs(step), c.table_tilt_azimuth_deg = step > 0 ? 90 : 270; },
+      0.1, of_tilt[0]);
+}
+
+/// The model's units change nothing.
+TEST(ContactUnits, ChangeNoMotion) {
+  std::mt19937 engine(10);
+  for (const ContactLaw law : testing::kAllLaws) {
+    ContactScene scene = random_scene(law, engine);
+    scene.gradient = true, scene.earth_rate_rad_s = 0.01;
+    scene.contact.spinning_friction_m = 1e-4, scene.contact.rolling_resistance_m = 2e-5, scene.contact.regularisation_rad_s = 3;
+    const ContactProblem<double> natural(scene), other(scene, NaturalUnits{-3, -5});
+    const auto a = testing::rows_of(natural, natural.system<Observer::laboratory>(), {0.3}, 1e-14)[0];
+    const auto b = testing::rows_of(other, other.system<Observer::laboratory>(), {0.3}, 1e-14)[0];
+    const double size = norm(Vec3<double>(a.epsilon * a.state.e_v_scaled));
+    EXPECT_LT(norm(Vec3<double>(a.epsilon * a.state.e_v_scaled - b.epsilon * b.state.e_v_scaled)), 1e-9 * size);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(a.contact.axis_L[i].rot, b.contact.axis_L[i].rot, 1e-11);
+      EXPECT_NEAR(a.contact.tip_L[i].rot, b.contact.tip_L[i].rot, 1e-12);
+    }
+    EXPECT_NEAR(a.spin_rad_s.rot, b.spin_rad_s.rot, 1e-9);
+    const auto in_newton = [](const ContactProblem<double>& p, double force) {
+      return real::scale(force, p.units.mass_exponent - 2 * p.units.time_exponent);
+    };
+    const double N = in_newton(natural, a.contact.reaction.normal_force.rot);
+    EXPECT_NEAR(N, in_newton(other, b.contact.reaction.normal_force.rot), 1e-9 * scene.mass_kg * 9.8);
+    EXPECT_GT(N, 0);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// Drift integrations of tops on a table without the rest of a run: a scene, and the states at some times.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "integrate/extrapolation.hpp"
 
 namespace earthtop::testing {
+
+inline constexpr std::array kAllLaws{ContactLaw::frictionless, ContactLaw::viscous,   ContactLaw::viscous_load,
+                                     ContactLaw::coulomb,      ContactLaw::contensou, ContactLaw::rolling};
 
 /// Without the angle of spin, or for any body.
 enum class Form { reduced, general };
@@ -47,7 +51,7 @@ struct ContactProblem {
   Contact<T> contact;
   ContactRelease<T> start;
 
-  explicit ContactProblem(const ContactScene& scene) {
+  explicit ContactProblem(const ContactScene& scene, const std::optional<NaturalUnits>& other_units = {}) {
     BodySpec spec;
     spec.mass_kg = scene.mass_kg;
     spec.center_of_mass_m = {scene.center_across_m, 0, scene.center_m};
@@ -64,15 +68,16 @@ struct ContactProblem {
     const Body<double> rough = make_body<double>(spec);
     units = natural_units(rough, make_release<double>(released, rough, scene.gravity_m_s2), scene.gravity_m_s2,
                           scene.earth_rate_rad_s, nullptr);
+    if (other_units) units = *other_units;
     model = make_model<T>(body, site, scene.earth_rate_rad_s, {}, nullptr, units);
     const GravityGradientSpec strong{GradientField::given, 1.5};
     contact = make_contact<T>(scene.contact, body, site, {}, scene.gradient ? &strong : nullptr, units);
     start = make_contact_release<T>(scene.contact, units);
   }
   template <Observer O, Form F = Form::reduced>
-  auto system() const {
+  auto system(const ContactChange<T>& change = {}) const {
     using System = std::conditional_t<F == Form::reduced, ContactReducedDrift<T, O>, ContactGeneralDrift<T, O>>;
-    return System(model, contact, start, release, units);
+    return System(model, contact, start, release, units, change);
   }
 };
 
@@ -87,11 +92,9 @@ ContactRow<T> contact_row(const ContactProblem<T>& problem, const System& system
 }
 
 /// The states at ascending times, by extrapolation.   @param tolerance  per step, relative to each group's size
-template <class T, Observer O, Form F = Form::reduced>
-std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::vector<double>& times_s, double tolerance) {
-  const ContactProblem<T> problem(scene);
-  auto system = problem.template system<O, F>();
-  using System = decltype(system);
+template <class T, class System>
+std::vector<ContactRow<T>> rows_of(const ContactProblem<T>& problem, System system, const std::vector<double>& times_s,
+                                   double tolerance) {
   auto x = system.initial_state();
   GroupScales<T, typename System::Shape> scales;
   scales.include(x), scales.include(system.typical_state());
@@ -107,7 +110,7 @@ std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::ve
       if (stepper.try_step(system, x, t, step) == boost::numeric::odeint::success) {
         if (lands) t = end;
         scales.include(x);
-        if constexpr (F == Form::reduced) system.follow(x, t);
+        if constexpr (requires { system.follow(x, t); }) system.follow(x, t);
         dt = tried < dt ? std::max(dt, step) : step;
       } else {
         dt = step;
@@ -116,6 +119,12 @@ std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::ve
     rows.push_back(contact_row(problem, system, x, t));
   }
   return rows;
+}
+
+template <class T, Observer O, Form F = Form::reduced>
+std::vector<ContactRow<T>> contact_rows(const ContactScene& scene, const std::vector<double>& times_s, double tolerance) {
+  const ContactProblem<T> problem(scene);
+  return rows_of(problem, problem.template system<O, F>(), times_s, tolerance);
 }
 
 }  // namespace earthtop::testing

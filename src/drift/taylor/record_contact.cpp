@@ -13,6 +13,11 @@ Contact<real::Recorded<T>> recorded_contact(const Contact<T>& contact) {
   return converted<R>(contact, [](const T& number) { return R(number); });
 }
 template <class T>
+ContactChange<real::Recorded<T>> recorded_change(const ContactChange<T>& change) {
+  using R = real::Recorded<T>;
+  return change.template converted<R>([](const T& number) { return R(number); });
+}
+template <class T>
 Quaternion<real::Recorded<T>> recorded_quaternion(const Quaternion<T>& q) {
   return {q.w, Vec3<real::Recorded<T>>(q.v[0], q.v[1], q.v[2])};
 }
@@ -22,16 +27,17 @@ Quaternion<real::Recorded<T>> recorded_quaternion(const Quaternion<T>& q) {
 template <class T, Observer O>
 taylor::Operations<T> record_contact(const ContactReducedEquations<T, O>& equations, std::span<const T> x, T t) {
   taylor::Recording<T> recording;
-  const ContactReducedEquations<real::Recorded<T>, O> made(recorded_model(equations.model()),
-                                                           recorded_contact(equations.contact()),
-                                                           recorded_quaternion(equations.q_LH()), equations.w3());
+  const ContactReducedEquations<real::Recorded<T>, O> made(
+      recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()),
+      equations.w3(), recorded_change(equations.change()));
   return recorded_equations<T, ContactReducedShape<O>::kSize>(made, recording, x, t);
 }
 template <class T, Observer O>
 taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>& equations, std::span<const T> x, T t) {
   taylor::Recording<T> recording;
   const ContactGeneralEquations<real::Recorded<T>, O> made(
-      recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()));
+      recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()),
+      recorded_change(equations.change()));
   return recorded_equations<T, ContactGeneralShape<O>::kSize>(made, recording, x, t);
 }
 
