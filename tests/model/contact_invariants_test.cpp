@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The balances of the Jacobi integral, Jellett's and Routh's: the derivative of each quantity along the equations of motion,
+/// The balances of the Jacobi integral, Jellett's and Routh's, and of the ledger about the tip: the derivative of each quantity along the equations of motion,
 /// found by pairs, against its rate in closed form. The Earth's rate is of order 1 and gravity does not lie along the normal,
 /// except where a statement needs it.
 #include "earthtop/model/contact_invariants.hpp"
 
 #include <gtest/gtest.h>
 
+#include "earthtop/model/contact_ledger.hpp"
 #include "support/contact_states.hpp"
 
 namespace earthtop {
@@ -74,6 +75,17 @@ void expect_balances(const ContactCase<T>& c, const ContactVariety& variety) {
   if (variety.point_tip && !has_moment) expect_equal(reduced.w3, T(0), T(1), "spin on a point");
 }
 
+/// The ledger's torques about the moving tip sum up to the derivative of the momentum about it, with any weights and gradient.
+template <class T>
+void expect_ledger_is_complete(const ContactCase<T>& c) {
+  const GeneralContactState<T> g = c.general();
+  const GeneralContactRates<T> rates = general_rates(c.contact, c.around, g);
+  const GeneralContactState<Paired<T>> on_its_way = moving(g, rates);
+  const Vec3<Paired<T>> L_O = momentum_about_tip(paired(c.contact), on_its_way.R_HB, moving(rates.w, rates.w_dot));
+  const Vec3<T> sum = contact_ledger(c.contact, c.around, g, rates).sum();
+  for (int i = 0; i < 3; ++i) expect_equal(L_O[i].diff, sum[i], T(1e3), "momentum about the tip");
+}
+
 class ContactBalances : public ::testing::TestWithParam<ContactLaw> {};
 
 TEST_P(ContactBalances, HoldOnTheRotatingEarth) {
@@ -82,6 +94,13 @@ TEST_P(ContactBalances, HoldOnTheRotatingEarth) {
     if (variety.weights || variety.gradient) continue;  // they belong to no conserved quantity
     for (int i = 0; i < 5; ++i) expect_balances(cases.make<double>(variety), variety);
     expect_balances(cases.make<float128>(variety), variety);
+  }
+}
+TEST_P(ContactBalances, OfTheLedgerIsComplete) {
+  ContactCases cases(8);
+  for (const ContactVariety& variety : testing::varieties(GetParam())) {
+    for (int i = 0; i < 5; ++i) expect_ledger_is_complete(cases.make<double>(variety));
+    expect_ledger_is_complete(cases.make<float128>(variety));
   }
 }
 INSTANTIATE_TEST_SUITE_P(Laws, ContactBalances, ::testing::ValuesIn(testing::kLaws));
