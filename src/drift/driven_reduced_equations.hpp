@@ -45,7 +45,7 @@ struct DrivenReducedEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
     const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
-    const bool friction = changes_spin(model);
+    const bool friction = model.applied.friction();
     const T &w = x[11], &epsilon = model.epsilon;
     const T spin_change = friction ? x[9] : T(0), k = friction ? x[18] : k_at_release;
     const Vec3<T> s = u.cross(n), v = V + k * n;
@@ -110,7 +110,6 @@ struct DrivenReducedEquations {
     const T spin = w3 + spin_change;
     seen.u = pair(u, V);
     seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);
-    seen.W = see(unchanged, model.W_IL_L_scaled);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;

@@ -87,7 +87,6 @@ struct DrivenVariationsEquations {
     const T spin = w3 + x[6];
     seen.u = pair(u, V);
     seen.w3 = Paired<T>(spin, spin, k);
-    seen.W = see(W_L);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(Vec3<T>(applied_motion::Carrier<T>(model.platform, t).w_LP_L + W_L));
     return seen;

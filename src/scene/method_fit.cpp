@@ -13,20 +13,27 @@ namespace {
 
 std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); }
 
+/// Refuses a scene without one of the torques of [F]. In inertial axes none of them appears, so that the one that is left out has
+/// to be subtracted; where nothing else acts, the drift would be the round-off of this difference, and not zero.
+std::optional<std::string> need_all_torques(std::string_view word, const Scene& scene) {
+  if (scene.scenario().effects.all_on()) return std::nullopt;
+  return quoted(word) + " is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
+}
+
 /// Refuses a scene that is not plain. The methods with exact flows between kicks, and the series, hold only for the three
 /// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
   if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
-  if (!scene.scenario().effects.all_on())
-    return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
+  if (auto reason = need_all_torques(word, scene)) return reason;
   if (!scene.is_plain())
     return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }
 
-/// Refuses a scene whose friction has a corner on the way, where no series exists.
+/// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
 std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
+  if (auto reason = need_all_torques(word, scene)) return reason;
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
   const double w3 = scene.release<double>().w_XB_B[2];

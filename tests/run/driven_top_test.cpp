@@ -44,12 +44,9 @@ std::vector<Case> cases() {
       {"ramp", [](Scenario& s) {
          s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0, 0.75, 0, 0, 0, {0.3, 0.1, 0}};
        }}};
-  all.push_back({"no Coriolis torque", [](Scenario& s) { s.effects.coriolis = false; }});
-  all.push_back({"no centrifugal torque", [](Scenario& s) { s.effects.centrifugal = false; }});
   all.push_back({"all", [all](Scenario& s) {
                    for (const Case& one : all)
-                     if (one.name != "ramp" && one.name != "turbulent" && one.name != "dry" && one.name.find("no ") != 0)
-                       one.add(s);
+                     if (one.name != "ramp" && one.name != "turbulent" && one.name != "dry") one.add(s);
                  }});
   return all;
 }
@@ -147,9 +144,7 @@ TEST(Compass, WithOneAngleMovesAsAConstrainedBody) {
   plain.duration_s = 2;
   plain.output_step_s = 0.25;
   for (const Case& effect : cases()) {
-    if (effect.name == "platform" || effect.name == "ramp" || effect.name == "dry" || effect.name == "all" ||
-        effect.name.find("no ") == 0)
-      continue;
+    if (effect.name == "platform" || effect.name == "ramp" || effect.name == "dry" || effect.name == "all") continue;
     SCOPED_TRACE(effect.name);
     Scenario s = plain;
     s.body.center_of_mass_m = {0, 0, 0.02};
@@ -163,8 +158,7 @@ TEST(Compass, WithOneAngleMovesAsAConstrainedBody) {
 // alike, and has no reduced form.
 TEST(DrivenTop, DisturbancesGrowAsInBodyAxes) {
   for (const Case& effect : cases()) {
-    // The equations in body axes leave out how a left-out torque changes with the motion.
-    if (effect.name == "dry" || effect.name.find("no ") == 0) continue;
+    if (effect.name == "dry") continue;
     SCOPED_TRACE(effect.name);
     Scenario s = fast_earth_top(), general = s;
     effect.add(s);

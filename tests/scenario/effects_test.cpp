@@ -98,7 +98,6 @@ TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
   };
   for (const auto& [pointer, value] : {std::pair{"/effects/viscous_torque_N_m_s", "1e-9"},
                                        {"/effects/gravity_gradient", "true"},
-                                       {"/effects/coriolis", "false"},
                                        {"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 0.1})"}}) {
     EXPECT_EQ(errors(pointer, value, "200"), 0u) << pointer;
     EXPECT_EQ(errors(pointer, value, "0"), 0u) << pointer;
@@ -111,6 +110,7 @@ TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
   }
   EXPECT_EQ(errors("/effects/coulomb_torque_N_m", "1e-3", "200"), 1u);  // it stops the top
   EXPECT_EQ(errors("/effects/air_drag", R"({"disc_radius_m": 10})", "200"), 1u);
+  EXPECT_EQ(errors("/effects/coriolis", "false", "200"), 1u);
 }
 
 TEST(EffectRefusals, TheSameScenesWithWhatIsMissingAreTaken) {

@@ -17,7 +17,6 @@ struct SeenBesideAxis {
   Vec3<S> u;                        ///< inertial rate of the body normal to the axis
   S w3;                             ///< that along the axis
   Vec3<S> w_IP;                     ///< inertial rate of the platform, or of the laboratory if there is none
-  Vec3<S> W;                        ///< the Earth's rate, for torques of [F] that are left out; 0 for a motion without it
   Vec3<S> field;                    ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
 };
@@ -28,19 +27,6 @@ struct AxisTorques {
   Vec3<S> across;  ///< torque normal to the axis, divided by I1
   S along;         ///< torque along the axis, divided by I3: the rate of change of the spin
 };
-
-/// Minus the Coriolis and centrifugal torques of [F] that a scene leaves out, divided by I1. With the second moment S, both are
-/// integrals of (r.W)(r x w), so that with w the rate relative to the laboratory
-///   tau_cor = -2 (S W) x w ,  tau_cent = -(S W) x W ,  S = s1 (1 - n n^T) + s3 n n^T ,  s1 = I3 / 2 ,  s3 = I1 - I3 / 2.
-template <class T, class S>
-Vec3<S> left_out_torque(const ReducedTop<T>& top, const TorqueWeights<T>& left_out, const Vec3<S>& n, const Vec3<S>& W,
-                        const Vec3<S>& w_LB) {
-  const T s1 = top.I3 / (T(2) * top.I1), s3 = T(1) - s1;
-  const S along = n[0] * W[0] + n[1] * W[1] + n[2] * W[2];
-  const Vec3<S> SW = S(s1) * W + S(S(s3 - s1) * along) * n;
-  const Vec3<S> w = S(T(2) * left_out.coriolis) * w_LB + S(left_out.centrifugal) * W;
-  return SW.cross(w);
-}
 
 /// @param mass_moment  (m l / I1), see moment_factor
 template <class T, class S>
@@ -56,13 +42,6 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
     const T factor = applied.gradient[i].strength * ((top.I3 - top.I1) / top.I1);
     torques.across += S(S(factor) * dot(seen.n, u)) * Vec3<S>(u.cross(seen.n));
   }
-  const TorqueWeights<T> left_out = model.weights.complement();
-  if (left_out.coriolis != T(0) || left_out.centrifugal != T(0)) {
-    const Vec3<S> torque = left_out_torque<T, S>(top, left_out, seen.n, seen.W, Vec3<S>(seen.u + seen.w3 * seen.n - seen.W));
-    const S part_along = dot(seen.n, torque);
-    torques.across += Vec3<S>(torque - part_along * seen.n);
-    torques.along += S(top.I1 / top.I3) * part_along;
-  }
   if (!applied.friction()) return torques;
   // The rate relative to the platform, normal to the axis and along it.
   const S carried = dot(seen.n, seen.w_IP), spin = seen.w3 - carried;
@@ -73,13 +52,6 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
   if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) along += disc_drag_coefficient(applied, spin);
   torques.along -= (along * S(T(1) / top.I3)) * spin;
   return torques;
-}
-
-/// Whether a torque along the axis acts on a symmetric top, so that its spin changes.
-template <class T>
-bool changes_spin(const Model<T>& model) {
-  const TorqueWeights<T> left_out = model.weights.complement();
-  return model.applied.friction() || left_out.coriolis != T(0) || left_out.centrifugal != T(0);
 }
 
 /// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series all along.
