@@ -16,7 +16,7 @@ namespace {
 
 /// Returns the work of following the growth of disturbances along both motions, which a run's verdict needs.
 Work growth_work(const Scene& scene) {
-  const auto tolerance = scene.is_plain() ? growth_tolerance(scene.problem<double>()) : kCoarseGrowthTolerance;
+  const auto tolerance = growth_tolerance(scene.problem<double>(), scene.scenario().duration_s);
   if (!tolerance) return {};
   const Work work = variational_work(scene.pace(), scene.scenario().duration_s, *tolerance);
   const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
