@@ -76,7 +76,7 @@ changed=$work/changed # files whose objects may contain a fault: the copy below 
 mkdir -p "$work/tree"
 touch "$changed"
 find "$work/tree" -mindepth 1 -delete
-tar -cf - CMakeLists.txt CMakePresets.json LICENSE include scenarios src tests tools | tar -xf - -C "$work/tree"
+tar -cf - .github CMakeLists.txt CMakePresets.json LICENSE include scenarios src tests tools | tar -xf - -C "$work/tree"
 while IFS= read -r file; do
   if [[ -f $work/tree/$file ]]; then touch "$work/tree/$file"; fi
 done <"$changed"
