@@ -293,8 +293,11 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
 /// Whether a motion is that of a driven symmetric top or of a compass, with equations that have a Taylor series all along.
 bool has_spinless_series(const MotionProblem<double>& problem, double duration_s) {
   if (!is_reducible_when_driven(problem.model) && !is_compass(problem.model)) return false;
-  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[2]), I3 = problem.model.I_BP_B(2, 2);
-  return friction_stays_smooth(problem.model.applied, I3, w3, problem.fastest_rate, problem.units.time_from_s(duration_s));
+  const int axis = symmetry_axis(problem.model.I_BP_B, problem.model.mass_moment_B);
+  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[axis]), I3 = problem.model.I_BP_B(axis, axis);
+  const double end = problem.units.time_from_s(duration_s);
+  const double carrier_rate = problem.model.platform.turn.largest_rate(end) + norm(problem.model.W_IL_L);
+  return friction_stays_smooth(problem.model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
 }
 
 template <bool kEarth>

@@ -2,6 +2,8 @@
 // Checks which method fits which scene.
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/reduced_torques.hpp"
@@ -20,7 +22,7 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
   return quoted(word) + " is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
 }
 
-/// Refuses a scene that is not plain. The methods with exact flows between kicks, and the series, hold only for the three
+/// Refuses a scene that is not plain. Closed forms, and the methods with exact flows between kicks, hold only for the three
 /// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
@@ -37,9 +39,10 @@ std::optional<std::string> need_smooth_scene(std::string_view word, const Scene&
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
   const double w3 = scene.release<double>().w_XB_B[2];
+  const double carrier_rate = scene.platform_demand().rate_rad_s + std::abs(scene.rotation_rate_rad_s());
   const auto torques = make_applied_torques<double>(applied, scene.site(), w3, 0, 0);
   if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
-      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, scene.fastest_rate_rad_s(),
+      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, carrier_rate, scene.fastest_rate_rad_s(),
                             scene.scenario().duration_s))
     return std::nullopt;
   return quoted(word) +

@@ -113,6 +113,37 @@ TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
   EXPECT_EQ(errors("/effects/coriolis", "false", "200"), 1u);
 }
 
+// Torques that leave most of the spin one by one may stop the top together: with k / I3 = a and T / I3 = d the spin is
+// (w0 + d/a) exp(-a t) - d/a, here 0 after 43 s of the 60 s.
+TEST(EffectRefusals, SeriesTakeDryFrictionByWhatAllFrictionLeaves) {
+  const auto is_taken = [](const char* dry, const char* viscous) {
+    return examine({{"/effects/coulomb_torque_N_m", dry},
+                    {"/effects/viscous_torque_N_m_s", viscous},
+                    {"/numerics/method", "\"taylor\""}})
+        .errors.empty();
+  };
+  EXPECT_TRUE(is_taken("5e-5", "0"));
+  EXPECT_TRUE(is_taken("0", "2e-6"));
+  EXPECT_FALSE(is_taken("5e-5", "2e-6"));
+  EXPECT_TRUE(is_taken("5e-6", "1e-7"));
+}
+
+// What a disc or quadratic drag brakes to zero is the spin relative to the platform.
+TEST(EffectRefusals, SeriesTakeDragOnATopThatOutrunsItsPlatform) {
+  const auto is_taken = [](const char* drag, const std::string& platform_rate) {
+    return examine({{"/effects/quadratic_torque_N_m_s2", drag},
+                    {"/platform", R"({"motion": "constant", "axis": [0, 0, 1], "rate_rad_s": )" + platform_rate + "}"},
+                    {"/numerics/method", "\"taylor\""}})
+        .errors.empty();
+  };
+  EXPECT_TRUE(is_taken("1e-11", "0.1"));
+  EXPECT_TRUE(is_taken("1e-11", "50"));
+  EXPECT_FALSE(is_taken("1e-11", "200"));   // the turntable goes round with the top
+  EXPECT_FALSE(is_taken("1e-11", "-200"));  // or against it, which the rule does not tell apart
+  EXPECT_TRUE(is_taken("5e-9", "1"));
+  EXPECT_FALSE(is_taken("5e-9", "50"));  // the drag brakes the top to the rate of the turntable
+}
+
 TEST(EffectRefusals, TheSameScenesWithWhatIsMissingAreTaken) {
   const std::pair<std::string, std::string> date{"/motion/start_utc", "\"2026-11-22T12:00:00Z\""};
   const Overrides taken[] = {

@@ -55,19 +55,25 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
 }
 
 /// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series all along.
-/// Dry friction, quadratic drag and a disc's drag have one where the rate that they brake goes through zero. It cannot do so
-/// while the top keeps much of its spin: dry friction takes at most half of it within the duration, and any other at its initial
-/// torque at most four times the spin, which leaves a fifth or more, as that torque falls with the spin.
-/// @param I3, w3, fastest_rate, duration  moment about the axis, spin at release, and rate and duration of the whole motion
+/// Dry friction, quadratic drag and a disc's drag have one where the spin that they brake, which is relative to the platform or
+/// the laboratory, goes through zero. With a carrier's rate of at most c the relative spin is at most w3 + c, and at least w3 - c.
+///   Friction other than dry takes at most `decay` of w3 + c, and as its coefficient falls with the rate, w3 + c keeps
+/// exp(-decay) of itself or more: above 2 c the relative spin keeps its sign, and 3 c has a margin for the Coriolis torque that a
+/// scene leaves out, which changes w3 by at most twice the Earth's rate. Dry friction does not fall with the spin: there all of
+/// friction together may take half of w3.
+/// @param I3, w3  moment about the axis, and inertial spin at release   @param carrier_rate  largest rate of the platform, and of
+/// the Earth   @param fastest_rate, duration  upper bound of all rates, and duration, of the whole motion
 template <class T>
-bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T fastest_rate, T duration) {
+bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T carrier_rate, T fastest_rate, T duration) {
   const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
   if (applied.coulomb == T(0) && applied.quadratic == T(0) && !has_disc) return true;
-  constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4;
-  const T spin = real::abs(w3), momentum = I3 * spin;
-  if (!(spin > T(kOfTheRate) * fastest_rate)) return false;
-  const T other = applied.viscous * spin + applied.quadratic * spin * spin + disc_drag_coefficient(applied, spin) * spin;
-  return applied.coulomb * duration <= T(kDry) * momentum && other * duration <= T(kOther) * momentum;
+  constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4, kOfTheCarrier = 3;
+  const T spin = real::abs(w3), relative = spin + carrier_rate;
+  if (!(spin > T(kOfTheRate) * fastest_rate && relative > T(kOfTheCarrier) * carrier_rate)) return false;
+  const T coefficient = applied.viscous + applied.quadratic * fastest_rate + disc_drag_coefficient(applied, relative);
+  const T decay = coefficient * duration / I3;
+  if (applied.coulomb != T(0)) return applied.coulomb * duration / I3 + decay * relative <= T(kDry) * spin;
+  return decay <= T(kOther) && relative * real::exp(-decay) > T(kOfTheCarrier) * carrier_rate;
 }
 
 }  // namespace earthtop
