@@ -55,6 +55,9 @@ inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
 /// error.
 std::optional<double> growth_tolerance(const MotionProblem<double>& problem, double duration_s);
 
+/// The work of following the growth along one motion, from the problem's pace.
+Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance);
+
 /// Integrates the variational equations
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,
 /// from the release to `duration_s`, for three disturbances in directions that belong to no symmetry of a body; the largest
