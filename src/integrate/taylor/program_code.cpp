@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrate/taylor/program_code.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace earthtop::taylor {
+namespace {
+
+bool uses_b(Kind kind) {
+  return kind == Kind::product || kind == Kind::quotient || kind == Kind::cosine || kind == Kind::linear;
+}
+bool uses_a(Kind kind) { return kind >= Kind::held; }
+
+template <class T>
+class Builder {
+ public:
+  explicit Builder(const Operations<T>& operations) : list_(operations.list), source_(operations) {}
+
+  ProgramCode<T> build() {
+    find_still();
+    mark_needed();
+    write_out_sums();
+    place_sources();
+    for (std::vector<int> waiting = late_operations(); !waiting.empty();) {
+      put_longest_run(waiting);
+      std::erase_if(waiting, [&](int i) { return places_[index(i)] >= 0; });
+    }
+    code_.places = rounded_up(next_place_), code_.lanes = (next_lane_ + 7) / 8 * 8;
+    write_start();
+    for (const Guard& guard : source_.guards)
+      code_.guards.push_back({places_[index(guard.less)], places_[index(guard.more)], guard.outcome});
+    for (const int output : source_.outputs) code_.outputs.push_back(places_[index(output)]);
+    return std::move(code_);
+  }
+
+ private:
+  using Instruction = typename ProgramCode<T>::Instruction;
+  using Run = typename ProgramCode<T>::Run;
+  static constexpr int kTogether = ProgramCode<T>::kTogether;
+  struct Term {
+    int operand;
+    T factor;
+    int held = -1;  ///< another factor
+    int slot = -1;
+  };
+  struct Sum {
+    std::vector<Term> terms;
+    T number = T(0);
+  };
+
+  static std::size_t index(int place) { return static_cast<std::size_t>(place); }
+  static int rounded_up(int count) { return (count + kTogether - 1) / kTogether * kTogether; }
+  template <class Use>
+  void for_operands(const Operation<T>& o, Use use) const {
+    if (uses_a(o.kind)) use(o.a);
+    if (uses_b(o.kind) && o.b >= 0) use(o.b);
+  }
+
+  /// Finds results that have no order but 0, apart from functions of state and time.
+  void find_still() {
+    for (const Operation<T>& o : list_) {
+      bool all = o.kind == Kind::constant || uses_a(o.kind);
+      if (o.kind != Kind::held) for_operands(o, [&](int operand) { all = all && still_[index(operand)]; });
+      still_.push_back(all);
+    }
+  }
+  /// Finds the operations that the outputs need at all orders (late), those that only guards and held results need (early), and
+  /// how often each is used; a use by a sum counts half.
+  void mark_needed() {
+    late_.assign(list_.size(), false), early_.assign(list_.size(), false), uses_.assign(list_.size(), 0);
+    for (const int output : source_.outputs) late_[index(output)] = true, uses_[index(output)] += 2;
+    for (const Guard& guard : source_.guards)
+      for (const int place : {guard.less, guard.more}) early_[index(place)] = true, uses_[index(place)] += 2;
+    for (std::size_t i = list_.size(); i-- > 0;) {
+      if (!late_[i] && !early_[i]) continue;
+      const Operation<T>& o = list_[i];
+      // Sine and cosine are computed together.
+      if (o.kind == Kind::sine) (late_[i] ? late_ : early_)[i + 1] = true;
+      for_operands(o, [&](int operand) {
+        (late_[i] && o.kind != Kind::held ? late_ : early_)[index(operand)] = true;
+        uses_[index(operand)] += is_sum(static_cast<int>(i)) ? 1 : 2;
+      });
+      if (o.kind == Kind::sine && late_[i + 1]) late_[i] = true;
+    }
+  }
+  bool is_late(int i) const { return late_[index(i)] && !still_[index(i)]; }
+  bool is_needed(int i) const { return late_[index(i)] || early_[index(i)]; }
+  /// Whether a result is a sum of others with factors that are constant over a step.
+  bool is_sum(int i) const {
+    const Operation<T>& o = list_[index(i)];
+    if (!is_late(i)) return false;
+    if (o.kind == Kind::product) return still_[index(o.a)] || still_[index(o.b)];
+    return o.kind == Kind::linear || (o.kind == Kind::quotient && still_[index(o.b)]);
+  }
+  /// Whether a sum is a part of the only sum that uses it.
+  bool is_joined(int i) const { return is_sum(i) && uses_[index(i)] == 1; }
+
+  /// Adds an operation on results that are held over a step.
+  int add_held(const Operation<T>& operation) {
+    list_.push_back(operation);
+    still_.push_back(true), late_.push_back(false), early_.push_back(true), uses_.push_back(2);
+    return static_cast<int>(list_.size()) - 1;
+  }
+  int one() {
+    if (one_ < 0) one_ = add_held({.kind = Kind::constant, .number = T(1)});
+    return one_;
+  }
+  int product_of_held(int a, int b) { return a < 0 ? b : b < 0 ? a : add_held({.kind = Kind::product, .a = a, .b = b}); }
+
+  void add_number(T number, int held, Sum& sum) {
+    if (number == T(0)) return;
+    if (held < 0)
+      sum.number += number;
+    else
+      add_term({one(), number, held}, sum);
+  }
+  static void add_term(const Term& term, Sum& sum) {
+    const auto same =
+        std::ranges::find_if(sum.terms, [&](const Term& t) { return t.operand == term.operand && t.held == term.held; });
+    if (same != sum.terms.end())
+      same->factor += term.factor;
+    else
+      sum.terms.push_back(term);
+  }
+  void add_operand(int operand, T factor, int held, Sum& sum) {
+    const Operation<T>& o = list_[index(operand)];
+    if (is_joined(operand))
+      collect(operand, factor, held, sum);
+    else if (o.kind == Kind::constant)
+      add_number(factor * o.number, held, sum);
+    else
+      add_term({operand, factor, held}, sum);
+  }
+  /// The terms of a sum; sums that are used only in this one are written out.
+  void collect(int place, T factor, int held, Sum& sum) {
+    const Operation<T> o = list_[index(place)];
+    if (o.kind == Kind::linear) {
+      add_number(factor * o.number, held, sum);
+      add_operand(o.a, factor * o.factor_a, held, sum);
+      if (o.b >= 0) add_operand(o.b, factor * o.factor_b, held, sum);
+    } else if (o.kind == Kind::product) {
+      const bool is_first = still_[index(o.a)];
+      add_operand(is_first ? o.b : o.a, factor, product_of_held(held, is_first ? o.a : o.b), sum);
+    } else if (const Operation<T>& divisor = list_[index(o.b)]; divisor.kind == Kind::constant) {
+      add_operand(o.a, factor / divisor.number, held, sum);
+    } else {
+      const int inverse = add_held({.kind = Kind::quotient, .a = one(), .b = o.b});
+      add_operand(o.a, factor, product_of_held(held, inverse), sum);
+    }
+  }
+  void write_out_sums() {
+    const int count = static_cast<int>(list_.size());
+    sums_.resize(list_.size());
+    for (int i = 0; i < count; ++i) {
+      if (!is_needed(i) || is_joined(i)) continue;
+      Sum sum;
+      if (is_sum(i)) {
+        collect(i, T(1), -1, sum);
+      } else if (const Operation<T>& o = list_[index(i)]; o.kind == Kind::linear) {
+        sum.number = o.number;
+        sum.terms.push_back({o.a, o.factor_a});
+        if (o.b >= 0) sum.terms.push_back({o.b, o.factor_b});
+      }
+      sums_[index(i)] = std::move(sum);
+    }
+    sums_.resize(list_.size());
+  }
+  /// The number of a sum's terms that have orders above 0.
+  int length(int i) const {
+    return static_cast<int>(
+        std::ranges::count_if(sums_[index(i)].terms, [&](const Term& term) { return !still_[index(term.operand)]; }));
+  }
+
+  void place_sources() {
+    places_.assign(list_.size(), -1);
+    next_place_ = static_cast<int>(source_.outputs.size());
+    zero_place_ = next_place_++;
+    for (int i = 0; i < static_cast<int>(list_.size()); ++i) {
+      const Operation<T>& o = list_[index(i)];
+      if (!is_needed(i)) continue;
+      if (o.kind == Kind::state) {
+        places_[index(i)] = o.a;
+      } else if (!is_late(i) || o.kind == Kind::time || o.kind == Kind::given) {
+        if (!is_joined(i)) places_[index(i)] = next_place_++;
+      }
+      if (o.kind == Kind::time) code_.time = places_[index(i)];
+      if (o.kind == Kind::given) code_.given.push_back({places_[index(i)], o.a, o.b});
+    }
+    next_place_ = rounded_up(next_place_);
+  }
+  std::vector<int> late_operations() const {
+    std::vector<int> late;
+    for (int i = 0; i < static_cast<int>(list_.size()); ++i)
+      if (is_late(i) && places_[index(i)] < 0 && !is_joined(i) && list_[index(i)].kind != Kind::cosine) late.push_back(i);
+    return late;
+  }
+  bool is_ready(int i) const {
+    bool ready = true;
+    const auto ask = [&](int operand) { ready = ready && places_[index(operand)] >= 0; };
+    if (is_sum(i)) {
+      for (const Term& term : sums_[index(i)].terms) ask(term.operand);
+    } else {
+      for_operands(list_[index(i)], ask);
+    }
+    return ready;
+  }
+
+  /// Puts all operations of one kind that are ready; of the kind of which there are the most.
+  void put_longest_run(const std::vector<int>& waiting) {
+    std::vector<int> products, sums, others;
+    for (const int i : waiting) {
+      if (!is_ready(i)) continue;
+      const bool is_product = list_[index(i)].kind == Kind::product;
+      (is_sum(i) ? sums : is_product ? products : others).push_back(i);
+    }
+    if (!others.empty())
+      put_others(others);
+    else if (products.size() >= sums.size())
+      put_products(products);
+    else
+      put_sums(sums);
+  }
+  void put_products(const std::vector<int>& products) {
+    Run run{.kind = Kind::product, .out = next_place_, .first = static_cast<int>(code_.operands.size()), .lane = next_lane_};
+    run.count = rounded_up(static_cast<int>(products.size())) / kTogether;
+    code_.runs.push_back(run);
+    for (int four = 0; four < run.count; ++four)
+      for (const auto side : {&Operation<T>::a, &Operation<T>::b})
+        for (int j = 0; j < kTogether; ++j) {
+          const auto at = index(four * kTogether + j);
+          const int operand = at < products.size() ? places_[index(list_[index(products[at])].*side)] : zero_place_;
+          code_.operands.push_back(static_cast<std::uint32_t>(operand));
+        }
+    for (std::size_t j = 0; j < products.size(); ++j) places_[index(products[j])] = next_place_ + static_cast<int>(j);
+    lanes_.resize(list_.size(), -1);
+    for (std::size_t j = 0; j < products.size(); ++j) lanes_[index(products[j])] = next_lane_ + static_cast<int>(j);
+    code_.products += static_cast<int>(products.size());
+    next_place_ += run.count * kTogether, next_lane_ += run.count * kTogether;
+  }
+  /// Puts sums in the order of their lengths; shorter ones of the same four are filled up.
+  void put_sums(std::vector<int>& sums) {
+    std::ranges::stable_sort(sums, std::greater{}, [&](int i) { return length(i); });
+    for (std::size_t begin = 0; begin < sums.size(); begin += kTogether) {
+      const std::size_t count = std::min<std::size_t>(kTogether, sums.size() - begin);
+      put_four_sums({sums.data() + begin, count});
+    }
+  }
+  void put_four_sums(std::span<const int> sums) {
+    const int terms = length(sums[0]);
+    const bool goes_on = !code_.runs.empty() && code_.runs.back().kind == Kind::linear && code_.runs.back().terms == terms;
+    const int slot = static_cast<int>(code_.factors.size());
+    if (!goes_on)
+      code_.runs.push_back({.kind = Kind::linear,
+                            .terms = terms,
+                            .out = next_place_,
+                            .first = static_cast<int>(code_.operands.size()),
+                            .first_slot = slot});
+    ++code_.runs.back().count;
+    const auto size = index(slot + terms * kTogether);
+    code_.factors.resize(size, T(0)), code_.operands.resize(code_.operands.size() + size - index(slot), operand(zero_place_));
+    std::uint32_t* const operands = code_.operands.data() + code_.operands.size() - (size - index(slot));
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+      std::size_t at = j;
+      for (Term& term : sums_[index(sums[j])].terms) {
+        if (still_[index(term.operand)]) continue;
+        operands[at] = operand(places_[index(term.operand)]);
+        term.slot = slot + static_cast<int>(at);
+        code_.factors[index(term.slot)] = term.factor;
+        at += kTogether;
+      }
+      places_[index(sums[j])] = next_place_ + static_cast<int>(j);
+    }
+    next_place_ += kTogether;
+  }
+  static std::uint32_t operand(int place) { return static_cast<std::uint32_t>(place); }
+  void put_others(const std::vector<int>& others) {
+    lanes_.resize(list_.size(), -1);
+    for (const int i : others) {
+      places_[index(i)] = next_place_++;
+      // A cosine follows its sine.
+      if (list_[index(i)].kind == Kind::sine) places_[index(i + 1)] = next_place_++;
+      lanes_[index(i)] = next_lane_;
+      next_lane_ += lanes_of(list_[index(i)].kind), code_.products += lanes_of(list_[index(i)].kind);
+      if (code_.runs.empty() || code_.runs.back().kind != list_[index(i)].kind)
+        code_.runs.push_back({.kind = list_[index(i)].kind, .first = static_cast<int>(code_.instructions.size())});
+      ++code_.runs.back().count;
+      code_.instructions.push_back(instruction(i));
+    }
+    next_place_ = rounded_up(next_place_), next_lane_ = rounded_up(next_lane_);
+  }
+  Instruction instruction(int i) const {
+    const Operation<T>& o = list_[index(i)];
+    Instruction made{.kind = o.kind, .out = places_[index(i)], .a = o.a, .b = o.b, .number = o.number};
+    if (uses_a(o.kind)) made.a = places_[index(o.a)];
+    if (uses_b(o.kind) && o.b >= 0) made.b = places_[index(o.b)];
+    if (index(i) < lanes_.size()) made.lane = lanes_[index(i)];
+    return made;
+  }
+
+  void write_start() {
+    for (int i = 0; i < static_cast<int>(sums_.size()); ++i) write_start_of(i);
+  }
+  void write_start_of(int i) {
+    if (is_written_.size() < list_.size()) is_written_.resize(list_.size(), false);
+    if (is_written_[index(i)] || !is_needed(i) || is_joined(i)) return;
+    is_written_[index(i)] = true;
+    const Operation<T>& o = list_[index(i)];
+    for (const Term& term : sums_[index(i)].terms) {
+      if (term.held >= 0) write_start_of(term.held);
+      write_start_of(term.operand);
+    }
+    if (!is_sum(i)) for_operands(o, [&](int operand) { write_start_of(operand); });
+    Instruction made = instruction(i);
+    if (is_sum(i)) made.kind = Kind::linear;
+    if (made.kind == Kind::linear) {
+      made.first_term = static_cast<int>(code_.start_terms.size());
+      made.terms = static_cast<int>(sums_[index(i)].terms.size());
+      made.number = sums_[index(i)].number;
+      for (const Term& term : sums_[index(i)].terms)
+        code_.start_terms.push_back({places_[index(term.operand)], term.factor,
+                                     term.held < 0 ? -1 : places_[index(term.held)], term.slot});
+    }
+    code_.at_start.push_back(made);
+  }
+
+  std::vector<Operation<T>> list_;  ///< with the operations on held results that are added
+  const Operations<T>& source_;
+  ProgramCode<T> code_;
+  std::vector<bool> late_, early_, still_, is_written_;
+  std::vector<int> uses_, places_, lanes_;
+  std::vector<Sum> sums_;
+  int one_ = -1, zero_place_ = -1, next_place_ = 0, next_lane_ = 0;
+};
+
+}  // namespace
+
+template <class T>
+ProgramCode<T> program_code(const Operations<T>& operations) {
+  return Builder<T>(operations).build();
+}
+template ProgramCode<double> program_code(const Operations<double>&);
+template ProgramCode<long double> program_code(const Operations<long double>&);
+template ProgramCode<float128> program_code(const Operations<float128>&);
+
+}  // namespace earthtop::taylor
