@@ -38,6 +38,7 @@ Program<T>::Program(const Operations<T>& operations) : code_(program_code(operat
   left_.assign(size, T(0)), right_.assign(size, T(0));
   even_sums_.assign(static_cast<std::size_t>(code_.lanes), T(0)), odd_sums_ = even_sums_;
   now_.assign(static_cast<std::size_t>(code_.places), T(0)), zero_ = now_;
+  for (const auto& constant : code_.constants) zero_[static_cast<std::size_t>(constant.out)] = constant.number;
   given_rows_.assign(given_.size(), std::vector<std::array<T, 3>>(kMostOrder<T> + 1));
 }
 
@@ -46,52 +47,64 @@ void Program<T>::start(std::span<const T> x, T t) {
   for (std::size_t i = 0; i < given_.size(); ++i) given_[i].expand(t, given_rows_[i]);
   T *left = left_.data(), *right = right_.data();
   std::ranges::fill(odd_sums_, T(0));
-  for (const Instruction& in : code_.at_start) {
-    const auto at = [&](int place) { return zero_[static_cast<std::size_t>(place)]; };
-    T& out = zero_[static_cast<std::size_t>(in.out)];
-    const int l = in.lane;
-    switch (in.kind) {
-      case Kind::constant: out = in.number; break;
-      case Kind::state: out = x[static_cast<std::size_t>(in.a)]; break;
-      case Kind::time: out = t; break;
-      case Kind::given: out = given_rows_[static_cast<std::size_t>(in.a)][0][static_cast<std::size_t>(in.b)]; break;
-      case Kind::held: out = at(in.a); break;
-      case Kind::linear: {
+  T* zero = zero_.data();
+  const auto at = [&](int place) { return zero[place]; };
+  std::ranges::copy(x, zero);
+  for (const auto& run : code_.start_runs) {
+    const std::span<const Instruction> instructions(code_.at_start.data() + run.begin, code_.at_start.data() + run.end);
+    if (run.kind == Kind::linear) {
+      for (const Instruction& in : instructions) {
         T sum = in.number;
-        for (int j = in.first_term; j < in.first_term + in.terms; ++j) {
-          const auto& term = code_.start_terms[static_cast<std::size_t>(j)];
-          const T factor = term.held < 0 ? term.factor : term.factor * at(term.held);
-          if (term.slot >= 0) code_.factors[static_cast<std::size_t>(term.slot)] = factor;
-          sum += factor * at(term.place);
+        for (const auto *term = code_.start_terms.data() + in.first_term, *end = term + in.terms; term != end; ++term) {
+          const T factor = term->factor * at(term->held);
+          code_.factors[static_cast<std::size_t>(term->slot)] = factor;
+          sum += factor * at(term->place);
         }
-        out = sum;
-        break;
+        zero[in.out] = sum;
       }
-      case Kind::product:
-        out = at(in.a) * at(in.b);
-        if (l >= 0) left[l] = at(in.a), right[l] = at(in.b);
-        break;
-      case Kind::quotient:
-        out = at(in.a) / at(in.b);
-        if (l >= 0) left[l] = out, right[l] = at(in.b);
-        break;
-      case Kind::square_root:
-        out = real::sqrt(at(in.a));
-        if (l >= 0) left[l] = right[l] = out;
-        break;
-      case Kind::power:
-        out = real::pow(at(in.a), in.number);
-        if (l >= 0) left[l] = T(0), right[l] = out, left[l + 1] = at(in.a), right[l + 1] = T(0);
-        break;
-      case Kind::sine: {
-        const SinCos<T> both = real::sin_cos(at(in.a));
-        out = both.sin;
-        zero_[static_cast<std::size_t>(in.out) + 1] = both.cos;
-        if (l >= 0) left[l] = left[l + 1] = T(0), right[l] = both.cos, right[l + 1] = both.sin;
-        break;
+    } else if (run.kind == Kind::product) {
+      for (const Instruction& in : instructions) {
+        const T a = at(in.a), b = at(in.b);
+        zero[in.out] = a * b;
+        if (in.lane >= 0) left[in.lane] = a, right[in.lane] = b;
       }
-      case Kind::cosine: break;
+    } else {
+      for (const Instruction& in : instructions) start_other(in, t);
     }
+  }
+}
+
+template <class T>
+void Program<T>::start_other(const Instruction& in, T t) {
+  const auto at = [&](int place) { return zero_[static_cast<std::size_t>(place)]; };
+  T* const left = left_.data();
+  T* const right = right_.data();
+  T& out = zero_[static_cast<std::size_t>(in.out)];
+  const int l = in.lane;
+  switch (in.kind) {
+    case Kind::time: out = t; break;
+    case Kind::given: out = given_rows_[static_cast<std::size_t>(in.a)][0][static_cast<std::size_t>(in.b)]; break;
+    case Kind::held: out = at(in.a); break;
+    case Kind::quotient:
+      out = at(in.a) / at(in.b);
+      if (l >= 0) left[l] = out, right[l] = at(in.b);
+      break;
+    case Kind::square_root:
+      out = real::sqrt(at(in.a));
+      if (l >= 0) left[l] = right[l] = out;
+      break;
+    case Kind::power:
+      out = real::pow(at(in.a), in.number);
+      if (l >= 0) left[l] = T(0), right[l] = out, left[l + 1] = at(in.a), right[l + 1] = T(0);
+      break;
+    case Kind::sine: {
+      const SinCos<T> both = real::sin_cos(at(in.a));
+      out = both.sin;
+      zero_[static_cast<std::size_t>(in.out) + 1] = both.cos;
+      if (l >= 0) left[l] = left[l + 1] = T(0), right[l] = both.cos, right[l + 1] = both.sin;
+      break;
+    }
+    default: break;
   }
 }
 
@@ -238,7 +251,8 @@ template <bool kBegins>
 EARTHTOP_PACK_INLINE void Program<T>::run_order(int k) {
   for (const auto& given : code_.given)
     now_[static_cast<std::size_t>(given.out)] =
-        given_rows_[static_cast<std::size_t>(given.function)][static_cast<std::size_t>(k)][static_cast<std::size_t>(given.component)];
+        given_rows_[static_cast<std::size_t>(given.function)][static_cast<std::size_t>(k)]
+                   [static_cast<std::size_t>(given.component)];
   if (code_.time >= 0) now_[static_cast<std::size_t>(code_.time)] = k == 1 ? T(1) : T(0);
   for (const Run& run : code_.runs) {
     if (run.kind == Kind::product) {

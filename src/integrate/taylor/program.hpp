@@ -38,12 +38,13 @@ class Program {
   void expand_here(T* x, int order);
 
   std::size_t products() const { return static_cast<std::size_t>(code_.products); }
-  std::size_t operations() const { return code_.at_start.size(); }
+  std::size_t operations() const { return static_cast<std::size_t>(code_.used); }
 
  private:
   using Instruction = typename ProgramCode<T>::Instruction;
   using Run = typename ProgramCode<T>::Run;
 
+  void start_other(const Instruction& in, T t);
   template <int kWidth>
   void sweep(int k);
   template <int kWidth, int kPacks>
@@ -60,9 +61,9 @@ class Program {
   T* row(AlignedNumbers<T>& rows, int k) { return rows.data() + static_cast<std::ptrdiff_t>(k) * code_.lanes; }
 
   ProgramCode<T> code_;
-  AlignedNumbers<T> now_;                 ///< coefficients of the present order, by place
-  AlignedNumbers<T> zero_;                ///< those of order 0
-  AlignedNumbers<T> left_, right_;        ///< factors of the products, by order and lane
+  AlignedNumbers<T> now_;                   ///< coefficients of the present order, by place
+  AlignedNumbers<T> zero_;                  ///< those of order 0
+  AlignedNumbers<T> left_, right_;          ///< factors of the products, by order and lane
   AlignedNumbers<T> even_sums_, odd_sums_;  ///< what the products of two orders are without their newest terms
   std::vector<GivenFunction<T>> given_;
   std::vector<std::vector<std::array<T, 3>>> given_rows_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <span>
 
 namespace earthtop::taylor {
 namespace {
@@ -20,12 +22,10 @@ class Builder {
   ProgramCode<T> build() {
     find_still();
     mark_needed();
+    one();
     write_out_sums();
     place_sources();
-    for (std::vector<int> waiting = late_operations(); !waiting.empty();) {
-      put_longest_run(waiting);
-      std::erase_if(waiting, [&](int i) { return places_[index(i)] >= 0; });
-    }
+    put_runs();
     code_.places = rounded_up(next_place_), code_.lanes = (next_lane_ + 7) / 8 * 8;
     write_start();
     for (const Guard& guard : source_.guards)
@@ -206,20 +206,69 @@ class Builder {
     return ready;
   }
 
-  /// Puts all operations of one kind that are ready; of the kind of which there are the most.
-  void put_longest_run(const std::vector<int>& waiting) {
-    std::vector<int> products, sums, others;
-    for (const int i : waiting) {
-      if (!is_ready(i)) continue;
-      const bool is_product = list_[index(i)].kind == Kind::product;
-      (is_sum(i) ? sums : is_product ? products : others).push_back(i);
+  /// Sums and products take turns. In each turn all that are ready are put, apart from some that fill no four and that can wait
+  /// for the next turn without making the program longer.
+  void put_runs() {
+    std::vector<int> waiting = late_operations();
+    find_distances(waiting);
+    // Whether sums or products begin makes a difference of one turn.
+    int longest = 0, first_kind = 0;
+    for (const int i : waiting)
+      if (distances_[index(i)] > longest) longest = distances_[index(i)], first_kind = kind_group(i);
+    bool sums_turn = first_kind == kSums;
+    for (int turns_left = longest; !waiting.empty(); --turns_left, sums_turn = !sums_turn) {
+      const int group = sums_turn ? kSums : kProducts;
+      put_ready_others(waiting);
+      for (bool is_last = false; !is_last;) {
+        std::vector<int> ready = ready_of(waiting, group);
+        std::ranges::stable_sort(ready, std::greater{}, [&](int i) { return distances_[index(i)]; });
+        const std::size_t full = ready.size() / kTogether * kTogether;
+        if (full < ready.size() && distances_[index(ready[full])] + 2 <= turns_left) ready.resize(full);
+        is_last = ready.empty();
+        if (is_last) break;
+        std::ranges::sort(ready);
+        if (sums_turn)
+          put_sums(ready);
+        else
+          put_products(ready);
+        std::erase_if(waiting, [&](int i) { return places_[index(i)] >= 0; });
+        put_ready_others(waiting);
+      }
     }
-    if (!others.empty())
+  }
+  enum Group { kSums, kProducts, kOthers };
+  Group kind_group(int i) const { return is_sum(i) ? kSums : list_[index(i)].kind == Kind::product ? kProducts : kOthers; }
+  std::vector<int> ready_of(const std::vector<int>& waiting, int group) const {
+    std::vector<int> ready;
+    for (const int i : waiting)
+      if (kind_group(i) == group && is_ready(i)) ready.push_back(i);
+    return ready;
+  }
+  void put_ready_others(std::vector<int>& waiting) {
+    for (std::vector<int> others; !(others = ready_of(waiting, kOthers)).empty();) {
       put_others(others);
-    else if (products.size() >= sums.size())
-      put_products(products);
-    else
-      put_sums(sums);
+      std::erase_if(waiting, [&](int i) { return places_[index(i)] >= 0; });
+    }
+  }
+  /// Finds how many turns have to follow the one of each operation.
+  void find_distances(const std::vector<int>& late) {
+    distances_.assign(list_.size(), 0);
+    for (auto i = late.rbegin(); i != late.rend(); ++i) {
+      const auto follow = [&](int operand) {
+        const Group group = kind_group(*i), before = kind_group(operand);
+        const int turns = group == kOthers || group == before ? 0 : 1;
+        int& distance = distances_[index(operand)];
+        distance = std::max(distance, distances_[index(*i)] + turns);
+        // The cosine is put with its sine.
+        if (list_[index(operand)].kind == Kind::cosine)
+          distances_[index(operand - 1)] = std::max(distances_[index(operand - 1)], distance);
+      };
+      if (is_sum(*i)) {
+        for (const Term& term : sums_[index(*i)].terms) follow(term.operand);
+      } else {
+        for_operands(list_[index(*i)], follow);
+      }
+    }
   }
   void put_products(const std::vector<int>& products) {
     Run run{.kind = Kind::product, .out = next_place_, .first = static_cast<int>(code_.operands.size()), .lane = next_lane_};
@@ -298,28 +347,54 @@ class Builder {
     return made;
   }
 
+  /// Lists what is carried out at the beginning of a step; as much as possible of one kind, one after the other.
   void write_start() {
-    for (int i = 0; i < static_cast<int>(sums_.size()); ++i) write_start_of(i);
+    code_.factors.push_back(T(0));  // for factors that no other order needs
+    std::vector<int> waiting;
+    is_written_.assign(list_.size(), false);
+    sums_.resize(list_.size());
+    for (int i = 0; i < static_cast<int>(list_.size()); ++i) {
+      const Operation<T>& o = list_[index(i)];
+      if (!is_needed(i) || is_joined(i)) continue;
+      ++code_.used;
+      const bool is_there = o.kind == Kind::constant || o.kind == Kind::state;
+      if (o.kind == Kind::constant) code_.constants.push_back({places_[index(i)], o.number});
+      is_written_[index(i)] = is_there;
+      if (!is_there) waiting.push_back(i);
+    }
+    while (!waiting.empty()) {
+      std::map<Kind, std::vector<int>> ready;
+      for (const int i : waiting)
+        if (is_ready_at_start(i)) ready[start_kind(i)].push_back(i);
+      const auto longest = std::ranges::max_element(ready, {}, [](const auto& entry) { return entry.second.size(); });
+      const int begin = static_cast<int>(code_.at_start.size());
+      for (const int i : longest->second) write_start_of(i), is_written_[index(i)] = true;
+      code_.start_runs.push_back({longest->first, begin, static_cast<int>(code_.at_start.size())});
+      std::erase_if(waiting, [&](int i) { return is_written_[index(i)]; });
+    }
+  }
+  Kind start_kind(int i) const { return is_sum(i) ? Kind::linear : list_[index(i)].kind; }
+  bool is_ready_at_start(int i) const {
+    bool ready = true;
+    const auto ask = [&](int operand) { ready = ready && is_written_[index(operand)]; };
+    for (const Term& term : sums_[index(i)].terms) {
+      ask(term.operand);
+      if (term.held >= 0) ask(term.held);
+    }
+    if (start_kind(i) != Kind::linear) for_operands(list_[index(i)], ask);
+    return ready;
   }
   void write_start_of(int i) {
-    if (is_written_.size() < list_.size()) is_written_.resize(list_.size(), false);
-    if (is_written_[index(i)] || !is_needed(i) || is_joined(i)) return;
-    is_written_[index(i)] = true;
-    const Operation<T>& o = list_[index(i)];
-    for (const Term& term : sums_[index(i)].terms) {
-      if (term.held >= 0) write_start_of(term.held);
-      write_start_of(term.operand);
-    }
-    if (!is_sum(i)) for_operands(o, [&](int operand) { write_start_of(operand); });
     Instruction made = instruction(i);
-    if (is_sum(i)) made.kind = Kind::linear;
+    made.kind = start_kind(i);
     if (made.kind == Kind::linear) {
+      const int no_slot = static_cast<int>(code_.factors.size()) - 1;
       made.first_term = static_cast<int>(code_.start_terms.size());
       made.terms = static_cast<int>(sums_[index(i)].terms.size());
       made.number = sums_[index(i)].number;
       for (const Term& term : sums_[index(i)].terms)
         code_.start_terms.push_back({places_[index(term.operand)], term.factor,
-                                     term.held < 0 ? -1 : places_[index(term.held)], term.slot});
+                                     places_[index(term.held < 0 ? one() : term.held)], term.slot < 0 ? no_slot : term.slot});
     }
     code_.at_start.push_back(made);
   }
@@ -328,7 +403,7 @@ class Builder {
   const Operations<T>& source_;
   ProgramCode<T> code_;
   std::vector<bool> late_, early_, still_, is_written_;
-  std::vector<int> uses_, places_, lanes_;
+  std::vector<int> uses_, places_, lanes_, distances_;
   std::vector<Sum> sums_;
   int one_ = -1, zero_place_ = -1, next_place_ = 0, next_lane_ = 0;
 };

@@ -36,25 +36,36 @@ struct ProgramCode {
   struct Term {
     int place = -1;
     T factor = T(0);
-    int held = -1;  ///< place of another factor; -1: none
-    int slot = -1;  ///< where the factor is kept for the other orders; -1: the term has none
+    int held = -1;  ///< place of another factor
+    int slot = -1;  ///< where the product of both is kept for the other orders
+  };
+  /// Instructions of one kind, one after the other.
+  struct StartRun {
+    Kind kind = Kind::constant;
+    int begin = 0, end = 0;
+  };
+  struct Constant {
+    int out;
+    T number;
   };
   /// Operations of one kind at each order, one after the other.
   struct Run {
     Kind kind = Kind::constant;
-    int count = 0;        ///< fours of products or sums; instructions of any other kind
-    int terms = 0;        ///< of each sum
-    int out = 0;          ///< place of the first result
-    int first = 0;        ///< in `operands`, or in `instructions`
-    int first_slot = 0;   ///< of the factors of sums
-    int lane = 0;         ///< of the first product
+    int count = 0;       ///< fours of products or sums; instructions of any other kind
+    int terms = 0;       ///< of each sum
+    int out = 0;         ///< place of the first result
+    int first = 0;       ///< in `operands`, or in `instructions`
+    int first_slot = 0;  ///< of the factors of sums
+    int lane = 0;        ///< of the first product
   };
   /// A component of a given function.
   struct GivenComponent {
     int out, function, component;
   };
 
-  std::vector<Instruction> at_start;
+  std::vector<Constant> constants;
+  std::vector<Instruction> at_start;  ///< apart from states and constants
+  std::vector<StartRun> start_runs;
   std::vector<Term> start_terms;
   std::vector<Run> runs;
   std::vector<std::uint32_t> operands;  ///< of four products: the left ones, the right ones; of four sums: those of each term
@@ -63,6 +74,7 @@ struct ProgramCode {
   std::vector<GivenComponent> given;
   std::vector<int> outputs;
   std::vector<Guard> guards;
+  int used = 0;   ///< operations of the recorded list that are carried out
   int time = -1;  ///< place; -1: unused
   int places = 0, products = 0, lanes = 0;
 };
