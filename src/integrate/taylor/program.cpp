@@ -24,20 +24,47 @@ template <int N, class T>
 EARTHTOP_PACK_INLINE typename PackOf<T, N>::Stored& pack_at(T* numbers) {
   return *reinterpret_cast<typename PackOf<T, N>::Stored*>(numbers);
 }
-/// Four numbers from their places.
+/// Puts together a pack of numbers from their places, and goes on to the next ones.
 template <class T>
-EARTHTOP_PACK_INLINE void gather(const T* numbers, const std::uint32_t* places, Pack<T, 4>& gathered) {
+EARTHTOP_PACK_INLINE void gather(const T* numbers, const std::uint32_t*& places, Pack<T, 4>& gathered) {
   gathered = Pack<T, 4>{numbers[places[0]], numbers[places[1]], numbers[places[2]], numbers[places[3]]};
+  places += 4;
+}
+/// A sum of terms.   @tparam kTerms  their number, `terms`; 0: any number of 4 or more
+template <int kTerms, class T>
+EARTHTOP_PACK_INLINE void add_terms(const T* numbers, const std::uint32_t*& places, const T*& factors, int terms,
+                                    Pack<T, 4>& sum) {
+  const auto next = [&](Pack<T, 4> & term) __attribute__((always_inline)) {
+    gather(numbers, places, term);
+    term = pack_at<4>(factors) * term;
+    factors += 4;
+  };
+  Pack<T, 4> term{};
+  next(sum);
+  if constexpr (kTerms > 0) {
+    each<kTerms - 1>([&](int) __attribute__((always_inline)) { next(term), sum = sum + term; });
+  } else {
+    // Two sums do not have to wait for each other.
+    Pack<T, 4> other{};
+    next(other);
+    int j = 2;
+    for (; j + 1 < terms; j += 2) {
+      next(term), sum = sum + term;
+      next(term), other = other + term;
+    }
+    if (j < terms) next(term), sum = sum + term;
+    sum = sum + other;
+  }
 }
 
 }  // namespace
 
 template <class T>
-Program<T>::Program(const Operations<T>& operations) : code_(program_code(operations)), given_(operations.given) {
-  const std::size_t size = static_cast<std::size_t>(code_.lanes) * (kMostOrder<T> + 1);
-  left_.assign(size, T(0)), right_.assign(size, T(0));
-  even_sums_.assign(static_cast<std::size_t>(code_.lanes), T(0)), odd_sums_ = even_sums_;
-  now_.assign(static_cast<std::size_t>(code_.places), T(0)), zero_ = now_;
+Program<T>::Program(const Operations<T>& operations, int width)
+    : width_(width), code_(program_code(operations)), given_(operations.given) {
+  const std::size_t size = 2 * static_cast<std::size_t>(code_.lanes);
+  rows_.assign(size * (kMostOrder<T> + 1), T(0)), sums_.assign(size, T(0));
+  now_.assign(static_cast<std::size_t>(code_.places), T(0)), zero_ = next_ = now_;
   for (const auto& constant : code_.constants) zero_[static_cast<std::size_t>(constant.out)] = constant.number;
   given_rows_.assign(given_.size(), std::vector<std::array<T, 3>>(kMostOrder<T> + 1));
 }
@@ -45,8 +72,8 @@ Program<T>::Program(const Operations<T>& operations) : code_(program_code(operat
 template <class T>
 void Program<T>::start(std::span<const T> x, T t) {
   for (std::size_t i = 0; i < given_.size(); ++i) given_[i].expand(t, given_rows_[i]);
-  T *left = left_.data(), *right = right_.data();
-  std::ranges::fill(odd_sums_, T(0));
+  T *left = row(0), *right = row(0) + code_.lanes;
+  std::ranges::fill(sums_, T(0));
   T* zero = zero_.data();
   const auto at = [&](int place) { return zero[place]; };
   std::ranges::copy(x, zero);
@@ -77,8 +104,8 @@ void Program<T>::start(std::span<const T> x, T t) {
 template <class T>
 void Program<T>::start_other(const Instruction& in, T t) {
   const auto at = [&](int place) { return zero_[static_cast<std::size_t>(place)]; };
-  T* const left = left_.data();
-  T* const right = right_.data();
+  T* const left = row(0);
+  T* const right = row(0) + code_.lanes;
   T& out = zero_[static_cast<std::size_t>(in.out)];
   const int l = in.lane;
   switch (in.kind) {
@@ -120,17 +147,17 @@ bool Program<T>::guards_hold() const {
 template <class T>
 template <int kWidth, int kPacks>
 EARTHTOP_PACK_INLINE void Program<T>::sweep_lanes(int k, int lane) {
-  const std::ptrdiff_t lanes = code_.lanes;
+  const std::ptrdiff_t stride = 2 * code_.lanes;
   Pack<T, kWidth> even[kPacks], odd[kPacks], before[kPacks];
-  const T* a = left_.data() + lanes + lane;
-  const T* b = right_.data() + (k - 1) * lanes + lane;
+  const T* a = row(1) + lane;
+  const T* b = row(k - 1) + code_.lanes + lane;
   each<kPacks>([&](int i) __attribute__((always_inline)) {
     before[i] = pack_at<kWidth>(b + i * kWidth);
     even[i] = pack_at<kWidth>(a + i * kWidth) * before[i];
     odd[i] = Pack<T, kWidth>{};
   });
   for (int j = 2; j < k; ++j) {
-    a += lanes, b -= lanes;
+    a += stride, b -= stride;
     each<kPacks>([&](int i) __attribute__((always_inline)) {
       const Pack<T, kWidth> factor = pack_at<kWidth>(a + i * kWidth);
       odd[i] = odd[i] + factor * before[i];
@@ -139,8 +166,8 @@ EARTHTOP_PACK_INLINE void Program<T>::sweep_lanes(int k, int lane) {
     });
   }
   each<kPacks>([&](int i) __attribute__((always_inline)) {
-    pack_at<kWidth>(even_sums_.data() + lane + i * kWidth) = even[i];
-    pack_at<kWidth>(odd_sums_.data() + lane + i * kWidth) = odd[i];
+    pack_at<kWidth>(sums_.data() + lane + i * kWidth) = even[i];
+    pack_at<kWidth>(sums_.data() + code_.lanes + lane + i * kWidth) = odd[i];
   });
 }
 template <class T>
@@ -158,48 +185,15 @@ EARTHTOP_PACK_INLINE void Program<T>::sweep(int k) {
   }
 }
 
-/// @tparam kBegins  whether the order begins a pair, so that the next one needs two terms with factors of this one
+/// Finds the state's coefficients of order k + 1. @param found  the results of order k
 template <class T>
-template <bool kBegins>
-EARTHTOP_PACK_INLINE void Program<T>::run_products(const Run& run, int k) {
-  using Four = Pack<T, 4>;
-  const T* now = now_.data();
-  T* out = now_.data() + run.out;
-  const std::uint32_t* operands = code_.operands.data() + run.first;
-  const T* inner = (kBegins ? even_sums_ : odd_sums_).data() + run.lane;
-  T* odd = odd_sums_.data() + run.lane;
-  T *left_k = row(left_, k) + run.lane, *right_k = row(right_, k) + run.lane;
-  const T *left_0 = left_.data() + run.lane, *right_0 = right_.data() + run.lane;
-  const T *left_1 = left_0 + code_.lanes, *right_1 = right_0 + code_.lanes;
-  for (int i = 0; i < 4 * run.count; i += 4, operands += 8) {
-    Four a, b;
-    gather(now, operands, a), gather(now, operands + 4, b);
-    pack_at<4>(left_k + i) = a, pack_at<4>(right_k + i) = b;
-    pack_at<4>(out + i) = pack_at<4>(inner + i) + (pack_at<4>(left_0 + i) * b + a * pack_at<4>(right_0 + i));
-    if constexpr (kBegins)
-      pack_at<4>(odd + i) = pack_at<4>(odd + i) + (pack_at<4>(left_1 + i) * b + a * pack_at<4>(right_1 + i));
-  }
-}
-
-/// @tparam kTerms  their number; 0: any
-template <class T>
-template <int kTerms>
-EARTHTOP_PACK_INLINE void Program<T>::run_sums(const Run& run) {
-  const T* now = now_.data();
-  T* out = now_.data() + run.out;
-  const std::uint32_t* operands = code_.operands.data() + run.first;
-  const T* factors = code_.factors.data() + run.first_slot;
-  const int terms = kTerms > 0 ? kTerms : run.terms;
-  for (int i = 0; i < run.count; ++i, out += 4) {
-    Pack<T, 4> sum, numbers;
-    gather(now, operands, numbers);
-    sum = pack_at<4>(factors) * numbers;
-    operands += 4, factors += 4;
-    for (int j = 1; j < terms; ++j, operands += 4, factors += 4) {
-      gather(now, operands, numbers);
-      sum = sum + pack_at<4>(factors) * numbers;
-    }
-    pack_at<4>(out) = sum;
+EARTHTOP_PACK_INLINE void Program<T>::put_rates(const T* found, int k) {
+  const std::uint32_t* places = code_.operands.data() + code_.first_output;
+  const T factor = T(1) / T(k + 1);
+  for (int i = 0; i < code_.components; i += 4) {
+    Pack<T, 4> rate;
+    gather(found, places, rate);
+    pack_at<4>(next_.data() + i) = rate * factor;
   }
 }
 
@@ -208,13 +202,12 @@ template <bool kBegins>
 EARTHTOP_PACK_INLINE void Program<T>::run_instruction(const Instruction& in, int k) {
   const T order = T(k);
   const auto now = [&](int place) -> T& { return now_[static_cast<std::size_t>(place)]; };
-  const T *left_0 = left_.data() + in.lane, *right_0 = right_.data() + in.lane;
-  const T* inner = (kBegins ? even_sums_ : odd_sums_).data() + in.lane;
+  const T *const left_0 = row(0) + in.lane, *const right_0 = left_0 + code_.lanes;
+  const T* const inner = sums_.data() + (kBegins ? 0 : code_.lanes) + in.lane;
   const auto put = [&](int lane, T left, T right) {
-    row(left_, k)[in.lane + lane] = left, row(right_, k)[in.lane + lane] = right;
-    if constexpr (kBegins)
-      odd_sums_[static_cast<std::size_t>(in.lane + lane)] +=
-          left_0[code_.lanes + lane] * right + left * right_0[code_.lanes + lane];
+    const std::ptrdiff_t l = in.lane + lane, r = l + code_.lanes;
+    row(k)[l] = left, row(k)[r] = right;
+    if constexpr (kBegins) sums_[static_cast<std::size_t>(r)] += row(1)[l] * right + left * row(1)[r];
   };
   const T a = now(in.a);
   T& out = now(in.out);
@@ -246,53 +239,71 @@ EARTHTOP_PACK_INLINE void Program<T>::run_instruction(const Instruction& in, int
   }
 }
 
+/// @tparam kBegins  whether the order begins a pair, so that the next one needs two terms with factors of this one
 template <class T>
 template <bool kBegins>
 EARTHTOP_PACK_INLINE void Program<T>::run_order(int k) {
-  for (const auto& given : code_.given)
-    now_[static_cast<std::size_t>(given.out)] =
-        given_rows_[static_cast<std::size_t>(given.function)][static_cast<std::size_t>(k)]
-                   [static_cast<std::size_t>(given.component)];
-  if (code_.time >= 0) now_[static_cast<std::size_t>(code_.time)] = k == 1 ? T(1) : T(0);
-  for (const Run& run : code_.runs) {
-    if (run.kind == Kind::product) {
-      run_products<kBegins>(run, k);
-    } else if (run.kind == Kind::linear) {
-      switch (run.terms) {
-        case 1: run_sums<1>(run); break;
-        case 2: run_sums<2>(run); break;
-        case 3: run_sums<3>(run); break;
-        default: run_sums<0>(run);
-      }
-    } else {
-      for (int i = 0; i < run.count; ++i)
-        run_instruction<kBegins>(code_.instructions[static_cast<std::size_t>(run.first + i)], k);
+  T* const now = now_.data();
+  for (int i = 0; i < code_.components; i += 4) pack_at<4>(now + i) = pack_at<4>(next_.data() + i);
+  for (const auto& given : code_.given) {
+    const auto& rows = given_rows_[static_cast<std::size_t>(given.function)];
+    now[given.out] = rows[static_cast<std::size_t>(k)][static_cast<std::size_t>(given.component)];
+  }
+  if (code_.time >= 0) now[code_.time] = k == 1 ? T(1) : T(0);
+
+  T* out = now + code_.first_result;
+  const std::uint32_t* operands = code_.operands.data();
+  const T* factors = code_.factors.data();
+  const Instruction* instruction = code_.instructions.data();
+  std::ptrdiff_t lane = 0, right_lane = code_.lanes;
+  T *const sums = sums_.data(), *const row_k = row(k);
+  const T *const row_0 = row(0), *const row_1 = row(1);
+  for (const int* step = code_.steps.data();; ++step) {
+    Pack<T, 4> found, a, b;
+    switch (*step) {
+      case ProgramCode<T>::kEnd: return;
+      case ProgramCode<T>::kInstruction: run_instruction<kBegins>(*instruction++, k); continue;
+      case ProgramCode<T>::kProducts:
+        gather(now, operands, a), gather(now, operands, b);
+        pack_at<4>(row_k + lane) = a, pack_at<4>(row_k + right_lane) = b;
+        found = pack_at<4>(row_0 + lane) * b + a * pack_at<4>(row_0 + right_lane);
+        found = pack_at<4>(sums + (kBegins ? lane : right_lane)) + found;
+        if constexpr (kBegins)
+          pack_at<4>(sums + right_lane) =
+              pack_at<4>(sums + right_lane) + (pack_at<4>(row_1 + lane) * b + a * pack_at<4>(row_1 + right_lane));
+        lane += 4, right_lane += 4;
+        break;
+      case ProgramCode<T>::kSums + 1: add_terms<1>(now, operands, factors, 1, found); break;
+      case ProgramCode<T>::kSums + 2: add_terms<2>(now, operands, factors, 2, found); break;
+      case ProgramCode<T>::kSums + 3: add_terms<3>(now, operands, factors, 3, found); break;
+      default: add_terms<0>(now, operands, factors, *step - ProgramCode<T>::kSums, found);
     }
+    pack_at<4>(out) = found;
+    out += 4;
   }
 }
 
 template <class T>
 template <int kWidth>
 EARTHTOP_PACK_INLINE void Program<T>::expand_here(T* x, int order) {
-  const std::size_t size = code_.outputs.size();
-  for (int k = 0; k < order; ++k, x += size) {
-    if (k > 0) {
-      for (std::size_t i = 0; i < size; ++i) now_[i] = x[i];
-      if (k % 2 == 0)
-        sweep<kWidth>(k), run_order<true>(k);
-      else
-        run_order<false>(k);
-    }
-    const T* found = (k > 0 ? now_ : zero_).data();
-    const T factor = T(1) / T(k + 1);
-    for (std::size_t i = 0; i < size; ++i) x[size + i] = found[static_cast<std::size_t>(code_.outputs[i])] * factor;
+  put_rates(zero_.data(), 0);
+  for (int k = 1;; ++k) {
+    x += code_.components;
+    for (int i = 0; i < code_.components; ++i) x[i] = next_[static_cast<std::size_t>(i)];
+    if (k == order) return;
+    if (k % 2 == 0)
+      sweep<kWidth>(k), run_order<true>(k);
+    else
+      run_order<false>(k);
+    put_rates(now_.data(), k);
   }
 }
 
 template <class T>
 void Program<T>::expand(T* x, int order) {
+  if (order < 1) return;
   if constexpr (std::is_same_v<T, double>)
-    expand_for_processor(*this, x, order);
+    expand_with_width(*this, x, order, width_);
   else
     expand_here<4>(x, order);
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "integrate/taylor/for_each_processor.hpp"
 #include "integrate/taylor/packs.hpp"
 #include "integrate/taylor/program_code.hpp"
 
@@ -23,7 +24,8 @@ class Program {
 
   Program() = default;
   /// Leaves out what the outputs do not need, and joins sums of sums.
-  explicit Program(const Operations<T>& operations);
+  /// @param width  how many doubles the processor's vectors have: 2, 4 or 8
+  explicit Program(const Operations<T>& operations, int width = width_of_processor());
 
   /// Finds the results at the beginning of a step. @param x  the state   @param t  its time
   void start(std::span<const T> x, T t);
@@ -33,7 +35,7 @@ class Program {
   /// Finds the coefficients of the orders 1 to `order` of the state, which has as many components as dx/dt.
   /// @param x  the coefficients, one order after the other, with that of order 0, which `start` was given
   void expand(T* x, int order);
-  /// The same for a processor whose vectors have a number of doubles: 2, 4 or 8.
+  /// The same, as a part of a function compiled for each width.
   template <int kWidth>
   void expand_here(T* x, int order);
 
@@ -42,7 +44,6 @@ class Program {
 
  private:
   using Instruction = typename ProgramCode<T>::Instruction;
-  using Run = typename ProgramCode<T>::Run;
 
   void start_other(const Instruction& in, T t);
   template <int kWidth>
@@ -51,20 +52,20 @@ class Program {
   void sweep_lanes(int k, int lane);
   template <bool kBegins>
   void run_order(int k);
-  template <bool kBegins>
-  void run_products(const Run& run, int k);
-  template <int kTerms>
-  void run_sums(const Run& run);
+  void put_rates(const T* found, int k);
   template <bool kBegins>
   void run_instruction(const Instruction& in, int k);
 
-  T* row(AlignedNumbers<T>& rows, int k) { return rows.data() + static_cast<std::ptrdiff_t>(k) * code_.lanes; }
+  T* row(int k) { return rows_.data() + static_cast<std::ptrdiff_t>(k) * (2 * code_.lanes); }
 
+  int width_ = 2;
   ProgramCode<T> code_;
-  AlignedNumbers<T> now_;                   ///< coefficients of the present order, by place
-  AlignedNumbers<T> zero_;                  ///< those of order 0
-  AlignedNumbers<T> left_, right_;          ///< factors of the products, by order and lane
-  AlignedNumbers<T> even_sums_, odd_sums_;  ///< what the products of two orders are without their newest terms
+  AlignedNumbers<T> now_;   ///< coefficients of the present order, by place
+  AlignedNumbers<T> next_;  ///< those of the state's next order
+  AlignedNumbers<T> zero_;  ///< those of order 0
+  AlignedNumbers<T> rows_;  ///< factors of the products: for each order the left ones, then the right ones, by lane
+  AlignedNumbers<T>
+      sums_;  ///< what the products of two orders are without their newest terms: of the even one, then of the odd
   std::vector<GivenFunction<T>> given_;
   std::vector<std::vector<std::array<T, 3>>> given_rows_;
 };

@@ -25,19 +25,19 @@ class Builder {
     one();
     write_out_sums();
     place_sources();
-    put_runs();
+    put_steps();
+    place_lanes_of_others();
     code_.places = rounded_up(next_place_), code_.lanes = (next_lane_ + 7) / 8 * 8;
     write_start();
     for (const Guard& guard : source_.guards)
       code_.guards.push_back({places_[index(guard.less)], places_[index(guard.more)], guard.outcome});
-    for (const int output : source_.outputs) code_.outputs.push_back(places_[index(output)]);
+    put_outputs();
     return std::move(code_);
   }
 
  private:
   using Instruction = typename ProgramCode<T>::Instruction;
-  using Run = typename ProgramCode<T>::Run;
-  static constexpr int kTogether = ProgramCode<T>::kTogether;
+  static constexpr int kPack = ProgramCode<T>::kPack;
   struct Term {
     int operand;
     T factor;
@@ -50,7 +50,7 @@ class Builder {
   };
 
   static std::size_t index(int place) { return static_cast<std::size_t>(place); }
-  static int rounded_up(int count) { return (count + kTogether - 1) / kTogether * kTogether; }
+  static int rounded_up(int count) { return (count + kPack - 1) / kPack * kPack; }
   template <class Use>
   void for_operands(const Operation<T>& o, Use use) const {
     if (uses_a(o.kind)) use(o.a);
@@ -174,8 +174,9 @@ class Builder {
 
   void place_sources() {
     places_.assign(list_.size(), -1);
-    next_place_ = static_cast<int>(source_.outputs.size());
-    zero_place_ = next_place_++;
+    // What fills the last pack of the state is 0.
+    zero_place_ = code_.components = static_cast<int>(source_.outputs.size());
+    next_place_ = rounded_up(zero_place_ + 1);
     for (int i = 0; i < static_cast<int>(list_.size()); ++i) {
       const Operation<T>& o = list_[index(i)];
       if (!is_needed(i)) continue;
@@ -187,7 +188,13 @@ class Builder {
       if (o.kind == Kind::time) code_.time = places_[index(i)];
       if (o.kind == Kind::given) code_.given.push_back({places_[index(i)], o.a, o.b});
     }
-    next_place_ = rounded_up(next_place_);
+    // Those of single instructions are between the others and the packs; a cosine follows its sine.
+    singles_place_ = next_place_;
+    for (int i = 0; i < static_cast<int>(list_.size()); ++i)
+      if (is_needed(i) && is_late(i) && !is_sum(i) && lanes_of(list_[index(i)].kind) > 0 &&
+          list_[index(i)].kind != Kind::product)
+        next_place_ += list_[index(i)].kind == Kind::sine ? 2 : 1;
+    code_.first_result = next_place_ = rounded_up(next_place_);
   }
   std::vector<int> late_operations() const {
     std::vector<int> late;
@@ -206,9 +213,9 @@ class Builder {
     return ready;
   }
 
-  /// Sums and products take turns. In each turn all that are ready are put, apart from some that fill no four and that can wait
+  /// Sums and products take turns. In each turn all that are ready are put, apart from some that fill no pack and that can wait
   /// for the next turn without making the program longer.
-  void put_runs() {
+  void put_steps() {
     std::vector<int> waiting = late_operations();
     find_distances(waiting);
     // Whether sums or products begin makes a difference of one turn.
@@ -222,7 +229,7 @@ class Builder {
       for (bool is_last = false; !is_last;) {
         std::vector<int> ready = ready_of(waiting, group);
         std::ranges::stable_sort(ready, std::greater{}, [&](int i) { return distances_[index(i)]; });
-        const std::size_t full = ready.size() / kTogether * kTogether;
+        const std::size_t full = ready.size() / kPack * kPack;
         if (full < ready.size() && distances_[index(ready[full])] + 2 <= turns_left) ready.resize(full);
         is_last = ready.empty();
         if (is_last) break;
@@ -271,42 +278,34 @@ class Builder {
     }
   }
   void put_products(const std::vector<int>& products) {
-    Run run{.kind = Kind::product, .out = next_place_, .first = static_cast<int>(code_.operands.size()), .lane = next_lane_};
-    run.count = rounded_up(static_cast<int>(products.size())) / kTogether;
-    code_.runs.push_back(run);
-    for (int four = 0; four < run.count; ++four)
-      for (const auto side : {&Operation<T>::a, &Operation<T>::b})
-        for (int j = 0; j < kTogether; ++j) {
-          const auto at = index(four * kTogether + j);
-          const int operand = at < products.size() ? places_[index(list_[index(products[at])].*side)] : zero_place_;
-          code_.operands.push_back(static_cast<std::uint32_t>(operand));
-        }
-    for (std::size_t j = 0; j < products.size(); ++j) places_[index(products[j])] = next_place_ + static_cast<int>(j);
     lanes_.resize(list_.size(), -1);
-    for (std::size_t j = 0; j < products.size(); ++j) lanes_[index(products[j])] = next_lane_ + static_cast<int>(j);
+    for (std::size_t begin = 0; begin < products.size(); begin += kPack) {
+      const std::size_t end = std::min(begin + kPack, products.size());
+      code_.steps.push_back(ProgramCode<T>::kProducts);
+      for (const auto side : {&Operation<T>::a, &Operation<T>::b})
+        for (std::size_t j = begin; j < begin + kPack; ++j)
+          code_.operands.push_back(operand(j < end ? places_[index(list_[index(products[j])].*side)] : zero_place_));
+      for (std::size_t j = begin; j < end; ++j) {
+        places_[index(products[j])] = next_place_ + static_cast<int>(j - begin);
+        lanes_[index(products[j])] = next_lane_ + static_cast<int>(j - begin);
+      }
+      next_place_ += kPack, next_lane_ += kPack;
+    }
     code_.products += static_cast<int>(products.size());
-    next_place_ += run.count * kTogether, next_lane_ += run.count * kTogether;
   }
-  /// Puts sums in the order of their lengths; shorter ones of the same four are filled up.
+  /// Puts sums in the order of their lengths; shorter ones of the same pack are filled up.
   void put_sums(std::vector<int>& sums) {
     std::ranges::stable_sort(sums, std::greater{}, [&](int i) { return length(i); });
-    for (std::size_t begin = 0; begin < sums.size(); begin += kTogether) {
-      const std::size_t count = std::min<std::size_t>(kTogether, sums.size() - begin);
-      put_four_sums({sums.data() + begin, count});
+    for (std::size_t begin = 0; begin < sums.size(); begin += kPack) {
+      const std::size_t count = std::min<std::size_t>(kPack, sums.size() - begin);
+      put_pack_of_sums({sums.data() + begin, count});
     }
   }
-  void put_four_sums(std::span<const int> sums) {
+  void put_pack_of_sums(std::span<const int> sums) {
     const int terms = length(sums[0]);
-    const bool goes_on = !code_.runs.empty() && code_.runs.back().kind == Kind::linear && code_.runs.back().terms == terms;
     const int slot = static_cast<int>(code_.factors.size());
-    if (!goes_on)
-      code_.runs.push_back({.kind = Kind::linear,
-                            .terms = terms,
-                            .out = next_place_,
-                            .first = static_cast<int>(code_.operands.size()),
-                            .first_slot = slot});
-    ++code_.runs.back().count;
-    const auto size = index(slot + terms * kTogether);
+    code_.steps.push_back(ProgramCode<T>::kSums + terms);
+    const auto size = index(slot + terms * kPack);
     code_.factors.resize(size, T(0)), code_.operands.resize(code_.operands.size() + size - index(slot), operand(zero_place_));
     std::uint32_t* const operands = code_.operands.data() + code_.operands.size() - (size - index(slot));
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -316,27 +315,35 @@ class Builder {
         operands[at] = operand(places_[index(term.operand)]);
         term.slot = slot + static_cast<int>(at);
         code_.factors[index(term.slot)] = term.factor;
-        at += kTogether;
+        at += kPack;
       }
       places_[index(sums[j])] = next_place_ + static_cast<int>(j);
     }
-    next_place_ += kTogether;
+    next_place_ += kPack;
   }
   static std::uint32_t operand(int place) { return static_cast<std::uint32_t>(place); }
   void put_others(const std::vector<int>& others) {
-    lanes_.resize(list_.size(), -1);
     for (const int i : others) {
-      places_[index(i)] = next_place_++;
-      // A cosine follows its sine.
-      if (list_[index(i)].kind == Kind::sine) places_[index(i + 1)] = next_place_++;
+      places_[index(i)] = singles_place_++;
+      if (list_[index(i)].kind == Kind::sine) places_[index(i + 1)] = singles_place_++;
+      code_.steps.push_back(ProgramCode<T>::kInstruction);
+      others_.push_back(i);
+    }
+  }
+  /// The lanes of single instructions follow those of the packs.
+  void place_lanes_of_others() {
+    code_.steps.push_back(ProgramCode<T>::kEnd);
+    lanes_.resize(list_.size(), -1);
+    for (const int i : others_) {
       lanes_[index(i)] = next_lane_;
       next_lane_ += lanes_of(list_[index(i)].kind), code_.products += lanes_of(list_[index(i)].kind);
-      if (code_.runs.empty() || code_.runs.back().kind != list_[index(i)].kind)
-        code_.runs.push_back({.kind = list_[index(i)].kind, .first = static_cast<int>(code_.instructions.size())});
-      ++code_.runs.back().count;
       code_.instructions.push_back(instruction(i));
     }
-    next_place_ = rounded_up(next_place_), next_lane_ = rounded_up(next_lane_);
+  }
+  void put_outputs() {
+    code_.first_output = static_cast<int>(code_.operands.size());
+    for (int i = 0; i < rounded_up(code_.components); ++i)
+      code_.operands.push_back(operand(i < code_.components ? places_[index(source_.outputs[index(i)])] : zero_place_));
   }
   Instruction instruction(int i) const {
     const Operation<T>& o = list_[index(i)];
@@ -403,9 +410,9 @@ class Builder {
   const Operations<T>& source_;
   ProgramCode<T> code_;
   std::vector<bool> late_, early_, still_, is_written_;
-  std::vector<int> uses_, places_, lanes_, distances_;
+  std::vector<int> uses_, places_, lanes_, distances_, others_;
   std::vector<Sum> sums_;
-  int one_ = -1, zero_place_ = -1, next_place_ = 0, next_lane_ = 0;
+  int one_ = -1, zero_place_ = -1, singles_place_ = 0, next_place_ = 0, next_lane_ = 0;
 };
 
 }  // namespace

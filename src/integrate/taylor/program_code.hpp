@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The operations of a recorded right-hand side, put in order for the expansion of its series (program.hpp).
 ///
-/// Each result has a place in an array of coefficients; the state comes first. Products and sums are taken four at a time, and
-/// their results lie side by side. Sums are written out as far as each is used once, together with the factors that are held
+/// Each result has a place in an array of coefficients; the state comes first. Products and sums are taken in packs of four,
+/// whose results lie side by side. Sums are written out as far as each is used once, together with the factors that are held
 /// over a step.
 #pragma once
 
@@ -21,8 +21,7 @@ using AlignedNumbers = std::vector<T, boost::alignment::aligned_allocator<T, 64>
 
 template <class T>
 struct ProgramCode {
-  /// Results that are taken together.
-  static constexpr int kTogether = 4;
+  static constexpr int kPack = 4;
 
   /// An operation as it is carried out at the beginning of a step, and, unless it is a sum or a product, at each order.
   struct Instruction {
@@ -48,16 +47,6 @@ struct ProgramCode {
     int out;
     T number;
   };
-  /// Operations of one kind at each order, one after the other.
-  struct Run {
-    Kind kind = Kind::constant;
-    int count = 0;       ///< fours of products or sums; instructions of any other kind
-    int terms = 0;       ///< of each sum
-    int out = 0;         ///< place of the first result
-    int first = 0;       ///< in `operands`, or in `instructions`
-    int first_slot = 0;  ///< of the factors of sums
-    int lane = 0;        ///< of the first product
-  };
   /// A component of a given function.
   struct GivenComponent {
     int out, function, component;
@@ -67,12 +56,17 @@ struct ProgramCode {
   std::vector<Instruction> at_start;  ///< apart from states and constants
   std::vector<StartRun> start_runs;
   std::vector<Term> start_terms;
-  std::vector<Run> runs;
-  std::vector<std::uint32_t> operands;  ///< of four products: the left ones, the right ones; of four sums: those of each term
+  /// What is done at each order: kEnd, kProducts, kInstruction, or kSums plus the number of terms of each sum.
+  static constexpr int kEnd = 0, kProducts = 1, kInstruction = 2, kSums = 3;
+  std::vector<int> steps;
+  /// For each pack of products the places of the left factors and of the right ones; for each pack of sums those of each term;
+  /// at last those of the components of dx/dt. Results and lanes of the packs follow one another.
+  std::vector<std::uint32_t> operands;
+  int first_result = 0, first_output = 0;
   AlignedNumbers<T> factors;
   std::vector<Instruction> instructions;
   std::vector<GivenComponent> given;
-  std::vector<int> outputs;
+  int components = 0;  ///< of dx/dt
   std::vector<Guard> guards;
   int used = 0;   ///< operations of the recorded list that are carried out
   int time = -1;  ///< place; -1: unused
