@@ -202,14 +202,18 @@ class Builder {
       if (is_late(i) && places_[index(i)] < 0 && !is_joined(i) && list_[index(i)].kind != Kind::cosine) late.push_back(i);
     return late;
   }
+  /// Calls `use` for the operands that an operation has at each order.
+  template <class Use>
+  void for_late_operands(int i, Use use) const {
+    if (is_sum(i)) {
+      for (const Term& term : sums_[index(i)].terms) use(term.operand);
+    } else {
+      for_operands(list_[index(i)], use);
+    }
+  }
   bool is_ready(int i) const {
     bool ready = true;
-    const auto ask = [&](int operand) { ready = ready && places_[index(operand)] >= 0; };
-    if (is_sum(i)) {
-      for (const Term& term : sums_[index(i)].terms) ask(term.operand);
-    } else {
-      for_operands(list_[index(i)], ask);
-    }
+    for_late_operands(i, [&](int operand) { ready = ready && places_[index(operand)] >= 0; });
     return ready;
   }
 
@@ -260,22 +264,14 @@ class Builder {
   /// Finds how many turns have to follow the one of each operation.
   void find_distances(const std::vector<int>& late) {
     distances_.assign(list_.size(), 0);
-    for (auto i = late.rbegin(); i != late.rend(); ++i) {
-      const auto follow = [&](int operand) {
-        const Group group = kind_group(*i), before = kind_group(operand);
-        const int turns = group == kOthers || group == before ? 0 : 1;
-        int& distance = distances_[index(operand)];
-        distance = std::max(distance, distances_[index(*i)] + turns);
-        // The cosine is put with its sine.
-        if (list_[index(operand)].kind == Kind::cosine)
-          distances_[index(operand - 1)] = std::max(distances_[index(operand - 1)], distance);
-      };
-      if (is_sum(*i)) {
-        for (const Term& term : sums_[index(*i)].terms) follow(term.operand);
-      } else {
-        for_operands(list_[index(*i)], follow);
-      }
-    }
+    for (auto i = late.rbegin(); i != late.rend(); ++i)
+      for_late_operands(*i, [&](int operand) {
+        // A cosine is put with its sine.
+        if (list_[index(operand)].kind == Kind::cosine) --operand;
+        const Group group = kind_group(*i);
+        const int turns = group == kOthers || group == kind_group(operand) ? 0 : 1;
+        distances_[index(operand)] = std::max(distances_[index(operand)], distances_[index(*i)] + turns);
+      });
   }
   void put_products(const std::vector<int>& products) {
     lanes_.resize(list_.size(), -1);
