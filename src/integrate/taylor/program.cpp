@@ -27,32 +27,32 @@ EARTHTOP_PACK_INLINE typename PackOf<T, N>::Stored& pack_at(T* numbers) {
 /// Puts together a pack of numbers from their places, and goes on to the next ones.
 template <class T>
 EARTHTOP_PACK_INLINE void gather(const T* numbers, const std::uint32_t*& places, Pack<T, 4>& gathered) {
-  gathered = Pack<T, 4>{numbers[places[0]], numbers[places[1]], numbers[places[2]], numbers[places[3]]};
+  // Written into a variable in use, the numbers would be put in one by one.
+  const Pack<T, 4> made{numbers[places[0]], numbers[places[1]], numbers[places[2]], numbers[places[3]]};
+  gathered = made;
   places += 4;
 }
 /// A sum of terms.   @tparam kTerms  their number, `terms`; 0: any number of 4 or more
 template <int kTerms, class T>
 EARTHTOP_PACK_INLINE void add_terms(const T* numbers, const std::uint32_t*& places, const T*& factors, int terms,
                                     Pack<T, 4>& sum) {
-  const auto next = [&](Pack<T, 4> & term) __attribute__((always_inline)) {
-    gather(numbers, places, term);
-    term = pack_at<4>(factors) * term;
+  const auto add = [&](Pack<T, 4> & to) __attribute__((always_inline)) {
+    Pack<T, 4> operands;
+    gather(numbers, places, operands);
+    to = to + pack_at<4>(factors) * operands;
     factors += 4;
   };
-  Pack<T, 4> term{};
-  next(sum);
+  gather(numbers, places, sum);
+  sum = pack_at<4>(factors) * sum;
+  factors += 4;
   if constexpr (kTerms > 0) {
-    each<kTerms - 1>([&](int) __attribute__((always_inline)) { next(term), sum = sum + term; });
+    each<kTerms - 1>([&](int) __attribute__((always_inline)) { add(sum); });
   } else {
     // Two sums do not have to wait for each other.
     Pack<T, 4> other{};
-    next(other);
-    int j = 2;
-    for (; j + 1 < terms; j += 2) {
-      next(term), sum = sum + term;
-      next(term), other = other + term;
-    }
-    if (j < terms) next(term), sum = sum + term;
+    int j = 1;
+    for (; j + 1 < terms; j += 2) add(other), add(sum);
+    if (j < terms) add(other);
     sum = sum + other;
   }
 }
