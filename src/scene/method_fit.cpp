@@ -18,6 +18,7 @@ std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); 
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
   if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
+  if (scene.scenario().contact) return what + "is not made for a top on a table; take \"auto\", or leave the contact out";
   if (!scene.scenario().effects.all_on())
     return what + "is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
   if (!scene.is_plain())
