@@ -77,20 +77,22 @@ class Touchdown {
     return 1 / contact_.mass + (xx + yy) / 2 + real::hypot((xx - yy) / 2, xy);
   }
 
+  double normal_force_N() const { return std::max(0.0, reaction(true).normal_force); }
+  double largest_friction_N() const { return spec_.friction_coefficient * normal_force_N(); }
+
   /// The friction per slip where the slip is small (kg/s).
   double slope() const {
-    const double N = std::max(0.0, reaction(true).normal_force);
     switch (spec_.law) {
       case ContactLaw::frictionless:
       case ContactLaw::rolling: break;
       case ContactLaw::viscous: return spec_.sliding_viscosity_N_s_m;
-      case ContactLaw::viscous_load: return spec_.sliding_viscosity_s_m * N;
+      case ContactLaw::viscous_load: return spec_.sliding_viscosity_s_m * normal_force_N();
       case ContactLaw::coulomb:
-        if (spec_.regularisation_m_s > 0) return spec_.friction_coefficient * N / spec_.regularisation_m_s;
+        if (spec_.regularisation_m_s > 0) return largest_friction_N() / spec_.regularisation_m_s;
         break;  // the exact law's stops are events, which no step has to resolve
       case ContactLaw::contensou:
         if (spec_.friction_coefficient == 0) return 0;
-        return spec_.friction_coefficient * N / (contact_.slip_of_spin * spec_.patch_radius_m * std::abs(rate(true)[2]));
+        return largest_friction_N() / (contact_.slip_of_spin * spec_.patch_radius_m * std::abs(rate(true)[2]));
     }
     return 0;
   }
@@ -107,10 +109,10 @@ class Touchdown {
 /// The equations divide by the moments about the centre of mass; those of a point or of a thin rod are 0.
 bool check_moments(const Section& body, const Scene& scene) {
   const Body<double>& top = scene.body<double>();
-  const auto least = [](const Mat3<double>& m) {
+  const auto moments = [](const Mat3<double>& m) {
     return Eigen::SelfAdjointEigenSolver<Mat3<double>>(m, Eigen::EigenvaluesOnly).eigenvalues();
   };
-  const double smallest = least(top.I_BBcm_B())[0], largest = least(top.I_BP_B)[2];
+  const double smallest = moments(top.I_BBcm_B())[0], largest = moments(top.I_BP_B)[2];
   if (smallest > 32 * real::epsilon<double>() * largest) return true;
   body.refuse(
       body.has("solids") ? "solids" : "inertia",
@@ -135,6 +137,10 @@ bool check_reaction(const Section& root, const Touchdown& touchdown) {
   for (const bool on_earth : {true, false}) {
     const ContactReaction<double> reaction = touchdown.reaction(on_earth);
     const Section contact = root.section("contact");
+    if (!std::isfinite(reaction.denominator) || !std::isfinite(reaction.normal_force * touchdown.mobility())) {
+      root.refuse("contact", "the forces at the release are too large for a double; give a body and rates of everyday size");
+      return false;
+    }
     if (!(reaction.denominator > 0)) {
       const char* key = coefficient_of(touchdown.spec().law);
       const double without = touchdown.reaction(on_earth, 0).denominator;
@@ -171,23 +177,26 @@ void check_relaxation(const Section& contact, const Touchdown& touchdown) {
   const double rate = touchdown.slope() * touchdown.mobility();
   if (!(rate > kFastestRelaxation)) return;
   const std::string followed = "which every step of an explicit method has to follow";
+  // A quotient by the regularisation can be too large for a double, and its least value is found without it.
+  constexpr double kLargestShown = 1e300;
   if (spec.law == ContactLaw::coulomb)
     contact.refuse(
         "regularisation_m_s",
         fmt::format("{} m/s lets a slip die out at {:.3g} per second, {}; at least {} m/s, for {:g} per second, or 0 for "
                     "the exact law, whose stops are events",
-                    spec.regularisation_m_s, rate, followed, rounded_up(spec.regularisation_m_s * rate / kFastestRelaxation),
+                    spec.regularisation_m_s, std::min(rate, kLargestShown), followed,
+                    rounded_up(touchdown.largest_friction_N() * touchdown.mobility() / kFastestRelaxation),
                     kFastestRelaxation));
-  else if (std::isinf(rate))
+  else if (spec.law == ContactLaw::contensou && std::isinf(rate))
     contact.warn("law",
                  "a top that does not turn about the normal of the table is held by dry friction, and \"contensou\" has a "
                  "corner where its slip ends; give it a spin, or take \"coulomb\"");
   else
-    contact.warn(
-        spec.law == ContactLaw::contensou      ? "patch_radius_m"
-        : spec.law == ContactLaw::viscous_load ? "sliding_viscosity_s_m"
-                                               : "sliding_viscosity_N_s_m",
-        fmt::format("a slip dies out at {:.3g} per second, {}: the run takes long; is the unit right?", rate, followed));
+    contact.warn(spec.law == ContactLaw::contensou      ? "patch_radius_m"
+                 : spec.law == ContactLaw::viscous_load ? "sliding_viscosity_s_m"
+                                                        : "sliding_viscosity_N_s_m",
+                 fmt::format("a slip dies out at {:.3g} per second, {}: the run takes long; is the unit right?",
+                             std::min(rate, kLargestShown), followed));
 }
 
 }  // namespace
@@ -217,6 +226,7 @@ void warn_of_contact(const Section& contact, const Scene& scene) {
   const double gyration = std::sqrt(std::max(0.0, body.I_BBcm_B().trace() / 2 / body.mass));
   const double size = 2 * (gyration + norm(body.p_PBcm_B));  // a ball has 1.3 times its radius of gyration
   const double r = spec.tip_radius_m;
+  if (!std::isfinite(gyration)) return;
   if (r > 1 || r > size)
     contact.warn("tip_radius_m", fmt::format("{} m is larger than the body, whose radius of gyration is {:.2g} m; are these "
                                              "millimetres (write {:.6g})?",
