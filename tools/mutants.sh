@@ -3,6 +3,7 @@
 # Inserts one fault at a time into the sources and checks that the named test fails. A fault that no test notices is a gap in
 # the tests.
 #   tools/mutants.sh [NAME...]      NAME: a file of tests/mutants, without .mutant; default: all
+#   tools/mutants.sh --help         prints this
 #   tools/mutants.sh --check        builds nothing: asks only whether each fault can still be planted, and its test still exists
 #
 # A mutant is one text file:
@@ -51,6 +52,10 @@ missing_tests() {
 
 all_mutants() { for mutant in tests/mutants/*.mutant; do basename "$mutant" .mutant; done; }
 
+if [[ ${1:-} == --help ]]; then
+  sed -n '/^set /q; 3,$s/^# \{0,1\}//p' tools/mutants.sh
+  exit
+fi
 if [[ ${1:-} == --check ]]; then
   checked=0 rotten=0
   tests=$(grep -rhoE '(TEST|TEST_F|TEST_P|TYPED_TEST|TYPED_TEST_P|RC_GTEST_PROP)\([A-Za-z0-9_]+, *[A-Za-z0-9_]+' tests --include='*.cpp' |
@@ -76,7 +81,7 @@ changed=$work/changed # files whose objects may contain a fault: the copy below 
 mkdir -p "$work/tree"
 touch "$changed"
 find "$work/tree" -mindepth 1 -delete
-tar -cf - CMakeLists.txt CMakePresets.json LICENSE include scenarios src tests tools | tar -xf - -C "$work/tree"
+tar -cf - .github CMakeLists.txt CMakePresets.json LICENSE README.md include scenarios src tests tools | tar -xf - -C "$work/tree"
 while IFS= read -r file; do
   if [[ -f $work/tree/$file ]]; then touch "$work/tree/$file"; fi
 done <"$changed"

@@ -35,7 +35,7 @@ class CompassDrift : public WithSeries<RecordedSeries<T, CompassShape::kSize>> {
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
-    return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_compass<T, O>(equations_, x, t); });
+    return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_spinless<T>(equations_, x, t); });
   }
   /// Both motions have the same axis, rate and spin relative to the laboratory.
   State initial_state() const { return {T(1), T(0), release_p_, T(0), T(0), T(1), T(0), T(0), carried_scaled_, T(0)}; }

@@ -12,8 +12,9 @@
 /// motions are subtracted.
 ///
 /// The state: [0] cos and [1] sin of half the base's angle since the release   [2] p   [3] w3 less that at release   [4] spin
-/// phase relative to the laboratory less that of a steady spin   [5] w and [6] y, of the turn (w, epsilon y z) about z from the reference to the rotating motion   and over epsilon:
-/// [7] deviation of p   [8] of w3   [9] of the spin phase relative to the laboratory
+/// phase relative to the laboratory less that of a steady spin   [5] w and [6] y, of the turn (w, epsilon y z) about z from the
+/// reference to the rotating motion   and over epsilon: [7] deviation of p   [8] of w3   [9] of the spin phase relative to the
+/// laboratory
 #pragma once
 
 #include <array>
@@ -31,6 +32,16 @@ struct CompassShape {
         {{0, 2, 1.0}, {2, 1, 1e-3}, {3, 1, 1e-3}, {4, 1, 2.0}, {5, 1, 1.0}, {6, 2, 1e-5}, {8, 1, 1e-5}, {9, 1, 1e-5}}};
   }
 };
+
+/// The components East and North of a level axis, from those at release and cos and sin of half the angle through which it has
+/// turned about Up, up to a common factor.
+template <class T>
+std::array<T, 2> turned_axis(const T& cos_half, const T& sin_half, const T& east, const T& north) {
+  using real::conserved;
+  const T square = conserved(T(T(1) / (cos_half * cos_half + sin_half * sin_half)));
+  const T cosine = square * (cos_half * cos_half - sin_half * sin_half), sine = square * (T(2) * cos_half * sin_half);
+  return {cosine * east - sine * north, sine * east + cosine * north};
+}
 
 /// The motion of a wheel as its equations read it.
 template <class S>
@@ -92,13 +103,9 @@ struct CompassEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const T& epsilon = model.epsilon;
     const CompassMotion<Paired<T>> both = motions(x);
-    const Vec3<T> zero = Vec3<T>::Zero();
-    Vec3<Paired<T>> W_L, field_L;
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
-    for (int i = 0; i < 3; ++i) {
-      W_L[i] = Paired<T>(zero[i], model.W_IL_L[i], model.W_IL_L_scaled[i]);
-      field_L[i] = Paired<T>(field.reference_L[i], field.rotating_L[i], field.difference_L_scaled[i]);
-    }
+    const Vec3<Paired<T>> W_L = paired_vector(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L, model.W_IL_L_scaled);
+    const Vec3<Paired<T>> field_L = paired_vector(field.reference_L, field.rotating_L, field.difference_L_scaled);
     const CompassRates<Paired<T>> rates = compass_rates<T, Paired<T>>(model, top, both, W_L, field_L);
     const T turning = x[2] / T(2);
     dxdt[0] = -turning * x[1];
@@ -118,9 +125,7 @@ struct CompassEquations {
   CompassMotion<Paired<T>> motions(const State& x) const {
     using real::conserved;
     const T &epsilon = model.epsilon, &w = x[5], &y = x[6];
-    const T square = conserved(T(T(1) / (x[0] * x[0] + x[1] * x[1])));
-    const T cosine = square * (x[0] * x[0] - x[1] * x[1]), sine = square * (T(2) * x[0] * x[1]);
-    const T e = cosine * east - sine * north, n = sine * east + cosine * north;
+    const auto [e, n] = turned_axis(x[0], x[1], east, north);
     // (R_z - 1) / epsilon for the turn from the base to the other motion, whose sine has the sign of the base's place.
     const T s = conserved(T(T(2) / (w * w + epsilon * epsilon * y * y)));
     const T wy = s * (w * y), yy = epsilon * s * (y * y);

@@ -5,8 +5,7 @@
 #include <array>
 
 #include "drift/compass_equations.hpp"
-#include "drift/variations.hpp"
-#include "integrate/taylor/recorded_series.hpp"
+#include "drift/spinless_variations.hpp"
 
 namespace earthtop {
 
@@ -37,14 +36,10 @@ struct CompassVariationsEquations {
   bool has_Earth;
 
   void operator()(const State& x, State& dxdt, T t) const {
-    using real::conserved;
-    const T square = conserved(T(T(1) / (x[0] * x[0] + x[1] * x[1])));
-    const T cosine = square * (x[0] * x[0] - x[1] * x[1]), sine = square * (T(2) * x[0] * x[1]);
-    const T e = cosine * east - sine * north, n = sine * east + cosine * north;
+    const auto [e, n] = turned_axis(x[0], x[1], east, north);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     const Vec3<T>& field_L = has_Earth ? field.rotating_L : field.reference_L;
-    Vec3<Paired<T>> W, f;
-    for (int i = 0; i < 3; ++i) W[i] = Paired<T>(W_L[i]), f[i] = Paired<T>(field_L[i]);
+    const Vec3<Paired<T>> W = paired_vector(W_L), f = paired_vector(field_L);
     const T turning = x[2] / T(2);
     dxdt[0] = -turning * x[1];
     dxdt[1] = turning * x[0];
@@ -63,28 +58,15 @@ struct CompassVariationsEquations {
   }
 };
 
-taylor::Operations<double> record_compass_variations(const CompassVariationsEquations<double>& equations,
-                                                     const CompassVariationsEquations<double>::State& x, double t);
-
 /// The system of a motion and its disturbances, with the interface of GeneralVariations.
 template <bool kEarth>
-class CompassVariations {
+class CompassVariations : public SpinlessVariations<CompassVariationsEquations, CompassVariationsShape, kEarth> {
+  using Base = SpinlessVariations<CompassVariationsEquations, CompassVariationsShape, kEarth>;
+  using Base::at, Base::equations_;
+
  public:
-  using Shape = CompassVariationsShape;
-  static constexpr std::size_t kMotionSize = Shape::kMotionSize, kSize = Shape::kSize;
-  using State = std::array<double, kSize>;
-  using Series = RecordedSeries<double, kSize>;
-
-  explicit CompassVariations(const MotionProblem<double>& problem) {
-    equations_.model = problem.model;
-    equations_.top = reduced_top(problem.model);
-    equations_.W_L = kEarth ? problem.model.W_IL_L : Vec3<double>(Vec3<double>::Zero());
-    equations_.has_Earth = kEarth;
-  }
-
-  Series series() const {
-    return Series([this](const State& x, double t) { return record_compass_variations(equations_, x, t); });
-  }
+  using State = typename Base::State;
+  using Base::Base;
 
   State initial_state(const Motion<double>& release) {
     release_q_LB_ = release.q;
@@ -132,18 +114,12 @@ class CompassVariations {
     x[i + 1] = Vec3<double>(dw_B - W_B.cross(allowed)).dot(up_B);
     x[i + 2] = dw_B[2];
   }
-  void scale(State& x, std::size_t d, double factor) const {
-    for (std::size_t k = 0; k < 4; ++k) x[at(d) + k] *= factor;
-  }
-  void restrict(State&) const {}
 
  private:
-  static std::size_t at(std::size_t d) { return kMotionSize + 4 * d; }
   Mat3<double> attitude(const State& x) const {
     return rotation_matrix(Quaternion<double>{x[0], Vec3<double>(0, 0, x[1])} * release_q_LB_);
   }
 
-  CompassVariationsEquations<double> equations_;
   Quaternion<double> release_q_LB_;
 };
 

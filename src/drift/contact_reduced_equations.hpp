@@ -108,7 +108,7 @@ class ContactReducedEquations {
     }
     return top;
   }
-  /// The time derivatives in laboratory axes as pairs, for clocks other than time's.
+  /// The time derivatives as pairs, in the axes and variables of the state; `store` makes those of a state from them.
   void rates_of(const State& x, T t, ReducedContactRates<P>& rates, Vec3<P>& a_dot) const {
     const PairedTop<T> top = load(x);
     const ReducedContactState<P>& s = top.state;

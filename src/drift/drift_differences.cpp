@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "drift/kicked_axes.hpp"
+#include "drift/moved_problem.hpp"
 #include "earthtop/model/applied_motion.hpp"
 
 namespace earthtop {
@@ -14,8 +15,8 @@ namespace {
 
 using Problem = DriftProblem<double>;
 
-/// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the order of its square; the rounding of
-/// a drift, 1e-10 of it, is divided by it.
+/// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the
+/// order of its square; the rounding of a drift, 1e-10 of it, is divided by it.
 constexpr double kAim = 1e-3;
 constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are taken as they come (rad, 1)
 constexpr double kLargestStep = 1e-2;                                   // largest step in an input, in its own scale
@@ -58,68 +59,6 @@ double largest_of(const std::vector<Vec3<double>>& vectors) {
   double largest = 0;
   for (const Vec3<double>& v : vectors) largest = std::max(largest, norm(v));
   return largest;
-}
-
-bool adds_torque(const ProblemDerivative& d) { return d.applied.any || !d.tide.empty(); }
-
-/// Whether an input changes the Earth's rate and nothing else.
-bool changes_rate_only(const ProblemDerivative& d) {
-  return norm(d.W_IL_L_scaled) > 0 && d.I_BP_B.isZero(0) && norm(d.mass_moment_B) == 0 && norm(d.apparent_gravity_L) == 0 &&
-         d.q_LB.w == 0 && norm(d.q_LB.v) == 0 && norm(d.w_XB_B) == 0 && !adds_torque(d);
-}
-
-/// The centrifugal torque w x (S w) = -w x (Theta w), in the form of a gradient's torque k u x (Theta u) in units of w^2.
-ProblemDerivative as_gradient(const Vec3<double>& W_L) {
-  ProblemDerivative d;
-  d.applied.any = true;
-  d.applied.gradient[0] = {-1, W_L / norm(W_L)};
-  return d;
-}
-
-/// Adds two gradient tensors.
-std::array<GradientTerm<double>, 2> sum_of(const std::array<GradientTerm<double>, 2>& a, double h,
-                                           const std::array<GradientTerm<double>, 2>& b) {
-  std::array<GradientTerm<double>, 2> sum = b;
-  bool alike = true;
-  for (std::size_t i = 0; i < 2; ++i) {
-    alike = alike && (a[i].strength == 0 || b[i].strength == 0 || a[i].direction_L == b[i].direction_L);
-    if (b[i].strength == 0) sum[i].direction_L = a[i].direction_L;
-    sum[i].strength = a[i].strength + h * b[i].strength;
-  }
-  if (alike) return sum;
-  Mat3<double> tensor = Mat3<double>::Zero();
-  for (const auto& term : a) tensor += term.strength * term.direction_L * term.direction_L.transpose();
-  for (const auto& term : b) tensor += h * term.strength * term.direction_L * term.direction_L.transpose();
-  return gradient_terms(tensor);
-}
-
-/// The problem in which one input is larger by h.
-Problem moved(const Problem& problem, const ProblemDerivative& d, double h) {
-  Problem p = problem;
-  Model<double>& m = p.model;
-  if (!d.I_BP_B.isZero(0)) {
-    m.I_BP_B += h * d.I_BP_B;
-    m.I_BP_B_inverse = m.I_BP_B.inverse();
-    m.S_BP_B += h * d.S_BP_B;
-  }
-  m.mass_moment_B += h * d.mass_moment_B;
-  m.apparent_gravity_L += h * d.apparent_gravity_L;
-  m.W_IL_L_scaled += h * d.W_IL_L_scaled;
-  m.W_IL_L = m.epsilon * m.W_IL_L_scaled;
-  Release<double>& release = p.release;
-  if (d.q_LB.w != 0 || norm(d.q_LB.v) != 0)
-    release.q_LB = Quaternion<double>{release.q_LB.w + h * d.q_LB.w, release.q_LB.v + h * d.q_LB.v}.normalized();
-  for (int i = 0; i < 3; ++i) release.w_XB_B[i] += problem.units.rate_to_rad_s(h * d.w_XB_B[i]);
-  if (!adds_torque(d)) return p;
-  m.kind = SceneKind::full;
-  AppliedTorques<double>& applied = m.applied;
-  applied.any = true;
-  applied.viscous += h * d.applied.viscous, applied.quadratic += h * d.applied.quadratic;
-  applied.coulomb += h * d.applied.coulomb;
-  applied.disc_laminar += h * d.applied.disc_laminar, applied.disc_turbulent += h * d.applied.disc_turbulent;
-  if (d.applied.gradient[0].strength != 0 || d.applied.gradient[1].strength != 0)
-    applied.gradient = sum_of(applied.gradient, h, d.applied.gradient);
-  return p;
 }
 
 class Differences {
@@ -408,7 +347,7 @@ class Differences {
     if (centrifugal_) return centrifugal_;
     const Vec3<double>& W_L = problem_.model.W_IL_L;
     const double rate = norm(W_L);
-    if (const std::optional<Axes> both = by(as_gradient(W_L))) centrifugal_ = of_rotating(*both, rate * rate);
+    if (const std::optional<Axes> both = by(centrifugal_as_gradient(W_L))) centrifugal_ = of_rotating(*both, rate * rate);
     return centrifugal_;
   }
   /// The share s of the Earth's rate in the rates at release lets the rotating motion begin with the further rate s W.
@@ -479,10 +418,9 @@ DifferenceRuns difference_runs(const DriftProblem<double>& problem, const std::v
 bool has_drift_differences(const DriftProblem<double>& problem) {
   const Model<double>& model = problem.model;
   const bool rests = model.platform.turn.never_turns() && norm(model.platform.pivot_offset_P) == 0;
-  // The response to the Coriolis torque is taken from that to the Earth's rate, for which all the torques must act.
-  const TorqueWeights<double>& weights = model.weights;
-  const bool all_act = weights.coriolis == 1 && weights.transverse == 1 && weights.centrifugal == 1;
-  return norm(model.W_IL_L) > 0 && rests && all_act && is_reducible_when_driven(model) &&
+  // The response to the Coriolis torque is taken from that to the Earth's rate, for which all the torques must act: they do in
+  // the reduced form.
+  return norm(model.W_IL_L) > 0 && rests && is_reducible_when_driven(model) &&
          symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2;
 }
 

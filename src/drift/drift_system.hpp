@@ -248,8 +248,7 @@ class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
     Vec3<T> Dw_IB_B_scaled = times(model_.I_BP_B_inverse, O == Observer::body ? p : Vec3<T>(transposed_times(R_ref, p)));
     if constexpr (O == Observer::laboratory) Dw_IB_B_scaled += earth_rate_scaled(s);
     const Vec3<Paired<T>> torques = applied_torques_B(model_, t, s.ref_q_LB, s.ref_w_LB_B, s.e_w, s.e_v_scaled, Dw_IB_B_scaled);
-    const Vec3<T> on_reference(torques[0].ref, torques[1].ref, torques[2].ref);
-    const Vec3<T> difference(torques[0].diff, torques[1].diff, torques[2].diff);
+    const Vec3<T> on_reference = parts(torques, &Paired<T>::ref), difference = parts(torques, &Paired<T>::diff);
     if constexpr (O == Observer::body) {
       reference_rate.m += times(model_.I_BP_B_inverse, on_reference);
       deviation_rate.p += difference;

@@ -28,7 +28,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
-    return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_driven_top<T, O>(equations_, x, t); });
+    return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_spinless<T>(equations_, x, t); });
   }
 
   /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.

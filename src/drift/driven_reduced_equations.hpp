@@ -45,7 +45,7 @@ struct DrivenReducedEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
     const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
-    const bool friction = changes_spin(model);
+    const bool friction = model.applied.friction();
     const T &w = x[11], &epsilon = model.epsilon;
     const T spin_change = friction ? x[9] : T(0), k = friction ? x[18] : k_at_release;
     const Vec3<T> s = u.cross(n), v = V + k * n;
@@ -61,7 +61,7 @@ struct DrivenReducedEquations {
     if constexpr (O == Observer::laboratory) d -= model.W_IL_L_scaled + epsilon * times(M, model.W_IL_L_scaled);
 
     store_vector(s, dxdt, 0);
-    store_vector(Vec3<T>(part(torques.across, &Paired<T>::ref) - nutation * s), dxdt, 3);
+    store_vector(Vec3<T>(parts(torques.across, &Paired<T>::ref) - nutation * s), dxdt, 3);
     // The frame turns at the part of u that is normal to n, whatever the error of u; u.n is constant along the exact motion.
     using real::conserved;
     store_vector(Vec3<T>(Vec3<T>(u - conserved(T(u.dot(n))) * n).cross(a)), dxdt, 6);
@@ -70,21 +70,12 @@ struct DrivenReducedEquations {
     dxdt[11] = -epsilon * epsilon * y.dot(d) / T(2);
     store_vector(Vec3<T>((w * d + epsilon * y.cross(d)) / T(2)), dxdt, 12);
     store_vector(
-        Vec3<T>(u.cross(V) + spinning * s + (nutation - epsilon * spinning) * across + part(torques.across, &Paired<T>::diff)),
+        Vec3<T>(u.cross(V) + spinning * s + (nutation - epsilon * spinning) * across + parts(torques.across, &Paired<T>::diff)),
         dxdt, 15);
     dxdt[18] = torques.along.diff;
   }
 
  private:
-  static Vec3<T> part(const Vec3<Paired<T>>& pair, T Paired<T>::*member) {
-    return {pair[0].*member, pair[1].*member, pair[2].*member};
-  }
-  Vec3<Paired<T>> pair(const Vec3<T>& reference, const Vec3<T>& difference) const {
-    Vec3<Paired<T>> both;
-    for (int i = 0; i < 3; ++i) both[i] = Paired<T>(reference[i], reference[i] + model.epsilon * difference[i], difference[i]);
-    return both;
-  }
-
   /// A vector of the laboratory as both motions see it, in the reference's axes.
   /// @param u_L  for the reference   @param change_L  its change by the Earth's rate over epsilon
   /// @param M  turn_back_minus_one_matrix of the deviation
@@ -94,23 +85,22 @@ struct DrivenReducedEquations {
       const LaboratoryTurn<T> turn = laboratory_turn(model, t);
       change += turn_minus_one_scaled(turn.w, turn.v_scaled, model.epsilon, Vec3<T>(u_L + model.epsilon * change_L));
     }
-    return pair(u_L, Vec3<T>(times(M, u_L) + change + model.epsilon * times(M, change)));
+    return paired_vector(u_L, Vec3<T>(times(M, u_L) + change + model.epsilon * times(M, change)), model.epsilon);
   }
 
   template <class See>
   SeenBesideAxis<Paired<T>> both_motions(const Vec3<T>& n, const Vec3<T>& u, const T& spin_change, const Vec3<T>& V, const T& k,
                                          const T& t, const See& see) const {
     SeenBesideAxis<Paired<T>> seen;
-    for (int i = 0; i < 3; ++i) seen.n[i] = Paired<T>(n[i]);
+    seen.n = paired_vector(n);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     seen.field = see(field.reference_L, field.difference_L_scaled);
     const Vec3<T> unchanged = Vec3<T>::Zero();
     for (std::size_t i = 0; i < 2; ++i)
       if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L, unchanged);
     const T spin = w3 + spin_change;
-    seen.u = pair(u, V);
+    seen.u = paired_vector(u, V, model.epsilon);
     seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);
-    seen.W = see(unchanged, model.W_IL_L_scaled);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;

@@ -12,10 +12,9 @@
 
 #include <array>
 
-#include "drift/variations.hpp"
+#include "drift/spinless_variations.hpp"
 #include "earthtop/model/reduced_torques.hpp"
 #include "integrate/group_norms.hpp"
-#include "integrate/taylor/recorded_series.hpp"
 #include "model/applied_motion.ipp"
 
 namespace earthtop {
@@ -54,72 +53,53 @@ struct DrivenVariationsEquations {
           axis_torques<T, Paired<T>>(top, model, Paired<T>(moment_factor(top, n)), seen(x, theta, V, x[i + 6], t));
       if (is_first) {
         store_vector(Vec3<T>(s - W_L.cross(n)), dxdt, 0);
-        store_vector(Vec3<T>(part(torques.across, &Paired<T>::ref) - nutation * s - W_L.cross(u)), dxdt, 3);
+        store_vector(Vec3<T>(parts(torques.across, &Paired<T>::ref) - nutation * s - W_L.cross(u)), dxdt, 3);
         dxdt[6] = torques.along.ref;
         is_first = false;
       }
       store_vector(Vec3<T>(v - W_L.cross(theta)), dxdt, i);
       store_vector(Vec3<T>(u.cross(V) + ((T(1) - top.spin_ratio) * x[i + 6]) * s + nutation * Vec3<T>(n.cross(V)) +
-                           part(torques.across, &Paired<T>::diff) - W_L.cross(V)),
+                           parts(torques.across, &Paired<T>::diff) - W_L.cross(V)),
                    dxdt, i + 3);
       dxdt[i + 6] = torques.along.diff;
     }
   }
 
  private:
-  static Vec3<T> part(const Vec3<Paired<T>>& pair, T Paired<T>::*member) {
-    return {pair[0].*member, pair[1].*member, pair[2].*member};
-  }
-  static Vec3<Paired<T>> pair(const Vec3<T>& value, const Vec3<T>& change) {
-    Vec3<Paired<T>> both;
-    for (int i = 0; i < 3; ++i) both[i] = Paired<T>(value[i], value[i], change[i]);
-    return both;
-  }
   SeenBesideAxis<Paired<T>> seen(const State& x, const Vec3<T>& theta, const Vec3<T>& V, const T& k, const T& t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3);
-    const auto see = [&](const Vec3<T>& u_L) { return pair(u_L, Vec3<T>(u_L.cross(theta))); };
+    const auto see = [&](const Vec3<T>& u_L) { return paired_vector(u_L, u_L, Vec3<T>(u_L.cross(theta))); };
     SeenBesideAxis<Paired<T>> seen;
-    for (int i = 0; i < 3; ++i) seen.n[i] = Paired<T>(n[i]);
+    seen.n = paired_vector(n);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     seen.field = see(has_Earth ? field.rotating_L : field.reference_L);
     for (std::size_t i = 0; i < 2; ++i)
       if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L);
     const T spin = w3 + x[6];
-    seen.u = pair(u, V);
+    seen.u = paired_vector(u, u, V);
     seen.w3 = Paired<T>(spin, spin, k);
-    seen.W = see(W_L);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(Vec3<T>(applied_motion::Carrier<T>(model.platform, t).w_LP_L + W_L));
     return seen;
   }
 };
 
-/// Records the equations.   @param w3  inertial spin at release   @param has_Earth  see DrivenVariationsEquations
-taylor::Operations<double> record_driven_variations(const Model<double>& model, const ReducedTop<double>& top, double w3,
-                                                    bool has_Earth, const DrivenVariationsEquations<double>::State& x,
-                                                    double t);
-
 /// The system of a motion and its disturbances, with the interface of GeneralVariations.
 template <bool kEarth>
-class DrivenReducedVariations {
+class DrivenReducedVariations : public SpinlessVariations<DrivenVariationsEquations, DrivenVariationsShape, kEarth> {
+  using Base = SpinlessVariations<DrivenVariationsEquations, DrivenVariationsShape, kEarth>;
+  using Base::at, Base::equations_;
+
  public:
-  using Shape = DrivenVariationsShape;
-  static constexpr std::size_t kMotionSize = Shape::kMotionSize, kSize = Shape::kSize;
-  using State = std::array<double, kSize>;
-  using Series = RecordedSeries<double, kSize>;
-
-  explicit DrivenReducedVariations(const MotionProblem<double>& problem)
-      : model_(&problem.model), top_(reduced_top(problem.model)) {}
-
-  Series series() const {
-    return Series([this](const State& x, double t) { return record_driven_variations(*model_, top_, w3_, kEarth, x, t); });
-  }
+  using State = typename Base::State;
+  using Base::Base;
 
   State initial_state(const Motion<double>& release) {
     release_R_LB_ = rotation_matrix(release.q);
-    w3_ = release.m[top_.axis];
+    equations_.w3 = release.m[axis()];
+    equations_.b = equations_.top.spin_ratio * equations_.w3;
     State x{};
-    store_vector(release_R_LB_.col(top_.axis), x, 0);
+    store_vector(release_R_LB_.col(axis()), x, 0);
     store_vector(times(release_R_LB_, across(release.m)), x, 3);
     return x;
   }
@@ -127,7 +107,7 @@ class DrivenReducedVariations {
   Motion<double> motion(const State& x) const {
     const Mat3<double> R_LB = attitude(x);
     Vec3<double> w_B = transposed_times(R_LB, load_vector(x, 3));
-    w_B[top_.axis] = w3_ + x[6];
+    w_B[axis()] = equations_.w3 + x[6];
     return {quaternion_of(R_LB), w_B};
   }
   Vec3<double> theta(const State& x, std::size_t d) const { return load_vector(x, at(d)); }
@@ -136,17 +116,13 @@ class DrivenReducedVariations {
   void put_disturbance(const Vec3<double>& theta_B, const Vec3<double>& dw_B, State& x, std::size_t d) const {
     store_vector(times(release_R_LB_, theta_B), x, at(d));
     store_vector(times(release_R_LB_, across(dw_B)), x, at(d) + 3);
-    x[at(d) + 6] = dw_B[top_.axis];
+    x[at(d) + 6] = dw_B[axis()];
   }
-  void scale(State& x, std::size_t d, double factor) const {
-    for (std::size_t k = 0; k < 7; ++k) x[at(d) + k] *= factor;
-  }
-  void restrict(State&) const {}
 
  private:
-  static std::size_t at(std::size_t d) { return kMotionSize + 7 * d; }
+  int axis() const { return equations_.top.axis; }
   Vec3<double> across(Vec3<double> v_B) const {
-    v_B[top_.axis] = 0;
+    v_B[axis()] = 0;
     return v_B;
   }
   /// Some attitude with the axis n.
@@ -156,15 +132,12 @@ class DrivenReducedVariations {
     Vec3<double> a = least - least.dot(n) * n;
     a /= norm(a);
     Mat3<double> R_LB;
-    R_LB.col(top_.axis) = n;
-    R_LB.col((top_.axis + 1) % 3) = a;
-    R_LB.col((top_.axis + 2) % 3) = n.cross(a);
+    R_LB.col(axis()) = n;
+    R_LB.col((axis() + 1) % 3) = a;
+    R_LB.col((axis() + 2) % 3) = n.cross(a);
     return R_LB;
   }
 
-  const Model<double>* model_;
-  ReducedTop<double> top_;
-  double w3_ = 0;
   Mat3<double> release_R_LB_ = Mat3<double>::Identity();
 };
 

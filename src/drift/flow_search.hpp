@@ -17,6 +17,27 @@
 
 namespace earthtop {
 
+/// Integrates by extrapolation. Whatever the system, it is compiled once for each shape of states.
+/// @param x  the state at `begin`; afterwards that at `end`   @returns whether the end was reached
+template <class T, class Shape>
+bool extrapolate(const RightHandSide<T, Shape::kSize>& equations, const GroupScales<T, Shape>& scales, T tolerance, T begin,
+                 T end, std::array<T, Shape::kSize>& x) {
+  Extrapolation<T, Shape> stepper(tolerance, scales);
+  constexpr int kMostSteps = 1000;
+  T left = end - begin, proposed = left, gone = T(0);
+  for (int i = 0; i < kMostSteps && left > T(0); ++i) {
+    T dt = std::min(proposed, left), at = begin + gone;
+    const T step = dt;
+    std::array<T, Shape::kSize> next = x;
+    if (stepper.try_step(equations, next, at, dt) == boost::numeric::odeint::success && all_finite(next)) {
+      x = next;
+      gone += step, left -= step;
+    }
+    proposed = dt;
+  }
+  return !(left > T(0));
+}
+
 /// @tparam System  called with (x, dxdt, t); has the `Shape` of its states and deviation_state(x, t)
 template <class T, class System>
 class FlowSearch {
@@ -67,22 +88,9 @@ class FlowSearch {
   void advance(T t) {
     GroupScales<T, typename System::Shape> scales;
     scales.include(begin_), scales.include(x_);
-    Extrapolation<T, typename System::Shape> stepper(tolerance(), scales);
     std::int64_t evaluations = 0;  // not counted anywhere
-    const RightHandSide<T, System::kSize> equations(*equations_, evaluations);
-    constexpr int kMostSteps = 1000;
-    T left = t - begin_t_, proposed = left, gone = T(0);
-    for (int i = 0; i < kMostSteps && left > T(0); ++i) {
-      T dt = std::min(proposed, left), at = begin_t_ + gone;
-      const T step = dt;
-      State next = begin_;
-      if (stepper.try_step(equations, next, at, dt) == boost::numeric::odeint::success && all_finite(next)) {
-        begin_ = next;
-        gone += step, left -= step;
-      }
-      proposed = dt;
-    }
-    if (left > T(0)) watch_.look_failed();
+    if (!extrapolate(RightHandSide<T, System::kSize>(*equations_, evaluations), scales, tolerance(), begin_t_, t, begin_))
+      watch_.look_failed();
     begin_t_ = t;
   }
 

@@ -16,6 +16,8 @@ constexpr double kUpright = 0.05;      // largest lean (rad), and largest transv
 constexpr double kFarModulus = 0.9;    // k^2 of a motion far from its separatrix, at most
 constexpr double kSafelyAsleep = 1.2;  // square of the spin ratio of an upright top far from its separatrix, at least
 constexpr double kSlowEarth = 0.01;    // the Earth's rate over the nutation's, at most
+constexpr double kTaken = 0.25;        // share of the spin that friction takes from a motion next to a closed form, at most
+constexpr double kEFoldings = 1;       // e-foldings that a weak torque could make in such a motion, at most
 
 Vec3<double> release_rate(const MotionProblem<double>& problem) {
   return problem.units.rate_from_rad_s(problem.release.w_XB_B);
@@ -46,17 +48,60 @@ double free_modulus(const PrincipalAxes<double>& axes, const Vec3<double>& w_B) 
   return larger > 0 ? std::min(above, below) / larger : 0;
 }
 
-}  // namespace
+bool is_upright(const StandingTop& top) {
+  return top.lean_rad <= kUpright && top.transverse_rate <= kUpright * top.falling_rate;
+}
 
-bool is_integrable(const MotionProblem<double>& problem) {
+/// Whether a body is a symmetric top whose nutation, or swing, is so fast that the Earth's rotation cannot make it chaotic.
+bool is_Lagrange_top(const MotionProblem<double>& problem) {
   const Model<double>& model = problem.model;
-  if (model.kind != SceneKind::plain) return false;
-  if (is_free(model)) return true;
-  if (!is_reducible(model)) return false;
+  if (symmetry_axis(model.I_BP_B, model.mass_moment_B) < 0) return false;
   const ReducedTop<double> top = reduced_top(model);
   const double nutation = std::abs(top.spin_ratio * release_rate(problem)[top.axis]);
   const double pendulum = std::sqrt(norm(model.apparent_gravity_L) * std::abs(top.moment_ratio));
   return norm(model.W_IL_L) <= kSlowEarth * std::max(nutation, pendulum);
+}
+
+/// Whether the motions of a top symmetric about axis 3 that start with these inertial rates are far from every separatrix.
+bool is_regular_top(const MotionProblem<double>& problem, const std::array<Vec3<double>, 2>& rates_B) {
+  const Model<double>& model = problem.model;
+  if (symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2) return false;
+  const ReducedTop<double> top = reduced_top(model);
+  const SymmetricTop<double> symmetric{top.I1, top.I3, model.mass_moment_B[2] * norm(model.apparent_gravity_L)};
+  return std::ranges::all_of(rates_B, [&](const Vec3<double>& w_B) {
+    const auto upright = standing_top(model, problem.release.q_LB, w_B);
+    if (upright && is_upright(*upright) && upright->spin_ratio_squared < kSafelyAsleep) return false;
+    return LagrangeTop<double>(symmetric, problem.release.q_LB, w_B).parameter() < kFarModulus;
+  });
+}
+
+/// The largest rate of change of the torques of a tide and of the gravity gradient with the top's angles, divided by I1. In a
+/// resonance with the top's own motion a disturbance grows by at most about the exponent sqrt(stiffness) t, as a pendulum's next
+/// to its upper equilibrium does [B. V. Chirikov, Phys. Rep. 52 (1979) 263, section 2.4]. (natural units)
+double stiffness_of_weak_torques(const Model<double>& model) {
+  const ReducedTop<double> top = reduced_top(model);
+  double stiffness = std::abs(top.moment_ratio) * model.tide.largest();
+  for (const GradientTerm<double>& term : model.applied.gradient)
+    stiffness += std::abs(term.strength * (top.I3 - top.I1) / top.I1);
+  return stiffness;
+}
+
+/// The largest share of a symmetric top's spin that friction takes within a duration: all friction falls with the rate, so that
+/// none takes more than it does at the rate of release.
+double share_of_spin_taken(const MotionProblem<double>& problem, double duration) {
+  const AppliedTorques<double>& applied = problem.model.applied;
+  if (!applied.friction()) return 0;
+  const Vec3<double> w = release_rate(problem);
+  const double spin = std::abs(w[2]);
+  const double torque = friction_coefficient(applied, w.dot(w)) * spin + disc_drag_coefficient(applied, spin) * spin;
+  return torque * duration / (problem.model.I_BP_B(2, 2) * spin);
+}
+
+}  // namespace
+
+bool is_integrable(const MotionProblem<double>& problem) {
+  if (problem.model.kind != SceneKind::plain) return false;
+  return is_free(problem.model) || is_Lagrange_top(problem);
 }
 
 std::optional<StandingTop> standing_top(const Model<double>& model, const Quaternion<double>& q_LB,
@@ -77,7 +122,7 @@ std::optional<StandingTop> standing_top(const Model<double>& model, const Quater
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
   if (problem.model.kind != SceneKind::plain) return std::nullopt;
   const auto top = standing_top(problem.model, problem.release.q_LB, release_rate(problem));
-  if (!top || top->lean_rad > kUpright || top->transverse_rate > kUpright * top->falling_rate) return std::nullopt;
+  if (!top || !is_upright(*top)) return std::nullopt;
   return UprightTop{top->spin_ratio_squared};
 }
 
@@ -88,27 +133,31 @@ std::optional<UprightTop> marginal_top(const MotionProblem<double>& problem) {
 }
 
 bool is_regular(const MotionProblem<double>& problem) {
-  const Model<double>& model = problem.model;
   if (!is_integrable(problem)) return false;
-  const auto far = [&](auto modulus) {
-    const auto rates = inertial_rates(problem);
-    return std::all_of(rates.begin(), rates.end(), [&](const Vec3<double>& w) { return modulus(w) < kFarModulus; });
-  };
-  if (is_free(model)) {
-    if (symmetry_axis(model.I_BP_B, Vec3<double>(Vec3<double>::Zero())) >= 0) return true;
-    const auto axes = principal_axes(model.I_BP_B);
-    return far([&](const Vec3<double>& w) { return free_modulus(axes, w); });
-  }
-  if (symmetry_axis(model.I_BP_B, model.mass_moment_B) != 2) return false;
-  if (const auto upright = upright_top(problem); upright && upright->spin_ratio_squared < kSafelyAsleep) return false;
-  const ReducedTop<double> top = reduced_top(model);
-  const SymmetricTop<double> symmetric{top.I1, top.I3, model.mass_moment_B[2] * norm(model.apparent_gravity_L)};
-  return far([&](const Vec3<double>& w) { return LagrangeTop<double>(symmetric, problem.release.q_LB, w).parameter(); });
+  if (!is_free(problem.model)) return is_regular_top(problem, inertial_rates(problem));
+  if (symmetry_axis(problem.model.I_BP_B, Vec3<double>(Vec3<double>::Zero())) >= 0) return true;
+  const PrincipalAxes<double> axes = principal_axes(problem.model.I_BP_B);
+  return std::ranges::all_of(inertial_rates(problem),
+                             [&](const Vec3<double>& w) { return free_modulus(axes, w) < kFarModulus; });
 }
 
-std::optional<double> growth_tolerance(const MotionProblem<double>& problem) {
+bool stays_regular(const MotionProblem<double>& problem, double duration_s) {
+  const Model<double>& model = problem.model;
+  if (model.kind == SceneKind::plain) return is_regular(problem);
+  const bool rests = model.platform.turn.never_turns() && norm(model.platform.pivot_offset_P) == 0;
+  if (!rests || !is_reducible_when_driven(model) || is_free(model) || !is_Lagrange_top(problem)) return false;
+  const double duration = problem.units.time_from_s(duration_s);
+  if (std::sqrt(stiffness_of_weak_torques(model)) * duration > kEFoldings) return false;
+  const double taken = share_of_spin_taken(problem, duration);
+  if (!(taken <= kTaken)) return false;
+  std::array<Vec3<double>, 2> slower = inertial_rates(problem);
+  for (Vec3<double>& w : slower) w[2] *= 1 - taken;
+  return is_regular_top(problem, inertial_rates(problem)) && is_regular_top(problem, slower);
+}
+
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem, double duration_s) {
   constexpr double kClose = 1e-13;
-  if (marginal_top(problem) || is_regular(problem)) return std::nullopt;
+  if (marginal_top(problem) || stays_regular(problem, duration_s)) return std::nullopt;
   return is_integrable(problem) ? kClose : kCoarseGrowthTolerance;
 }
 

@@ -15,6 +15,10 @@ bool is_integrable(const MotionProblem<double>& problem);
 /// the time. Such are a free body far from its middle axis, and a top symmetric about axis 3 that does not come near the
 /// upright position with all its energy.
 bool is_regular(const MotionProblem<double>& problem);
+/// The same with friction, a tide or the gravity gradient acting on a top for a while, where these are so weak that the motion
+/// stays next to regular ones: friction takes at most a quarter of the spin, with which the motion is still regular, and the
+/// others could make a disturbance grow e-fold at most, whatever the resonance.
+bool stays_regular(const MotionProblem<double>& problem, double duration_s);
 
 /// An upright symmetric top.
 struct UprightTop {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include "drift/close_in.hpp"
 #include "earthtop/drift/drift_integration.hpp"
@@ -36,12 +37,14 @@ AxisDriftSample<T> axis_look(T t, const DriftState<T>& at) {
 template <class T>
 class ThresholdWatch {
  public:
+  /// Gives the look at a time. It is called rarely, and the search is compiled once for all systems.
+  using LookAt = std::function<AxisDriftSample<T>(T)>;
+
   /// @param threshold  in rad   @param motion_rate  roughly the rate of the fastest part of the motion (rad per unit of time)
   ThresholdWatch(T threshold, T motion_rate) : threshold_(threshold), motion_rate_(motion_rate) {}
 
   /// Goes on to the next look. @param look_at  gives the look at any time between the last look and this one
-  template <class LookAt>
-  void follow(const AxisDriftSample<T>& next, LookAt&& look_at) {
+  void follow(const AxisDriftSample<T>& next, const LookAt& look_at) {
     if (!started_) {
       started_ = true;
     } else if (!record_.passing) {
@@ -100,8 +103,7 @@ class ThresholdWatch {
   }
 
   /// @returns whether the drift passes between p, where it is below the threshold, and q
-  template <class LookAt>
-  bool search(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at, int halvings) {
+  bool search(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, const LookAt& look_at, int halvings) {
     const T h = q.t - p.t, turned = motion_rate_ * h;
     if (!(h > T(0))) return false;
     // `above` is how far the drift may lie above the cubic or, in a long piece, above the larger of its ends.
@@ -124,8 +126,7 @@ class ThresholdWatch {
     return search_resolved(p, q, look_at);
   }
 
-  template <class LookAt>
-  bool search_resolved(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at) {
+  bool search_resolved(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, const LookAt& look_at) {
     if (q.axis >= threshold_) {
       pass(p, q, look_at);
       return true;
@@ -150,8 +151,7 @@ class ThresholdWatch {
   }
 
   /// Finds the passing itself, between p below the threshold and q at or above it.
-  template <class LookAt>
-  void pass(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, LookAt&& look_at) {
+  void pass(const AxisDriftSample<T>& p, const AxisDriftSample<T>& q, const LookAt& look_at) {
     AxisDriftSample<T> above = q;
     const auto excess_at = [&](T t) -> T {
       const AxisDriftSample<T> there = look(look_at, t);
@@ -174,8 +174,7 @@ class ThresholdWatch {
     note(look);
     last_ = look;
   }
-  template <class LookAt>
-  AxisDriftSample<T> look(LookAt&& look_at, T t) {
+  AxisDriftSample<T> look(const LookAt& look_at, T t) {
     --looks_left_;
     AxisDriftSample<T> there = look_at(t);
     fastest_ = std::max(fastest_, norm(there.difference_rate));

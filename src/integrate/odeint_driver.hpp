@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Drives all steppers, those of Boost.Odeint among them, with a loop of its own, which lands exactly on the output times,
-/// checks that every state is finite, keeps the time without rounding, counts in 64 bits and returns a named outcome.
-///
-/// The integrate functions of odeint are not used: they accept NaN, count steps in an int and may stop short of the end.
+/// Drives all steppers, those of Boost.Odeint among them: chooses the loop for the method.
 #pragma once
 
-#include <array>
-#include <atomic>
-#include <boost/numeric/odeint/stepper/adams_bashforth_moulton.hpp>
-#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <cstdint>
-#include <optional>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 
-#include "earthtop/error.hpp"
-#include "earthtop/integrate/options.hpp"
-#include "integrate/dop853_stepper.hpp"
-#include "integrate/drive_options.hpp"
-#include "integrate/extrapolation.hpp"
-#include "integrate/gauss_stepper.hpp"
-#include "integrate/group_norms.hpp"
-#include "integrate/right_hand_side.hpp"
 #include "integrate/splitting_stepper.hpp"
-#include "integrate/taylor/taylor_stepper.hpp"
+#include "integrate/step_loops.hpp"
 
 namespace earthtop {
 
@@ -35,25 +16,24 @@ namespace earthtop {
 /// @tparam OnStep  called with (t, x) at the start and after every step
 /// @tparam OnRow  called with (row index, x) at every output time
 template <class T, class System, class OnStep, class OnRow>
-class Driver {
+class Driver final : public StepLoops<T, typename System::Shape> {
+  using Loops = StepLoops<T, typename System::Shape>;
+
  public:
-  using Shape = typename System::Shape;
-  static constexpr std::size_t N = Shape::kSize;
-  using State = std::array<T, N>;
+  using State = typename Loops::State;
 
   Driver(System& system, const DriveOptions<T>& options, OnStep& on_step, OnRow& on_row)
-      : system_(system), options_(options), on_step_(on_step), on_row_(on_row) {}
+      : Loops(system, options, is_watched<System>()), system_(system), on_step_(on_step), on_row_(on_row) {}
 
   /// @param x  the state at the first of the times; afterwards the last state   @param times  the output times
   /// @throws std::logic_error for a method that is not built for T or for this system
   RunStatus run(State& x, std::span<const T> times) {
-    using namespace boost::numeric::odeint;
     scales_.include(x);
     if constexpr (requires { system_.typical_state(); }) scales_.include(system_.typical_state());
     if (!all_finite(x)) return RunStatus::not_finite;
     settle(x, times[0]);
-    on_step_(times[0], x);
-    on_row_(std::size_t{0}, x);
+    see_step(times[0], x);
+    see_row(std::size_t{0}, x);
     if (!options_.joints.empty()) {
       stops_.emplace(times, options_.joints, least_step<T>());
       times = stops_->times;
@@ -67,209 +47,33 @@ class Driver {
     }
   }
 
-  const StepCounters& counters() const { return counters_; }
-  /// The step that a fixed-step method has taken in the first interval.
-  T first_step_taken() const { return first_step_taken_; }
-
  private:
   RunStatus run_series(State& x, std::span<const T> times) {
-    taylor::TaylorStepper<T, System> stepper(options_.relative_tolerance, scales_);
+    State rest{};
+    if constexpr (requires { system_.initial_rest(); }) rest = system_.initial_rest();
     auto series = system_.series();
-    return run_dense(stepper, series, x, times);
+    return Loops::run_series(series, rest, x, times);
   }
 
   RunStatus run_by(Method method, State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
-    if (method == Method::rkf78 || method == Method::automatic) return run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
-    if (method == Method::extrapolation) {
-      Extrapolation<T, Shape> stepper(options_.relative_tolerance, scales_);
-      return run_controlled(stepper, x, times);
-    }
+    if (method == Method::rkf78 || method == Method::automatic)
+      return this->template run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+    if (method == Method::extrapolation) return this->run_extrapolation(x, times);
     if constexpr (requires { typename System::Series; }) {
       if (method == Method::taylor) return run_series(x, times);
     }
     if constexpr (!std::is_same_v<T, float128> && !is_bound_only<System>()) {
-      if (method == Method::bulirsch_stoer) {
-        // The error checker of odeint takes each component by itself: relative to its size, with a floor above round-off.
-        const T absolute = std::max(T(1e-4) * options_.relative_tolerance, T(4) * real::epsilon<T>());
-        bulirsch_stoer<State, T> stepper(absolute, options_.relative_tolerance);
-        return run_controlled(stepper, x, times);
-      }
+      if (method == Method::bulirsch_stoer) return this->run_bulirsch_stoer(x, times);
     }
     if constexpr (std::is_same_v<T, double> && !is_bound_only<System>()) {
-      if (method == Method::dopri5) return run_embedded<runge_kutta_dopri5<State, T>>(x, times);
-      if (method == Method::abm8) return run_multistep(x, times);
+      if (method == Method::dopri5) return this->template run_embedded<runge_kutta_dopri5<State, T>>(x, times);
+      if (method == Method::abm8) return this->run_multistep(x, times);
       if (method == Method::splitting) return run_splitting(x, times);
-      if (method == Method::gauss) return run_gauss(x, times);
-      if (method == Method::dop853) {
-        Dop853Stepper<Shape> stepper(options_.relative_tolerance, scales_);
-        const auto system = counted_system();
-        return run_dense(stepper, system, x, times);
-      }
+      if (method == Method::gauss) return this->run_gauss(x, times, rate_to_resolve(x));
+      if (method == Method::dop853) return this->run_dop853(x, times);
     }
     throw std::logic_error("method not built for this precision");
-  }
-
-  /// Lets the system change its state after an event, such as a motion coming to rest.
-  void settle(State& x, T t) {
-    if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
-  }
-
-  RightHandSide<T, N> counted_system() { return {system_, counters_.evaluations}; }
-
-  template <class ErrorStepper>
-  RunStatus run_embedded(State& x, std::span<const T> times) {
-    using Algebra = typename ErrorStepper::algebra_type;
-    using Checker = GroupErrorChecker<T, Shape, Algebra>;
-    boost::numeric::odeint::controlled_runge_kutta<ErrorStepper, Checker, StepAdjuster<T>> stepper(
-        Checker(options_.relative_tolerance, scales_));
-    return run_controlled(stepper, x, times);
-  }
-
-  template <class ControlledStepper>
-  RunStatus run_controlled(ControlledStepper& stepper, State& x, std::span<const T> times) {
-    using boost::numeric::odeint::success;
-    const auto system = counted_system();
-    T proposed = options_.first_step;
-    State next;
-    for (std::size_t row = 1; row < times.size(); ++row) {
-      IntervalClock<T> clock(times[row - 1], times[row]);
-      for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
-        if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
-        // Land on the output time, by two equal steps rather than by a long one and a sliver.
-        if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
-        if constexpr (requires { system_.longest_step(x, T(0)); })
-          proposed = std::min(proposed, system_.longest_step(x, clock.now()));
-        const bool lands = proposed >= remaining;
-        const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
-        T dt = step, t = clock.now();
-        next = x;
-        if (stepper.try_step(system, next, t, dt) == success && all_finite(next)) {
-          x = next;
-          ++counters_.accepted;
-          if (lands)
-            clock.advance(remaining);
-          else
-            clock.advance(step);
-          settle(x, lands ? times[row] : clock.now());
-          // A step that was cut short by the output time is no reason to try a shorter one than was proposed before.
-          proposed = step < proposed ? std::max(dt, proposed) : dt;
-          scales_.include(x);
-          on_step_(lands ? times[row] : clock.now(), x);
-          if (lands) break;
-        } else {
-          ++counters_.rejected;
-          proposed = dt < step ? dt : step / T(4);
-          if (proposed < least_step<T>()) {
-            return failure_at(x, clock.now(), RunStatus::step_underflow);
-          }
-        }
-      }
-      show_row(row, x);
-    }
-    return RunStatus::completed;
-  }
-
-  /// Integrates by a stepper with dense output, from which the rows come. Output times do not cut the steps; joints do.
-  /// @param stepper  of odeint's dense-output concept, with try_step(equations) that returns whether the step was accepted
-  template <class DenseStepper, class Equations>
-  RunStatus run_dense(DenseStepper& stepper, Equations& equations, State& x, std::span<const T> times) {
-    IntervalClock<T> clock(times.front(), times.back());
-    stepper.initialize(x, times.front(), std::min(options_.first_step, clock.remaining()));
-    if constexpr (requires { stepper.add_rest(system_.initial_rest()); }) stepper.add_rest(system_.initial_rest());
-    for (std::size_t row = 1; row < times.size();) {
-      if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
-      const T remaining = clock.remaining();
-      stepper.limit_step(std::min(remaining, until_joint(clock)));
-      if (!stepper.try_step(equations)) {
-        ++counters_.rejected;
-        if (stepper.next_step() < least_step<T>()) return failure_at(x, clock.now(), RunStatus::step_underflow);
-        continue;
-      }
-      ++counters_.accepted;
-      if constexpr (requires { stepper.evaluations(); }) counters_.evaluations += stepper.evaluations();
-      x = stepper.current_state();
-      if (!all_finite(x)) return RunStatus::not_finite;
-      const T step = stepper.current_time_step();
-      const bool lands = step >= remaining;
-      if (!lands && step < least_step<T>()) return RunStatus::step_underflow;
-      show_step(stepper, equations, clock, step, lands, times, row);
-      scales_.include(x);
-      clock.advance(step);
-    }
-    return RunStatus::completed;
-  }
-
-  /// Shows the state if steps end here at an output time. @param stop  number of the time: an output time, or a joint
-  void show_row(std::size_t stop, const State& x) {
-    const std::size_t row = stops_ ? stops_->rows[stop] : stop;
-    if (row != Stops<T>::kNoRow) on_row_(row, x);
-  }
-
-  /// The time from now to the next joint; if there is none, a time that leads past the end.
-  T until_joint(const IntervalClock<T>& clock) {
-    const auto& joints = options_.joints;
-    while (next_joint_ < joints.size() && clock.until(joints[next_joint_]) <= least_step<T>()) ++next_joint_;
-    return next_joint_ < joints.size() ? clock.until(joints[next_joint_]) : T(2) * clock.remaining();
-  }
-
-  /// Shows the rows within the step just taken, and as many states between them as the watcher needs to see every turn.
-  template <class DenseStepper, class Equations>
-  void show_step(DenseStepper& stepper, Equations& equations, const IntervalClock<T>& clock, T step, bool lands,
-                 std::span<const T> times, std::size_t& row) {
-    State seen;
-    const auto see = [&](T after, T t) {
-      if constexpr (requires { stepper.prepare_interpolant(equations); })
-        if (after < step) stepper.prepare_interpolant(equations);
-      if (after < step)
-        stepper.state_after(after, seen);
-      else
-        seen = stepper.current_state();
-      on_step_(t, seen);
-    };
-    const int pieces = pieces_of(stepper, step);
-    for (int piece = 1; piece <= pieces; ++piece) {
-      const bool ends = piece == pieces;
-      const T end = ends ? step : step * T(piece) / T(pieces);
-      for (; row < times.size() && (clock.until(times[row]) <= end || (ends && lands)); ++row) {
-        see(clock.until(times[row]), times[row]);
-        show_row(row, seen);
-      }
-      if (row == times.size()) return;
-      if constexpr (is_watched<System>()) see(end, clock.now() + end);
-    }
-  }
-  /// The number of pieces in which the watcher has to see a step.
-  template <class DenseStepper>
-  int pieces_of(const DenseStepper& stepper, T step) const {
-    T pieces = T(1);
-    if constexpr (is_watched<System>()) {
-      T turned = T(0);
-      if constexpr (requires { stepper.turned(); }) turned = stepper.turned();
-      pieces = pieces_of_step(options_, step, turned);
-    }
-    return static_cast<int>(pieces);
-  }
-
-  /// Integrates by collocation at Gauss nodes, with the step asked for or one that meets the tolerance.
-  RunStatus run_gauss(State& x, std::span<const T> times) {
-    GaussStepper<Shape> stepper(scales_);
-    T rate = options_.rate;
-    if constexpr (Splits<System>) rate = system_.flows().rate(x);  // the rate without the spin
-    const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, rate);
-    return run_fixed(stepper, x, times, step);
-  }
-
-  /// Integrates by Adams-Bashforth-Moulton of order 8, started, and restarted where the step changes, by Fehlberg's method of
-  /// order 8.
-  RunStatus run_multistep(State& x, std::span<const T> times) {
-    using namespace boost::numeric::odeint;
-    using Starter = runge_kutta_fehlberg78<State, T>;
-    using Algebra = typename Starter::algebra_type;
-    using Operations = typename Starter::operations_type;
-    using Stepper = adams_bashforth_moulton<8, State, T, State, T, Algebra, Operations, initially_resizer, Starter>;
-    MultistepStepper<Stepper> stepper;
-    return run_fixed(stepper, x, times, options_.fixed_step);
   }
 
   /// Integrates by a composition of exact flows, with the step asked for or one that meets the tolerance.
@@ -277,109 +81,39 @@ class Driver {
     if constexpr (std::is_same_v<T, double> && Splits<System>) {
       const auto flows = system_.flows();
       SplittingStepper stepper(flows, composition_table(options_.composition));
-      const T step = options_.fixed_step_given ? options_.fixed_step : fixed_step_for(stepper, x, times, flows.rate(x));
-      const RunStatus status = run_fixed(stepper, x, times, step);
+      const T step = options_.fixed_step_given ? options_.fixed_step : this->fixed_step_for(stepper, x, times, flows.rate(x));
+      const RunStatus status = this->run_fixed(stepper, x, times, step);
       counters_.evaluations += counters_.accepted * stepper.evaluations_a_step();
       return status;
     }
     throw std::logic_error("this form of the equations does not split into exact flows");
   }
 
-  /// Integrates with a fixed step.
-  /// @param stepper  has do_step(system, x, t, dt), which returns whether it succeeded, and reset(), to be called before a step
-  /// of another length
-  /// @param largest  the step taken is at most this long and divides the output interval
-  template <class Stepper>
-  RunStatus run_fixed(Stepper& stepper, State& x, std::span<const T> times, T largest) {
-    const auto system = counted_system();
-    if (options_.largest_step > T(0)) largest = std::min(largest, options_.largest_step);
-    T step_before = T(0);
-    for (std::size_t row = 1; row < times.size(); ++row) {
-      const T interval = times[row] - times[row - 1];
-      const auto steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest * (1 - 1e-12))));
-      T h = interval / static_cast<T>(steps);
-      // Intervals between output times may differ by a rounding; the step is then kept. A step after a joint starts afresh: a
-      // multistep method must not use values from before it.
-      const bool goes_on = !stops_ || !stops_->at_joint[row - 1];
-      if (goes_on && real::abs(h - step_before) <= T(1e-9) * h)
-        h = step_before;
-      else
-        stepper.reset();
-      step_before = h;
-      if (first_step_taken_ == T(0)) first_step_taken_ = h;
-      for (std::int64_t k = 0; k < steps; ++k) {
-        const T now = times[row - 1] + static_cast<T>(k) * h;
-        if (const RunStatus status = may_go_on(now, times); status != RunStatus::completed) return status;
-        const bool converged = stepper.do_step(system, x, now, h);
-        if (!all_finite(x)) return RunStatus::not_finite;
-        if (!converged) return failure_at(x, now, RunStatus::not_converged);
-        ++counters_.accepted;
-        scales_.include(x);
-        on_step_(times[row - 1] + static_cast<T>(k + 1) * h, x);
-      }
-      show_row(row, x);
-    }
-    return RunStatus::completed;
+  /// The rate of the motion that fixed steps have to resolve; without the spin where its flow is exact.
+  T rate_to_resolve([[maybe_unused]] const State& x) const {
+    if constexpr (Splits<System>)
+      return system_.flows().rate(x);
+    else
+      return options_.rate;
   }
 
-  /// A fixed step h that meets the tolerance: over the first turn of the motion, integrations with steps of h and of h / 2
-  /// differ nowhere by more.
-  /// @param rate  rate of the motion that the steps have to resolve (rad per unit of time)
-  template <class Stepper>
-  T fixed_step_for(Stepper& stepper, const State& start, std::span<const T> times, T rate) {
-    const auto system = counted_system();
-    const T turn = std::min(times.back() - times.front(), T(2) * real::pi<T>() / rate);
-    GroupScales<T, Shape> scales = scales_;
-    std::int64_t count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(turn * rate / kLongestFixedAngle)));
-    for (int attempt = 0; attempt < 40; ++attempt) {
-      const T h = turn / static_cast<T>(count);
-      State coarse = start, fine = start, difference;
-      T error = T(0);
-      Stepper half = stepper;
-      stepper.reset(), half.reset();
-      for (std::int64_t k = 0; k < count && all_finite(coarse) && all_finite(fine); ++k) {
-        if (options_.watch.asks_to_stop()) return h;
-        const T t = times.front() + static_cast<T>(k) * h;
-        const bool converged = stepper.do_step(system, coarse, t, h) && half.do_step(system, fine, t, h / T(2)) &&
-                               half.do_step(system, fine, t + h / T(2), h / T(2));
-        if (!converged) error = T(1e30);
-        if (error >= T(1e30)) break;
-        scales.include(fine);
-        for (std::size_t i = 0; i < N; ++i) difference[i] = coarse[i] - fine[i];
-        error = std::max(error, scales.largest_error(options_.relative_tolerance, fine, difference, T(0)));
-      }
-      stepper.reset();
-      if (error <= T(1) || count > kMostStepsATurn) return h;
-      const double growth = real::pow(static_cast<double>(error), 1.0 / 8);
-      count = static_cast<std::int64_t>(std::ceil(static_cast<double>(count) * std::clamp(growth, 1.05, 2.0)));
-    }
-    return turn / static_cast<T>(count);
+  void see_step(T t, const State& x) override { on_step_(t, x); }
+  void see_row(std::size_t row, const State& x) override { on_row_(row, x); }
+  void settle([[maybe_unused]] State& x, [[maybe_unused]] T t) override {
+    if constexpr (requires { system_.settle(x, t); }) system_.settle(x, t);
   }
-  /// The largest angle by which a step found by fixed_step_for turns the motion (rad). It is well below the first resonance of
-  /// step and nutation, at 2 pi.
-  static constexpr double kLongestFixedAngle = 2.0;
-  static constexpr std::int64_t kMostStepsATurn = 400;
-
-  /// The reason why no step can be taken from here: the equations give no finite number, or else `otherwise`.
-  RunStatus failure_at(const State& x, T t, RunStatus otherwise) {
-    State dxdt;
-    system_(x, dxdt, t);
-    return all_finite(dxdt) ? otherwise : RunStatus::not_finite;
+  T limited(T proposed, [[maybe_unused]] const State& x, [[maybe_unused]] T t) override {
+    if constexpr (requires { system_.longest_step(x, t); }) return std::min(proposed, system_.longest_step(x, t));
+    return proposed;
   }
 
-  RunStatus may_go_on(T now, std::span<const T> times) const {
-    return earthtop::may_go_on(options_, counters_, now, times.front(), times.back());
-  }
-
+  using Loops::counters_;
+  using Loops::options_;
+  using Loops::scales_;
+  using Loops::stops_;
   System& system_;
-  const DriveOptions<T>& options_;
   OnStep& on_step_;
   OnRow& on_row_;
-  GroupScales<T, Shape> scales_;
-  StepCounters counters_;
-  std::optional<Stops<T>> stops_;  ///< the times at which steps end; none if there are no joints
-  std::size_t next_joint_ = 0;
-  T first_step_taken_ = T(0);
 };
 
 }  // namespace earthtop

@@ -8,19 +8,14 @@ Vec3<double> applied_torque_change_B(const Model<double>& model, double t, const
                                      const Vec3<double>& dw_B) {
   const Mat3<double> R_LB = rotation_matrix(q_LB);
   const double epsilon = earth ? model.epsilon : 0;
-  const auto pair = [](const Vec3<double>& value, const Vec3<double>& change) {
-    Vec3<Paired<double>> both;
-    for (int i = 0; i < 3; ++i) both[i] = Paired<double>(value[i], value[i], change[i]);
-    return both;
-  };
   const auto see = [&](const Vec3<double>& u_L, const Vec3<double>& change_L) {
     const Vec3<double> u_B = transposed_times(R_LB, Vec3<double>(u_L + epsilon * change_L));
-    return pair(u_B, u_B.cross(theta_B));
+    return paired_vector(u_B, u_B, Vec3<double>(u_B.cross(theta_B)));
   };
   const Vec3<double> w_IB_B = w_LB_B + epsilon * transposed_times(R_LB, model.W_IL_L_scaled);
-  const auto torque =
-      applied_motion::torque_of(model, applied_motion::seen_from_body<Paired<double>>(model, t, pair(w_IB_B, dw_B), see));
-  return {torque[0].diff, torque[1].diff, torque[2].diff};
+  const auto torque = applied_motion::torque_of(
+      model, applied_motion::seen_from_body<Paired<double>>(model, t, paired_vector(w_IB_B, w_IB_B, dw_B), see));
+  return parts(torque, &Paired<double>::diff);
 }
 
 template Vec3<double> applied_torque_B(const Model<double>&, double, const Quaternion<double>&, const Vec3<double>&, bool);

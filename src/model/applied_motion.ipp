@@ -78,21 +78,17 @@ Vec3<Paired<T>> applied_torques_B(const Model<T>& model, T t, const Quaternion<T
   const Mat3<T> R_ref = rotation_matrix(ref_q_LB);
   const T epsilon = model.epsilon;
   const auto turned_back = [&](const Vec3<T>& u_B) { return turn_back_minus_one_scaled(e_w, e_v_scaled, epsilon, u_B); };
-  const auto pair = [&](const Vec3<T>& ref, const Vec3<T>& difference) {
-    Vec3<Paired<T>> both;
-    for (int i = 0; i < 3; ++i) both[i] = Paired<T>(ref[i], ref[i] + epsilon * difference[i], difference[i]);
-    return both;
-  };
   const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) {
     const Vec3<T> u_B = transposed_times(R_ref, u_L), change_B = transposed_times(R_ref, change_L);
-    return pair(u_B, Vec3<T>(turned_back(u_B) + change_B + epsilon * turned_back(change_B)));
+    return paired_vector(u_B, Vec3<T>(turned_back(u_B) + change_B + epsilon * turned_back(change_B)), epsilon);
   };
-  auto seen = applied_motion::seen_from_body<Paired<T>>(model, t, pair(ref_w_LB_B, Dw_IB_B_scaled), see);
+  auto seen = applied_motion::seen_from_body<Paired<T>>(model, t, paired_vector(ref_w_LB_B, Dw_IB_B_scaled, epsilon), see);
   if (model.applied.level_axis) {
     const Vec3<T> W_ref_B_scaled = transposed_times(R_ref, model.W_IL_L_scaled);
     const Vec3<T> W_B_scaled = W_ref_B_scaled + epsilon * turned_back(W_ref_B_scaled), W_B = epsilon * W_B_scaled;
     const Vec3<T> w_LB_B = ref_w_LB_B + epsilon * Dw_IB_B_scaled - W_B;
-    seen.other_torque_B += pair(Vec3<T>::Zero(), applied_motion::left_out_torque(model, W_B, W_B_scaled, w_LB_B));
+    const Vec3<T> zero = Vec3<T>::Zero();
+    seen.other_torque_B += paired_vector(zero, applied_motion::left_out_torque(model, W_B, W_B_scaled, w_LB_B), epsilon);
   }
   return applied_motion::torque_of(model, seen);
 }

@@ -186,7 +186,7 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
     report.reason = *reason;
     return report;
   }
-  const auto tolerance = growth_tolerance(problem);
+  const auto tolerance = growth_tolerance(problem, result.reached_s);
   if (!tolerance)
     report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
   else

@@ -178,10 +178,13 @@ struct Driven {
   }
 };
 
-/// Returns the rate of a symmetric top without its spin (rad/s), for a top with symmetry axis 3.
-double reduced_rate(const Scene& scene, const Driven& driven) {
-  return driven.top.momentum / driven.top.body.I_BP_B(0, 0) + driven.swinging_rate() + std::abs(scene.rotation_rate_rad_s()) +
-         driven.platform.rate_rad_s;
+/// Returns the angle through which a symmetric top turns without its spin (rad), for a top with symmetry axis 3. Its nutation
+/// slows down with its spin.
+double turned_without_spin(const Scene& scene, const Driven& driven, const Friction& friction) {
+  const double time = scene.scenario().duration_s, unbraked = driven.top.turning_rate() * time;
+  const double braked_s = unbraked > 0 ? std::min(1.0, friction.turned_rad() / unbraked) * time : time;
+  return driven.top.momentum / driven.top.body.I_BP_B(0, 0) * braked_s + driven.swinging_rate() * friction.swung_s() +
+         (std::abs(scene.rotation_rate_rad_s()) + driven.platform.rate_rad_s) * time;
 }
 /// Returns the rate of a wheel whose axis a gimbal keeps level (rad/s): that of its turn about Up, driven by the Earth.
 double compass_rate(const Scene& scene, const Driven& driven) {
@@ -256,8 +259,8 @@ Paced paced(const Scene& scene) {
   pace.reduced_turning_rad = pace.turning_rad, pace.reduced_damping = pace.damping;
   if (driven.top.axis == 2) {
     const bool level = scenario.effects.applied.gimbal.has_value();
-    const double rate = level ? compass_rate(scene, driven) : reduced_rate(scene, driven);
-    pace.reduced_turning_rad = std::min(pace.turning_rad, std::max(1.0, rate * time));
+    const double turned = level ? compass_rate(scene, driven) * time : turned_without_spin(scene, driven, friction);
+    pace.reduced_turning_rad = std::min(pace.turning_rad, std::max(1.0, turned));
   }
   return {pace, friction.stiffest()};
 }

@@ -15,10 +15,10 @@ namespace earthtop {
 namespace {
 
 /// Returns the work of following the growth of disturbances along both motions, which a run's verdict needs.
-Work growth_work(const Scene& scene) {
-  const auto tolerance = scene.is_plain() ? growth_tolerance(scene.problem<double>()) : kCoarseGrowthTolerance;
+Work work_of_verdict(const Scene& scene) {
+  const auto tolerance = growth_tolerance(scene.problem<double>(), scene.scenario().duration_s);
   if (!tolerance) return {};
-  const Work work = variational_work(scene.pace(), scene.scenario().duration_s, *tolerance);
+  const Work work = growth_work(scene.problem<double>(), scene.scenario().duration_s, *tolerance);
   const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
   const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
   return {motions * share * work.steps, motions * share * work.evaluations};
@@ -45,7 +45,7 @@ RowSeconds seconds_a_row(Precision precision) {
 RunEstimate estimate_run(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const auto& [first, second] = scene.costs();
-  RunEstimate estimate{first.work, second.work, growth_work(scene), {}};
+  RunEstimate estimate{first.work, second.work, work_of_verdict(scene), {}};
   const RowSeconds row = seconds_a_row(scenario.precision);
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();

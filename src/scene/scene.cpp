@@ -70,7 +70,8 @@ int Scene::symmetry_axis() const {
 }
 bool Scene::is_reducible_when_driven() const {
   const EffectsSpec& effects = scenario().effects;
-  if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform && effects.all_on();
+  if (!effects.all_on()) return false;
+  if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform;
   return symmetry_axis() == 2 || (symmetry_axis() >= 0 && !effects.applied.air_drag);
 }
 bool Scene::is_one_motion() const {

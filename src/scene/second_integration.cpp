@@ -16,11 +16,11 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
       form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
-  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0 && first.method != Method::taylor;
   if (first.method == Method::taylor) {
     second.relative_tolerance = std::max(first.relative_tolerance / 1000, least_tolerance(precision));
     return second;
   }
+  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
   if (dry_friction) second.observer = first.observer;
   const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
   second.method = unlike ? Method::extrapolation : Method::rkf78;

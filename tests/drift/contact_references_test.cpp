@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Tops on a table against reference values of 15 to 20 digits, in the laboratory's equations and in those of inertial axes.
-#include "support/contact_references.hpp"
-
 #include <gtest/gtest.h>
+
+#include "support/contact_more_scenes.hpp"
+#include "support/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -26,6 +27,47 @@ TEST_P(ContactReferences, AreMetInInertialAxes) { expect_reference<Observer::ine
 
 INSTANTIATE_TEST_SUITE_P(K, ContactReferences, ::testing::ValuesIn(testing::contact_references()),
                          [](const auto& chosen) { return std::string(chosen.param.name, 2); });
+
+nlohmann::json made_references() {
+  return testing::parse_json(testing::read_file(EARTHTOP_TESTS "/data/contact/references.json"));
+}
+
+/// Effects together, bodies without symmetry and a slope, by the references of tests/contact/reference_generator.cpp, where two
+/// formulations agree to 1e-22.
+TEST(ContactMadeReferences, AreMetByEveryForm) {
+  const nlohmann::json known = made_references()["scenes"];
+  const auto scenes = testing::more_contact_scenes();
+  ASSERT_EQ(known.size(), scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto& [name, scene, t_s, symmetric] = scenes[i];
+    ASSERT_EQ(known[i]["name"], name);
+    EXPECT_LT(known[i]["difference_of_formulations"].get<double>(), 1e-22);
+    std::vector<double> figures;
+    for (const auto& figure : known[i]["figures"]) figures.push_back(std::stod(figure.get<std::string>()));
+    const testing::ContactProblem<double> problem(scene);
+    const auto expect = [&](const auto& rows) {
+      EXPECT_LT(testing::worst_error(testing::figures_of(problem, rows[0]), figures), 1e-9) << name;
+    };
+    using testing::Form;
+    if (symmetric) {
+      expect(testing::contact_rows<double, Observer::laboratory>(scene, {t_s}, 1e-14));
+      expect(testing::contact_rows<double, Observer::inertial>(scene, {t_s}, 1e-14));
+    }
+    expect(testing::contact_rows<double, Observer::laboratory, Form::general>(scene, {t_s}, 1e-14));
+    expect(testing::contact_rows<double, Observer::inertial, Form::general>(scene, {t_s}, 1e-14));
+  }
+}
+
+TEST(ContactMadeReferences, TellWhenATippeTopTurnsOver) {
+  const nlohmann::json known = made_references()["axis_passes_horizontal_s"];
+  const auto tops = testing::tippe_tops();
+  ASSERT_EQ(known.size(), tops.size());
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    const auto time = [&](const char* key) { return std::stod(known[i][key].get<std::string>()); };
+    EXPECT_NEAR(testing::inverted_at<double>(tops[i].scene, &Paired<double>::ref, 1e-14) / time("reference"), 1, 1e-11);
+    EXPECT_NEAR(testing::inverted_at<double>(tops[i].scene, &Paired<double>::rot, 1e-14) / time("rotating"), 1, 1e-11);
+  }
+}
 
 }  // namespace
 }  // namespace earthtop

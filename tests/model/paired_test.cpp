@@ -135,8 +135,8 @@ TEST(Paired, TheTorquesDifferenceIsThatOfTheTorques) {
       const Vec3<Q> on_ref = applied_torque_B(exact, Q(t), q_ref, cast<Q>(ref_w), false);
       const Vec3<Q> on_rot = applied_torque_B(exact, Q(t), q_rot, w_LB_rot, true);
       const Vec3<Q> difference = (on_rot - on_ref) / Q(epsilon);
-      const Vec3<Q> ref(torques[0].ref, torques[1].ref, torques[2].ref), rot(torques[0].rot, torques[1].rot, torques[2].rot);
-      const Vec3<Q> carried(torques[0].diff, torques[1].diff, torques[2].diff);
+      const Vec3<Q> ref = cast<Q>(parts(torques, &Paired<double>::ref)), rot = cast<Q>(parts(torques, &Paired<double>::rot));
+      const Vec3<Q> carried = cast<Q>(parts(torques, &Paired<double>::diff));
       EXPECT_TRUE(close<Q>(ref, on_ref, Q(1e-13) * norm(on_ref))) << epsilon << " " << kind;
       EXPECT_TRUE(close<Q>(rot, on_rot, Q(1e-13) * norm(on_rot))) << epsilon << " " << kind;
       EXPECT_TRUE(close<Q>(carried, difference, Q(1e-12) * norm(difference))) << epsilon << " " << kind;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "earthtop/drift/drift_integration.hpp"
@@ -196,6 +197,87 @@ TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
     EXPECT_FALSE(verdict.lyapunov_exponent_1_s);
     EXPECT_FALSE(verdict.from_s);
   }
+}
+
+/// A top that leans, with weak friction, a slow tide and the gravity gradient, each in some of the scenes.
+Scenario weakly_driven_top(std::mt19937_64& random) {
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  Scenario s = testing::toy_top();
+  const double I1 = 1.2e-4 * std::exp(uniform(-1, 1)), I3 = I1 * uniform(0.2, 1.8);
+  testing::set_principal(s.body, I1, I1, I3);
+  s.release.tilt_deg = uniform(5, 160);
+  s.release.spin_rad_s = uniform(40, 400);
+  last(s, uniform(3, 20));
+  AppliedTorquesSpec& applied = s.effects.applied;
+  const double viscous = I3 / s.duration_s * std::exp(uniform(-6, 0));
+  if (uniform(0, 1) < 0.6) applied.viscous_N_m_s = viscous;
+  if (uniform(0, 1) < 0.3) applied.quadratic_N_m_s2 = viscous / s.release.spin_rad_s;
+  if (uniform(0, 1) < 0.3) applied.air_drag.emplace().disc_radius_m = 0.02;
+  if (uniform(0, 1) < 0.4) applied.gravity_gradient = GravityGradientSpec{};
+  if (uniform(0, 1) < 0.4) {
+    TideSpec& tide = s.effects.tide.emplace();
+    tide.given = true, tide.amplitude_m_s2 = {1e-5, 1e-5, -1e-5}, tide.frequency_hz = std::exp(uniform(-4, 4));
+  }
+  return s;
+}
+
+// A verdict that no growth need be followed is held to the growth that is followed, on both sides of its limits.
+TEST(DissipativeVerdict, NextToAClosedFormNothingGrows) {
+  std::mt19937_64 random(20);
+  int next_to_it = 0;
+  for (int i = 0; i < 30; ++i) {
+    const Scenario s = weakly_driven_top(random);
+    const Scene scene(s);
+    const auto& problem = scene.problem<double>();
+    if (growth_tolerance(problem, s.duration_s)) continue;
+    ++next_to_it;
+    for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
+      const GrowthReport growth = disturbance_growth(problem, kind, s.duration_s, kCoarseGrowthTolerance);
+      EXPECT_TRUE(growth.completed);
+      EXPECT_FALSE(growth.exponential_s) << i;
+      EXPECT_LE(growth.late_exponent_1_s.value_or(0), 0) << i;
+    }
+  }
+  EXPECT_GT(next_to_it, 8);
+  EXPECT_LT(next_to_it, 30);
+}
+
+TEST(DissipativeVerdict, GrowthIsFollowedWhereItMightBe) {
+  const auto followed = [](const Scenario& s) {
+    return growth_tolerance(Scene(s).problem<double>(), s.duration_s).has_value();
+  };
+  Scenario damped = testing::toy_top();
+  damped.effects.applied.viscous_N_m_s = 1e-8;
+  EXPECT_FALSE(followed(damped));
+  damped.effects.applied.viscous_N_m_s = 2e-7;  // takes a third of the spin in a minute
+  EXPECT_TRUE(followed(damped));
+
+  // Upright at 1.15 times the critical spin, and at 1.2 times with friction that takes it to 1.05 times.
+  Scenario upright = testing::toy_top();
+  upright.release.tilt_deg = 0.5;
+  const double critical = 2 * std::sqrt(0.1 * 9.80665 * 0.03 * 1.2e-4) / 4e-5;
+  upright.effects.applied.viscous_N_m_s = 1e-9;
+  upright.release.spin_rad_s = 1.2 * critical;
+  EXPECT_FALSE(followed(upright));
+  upright.effects.applied.viscous_N_m_s = 4e-5 * 0.13 / 60;
+  EXPECT_TRUE(followed(upright));
+  upright.effects.applied.viscous_N_m_s = 1e-9;
+  upright.release.spin_rad_s = 1.05 * critical;
+  EXPECT_TRUE(followed(upright));
+
+  Scenario driven = testing::toy_top();
+  TideSpec& tide = driven.effects.tide.emplace();
+  tide.given = true, tide.amplitude_m_s2 = {1e-6, 0, 0}, tide.frequency_hz = 0.1;
+  EXPECT_FALSE(followed(driven));
+  driven.duration_s = 3600;
+  EXPECT_TRUE(followed(driven));
+  driven.duration_s = 60;
+  driven.effects.tide->amplitude_m_s2 = {1e-3, 0, 0};
+  EXPECT_TRUE(followed(driven));
+
+  Scenario carried = testing::toy_top();
+  carried.platform = PlatformSpec{PlatformMotion::harmonic, {1, 0, 0}, 0, 0, 0.001, 0.2, 0, {0, 0, 0}};
+  EXPECT_TRUE(followed(carried));
 }
 
 }  // namespace

@@ -14,6 +14,20 @@ namespace {
 
 using testing::busy_scene, testing::gyrocompass, testing::held_rotor, testing::spinning_top;
 
+// The Earth turns uniformly, so that its transverse torque is zero, and not the remainder of torques that cancel.
+TEST(Effects, WithoutTheTorquesThatActThereIsNoDrift) {
+  Scenario s = testing::toy_top();
+  s.duration_s = 1;
+  s.effects.coriolis = s.effects.centrifugal = false;
+  for (const double viscous : {0.0, 1e-7}) {
+    s.effects.applied.viscous_N_m_s = viscous;
+    for (const DriftRow& row : run(s).rows) {
+      EXPECT_EQ(row.drift_axis_rad, 0);
+      EXPECT_EQ(row.drift_attitude_rad, 0);
+    }
+  }
+}
+
 TEST(Effects, AllObserversAndMoreBitsAgree) {
   for (const Scenario& scene : {busy_scene(), held_rotor()}) {
     SCOPED_TRACE(scene.name);

@@ -37,6 +37,9 @@ TEST(ReducedTop, IsFoundOutFromBodyAndEffects) {
   EXPECT_EQ(form_taken(s), ModelForm::general);
   s = toy_top();
   s.effects.centrifugal = false;
+  EXPECT_EQ(form_taken(s), ModelForm::general);
+  s = toy_top();
+  s.effects.applied.viscous_N_m_s = 1e-8;
   EXPECT_EQ(form_taken(s), ModelForm::reduced);
   s.numerics.method = Method::rkf78;  // only the series have the reduced form of a scene that is not plain
   EXPECT_EQ(form_taken(s), ModelForm::general);

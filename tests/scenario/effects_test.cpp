@@ -98,7 +98,6 @@ TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
   };
   for (const auto& [pointer, value] : {std::pair{"/effects/viscous_torque_N_m_s", "1e-9"},
                                        {"/effects/gravity_gradient", "true"},
-                                       {"/effects/coriolis", "false"},
                                        {"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 0.1})"}}) {
     EXPECT_EQ(errors(pointer, value, "200"), 0u) << pointer;
     EXPECT_EQ(errors(pointer, value, "0"), 0u) << pointer;
@@ -111,6 +110,38 @@ TEST(EffectRefusals, SeriesTakeEffectsThatBrakeNoRateToZero) {
   }
   EXPECT_EQ(errors("/effects/coulomb_torque_N_m", "1e-3", "200"), 1u);  // it stops the top
   EXPECT_EQ(errors("/effects/air_drag", R"({"disc_radius_m": 10})", "200"), 1u);
+  EXPECT_EQ(errors("/effects/coriolis", "false", "200"), 1u);
+}
+
+// Torques that leave most of the spin one by one may stop the top together: with k / I3 = a and T / I3 = d the spin is
+// (w0 + d/a) exp(-a t) - d/a, here 0 after 43 s of the 60 s.
+TEST(EffectRefusals, SeriesTakeDryFrictionByWhatAllFrictionLeaves) {
+  const auto is_taken = [](const char* dry, const char* viscous) {
+    return examine({{"/effects/coulomb_torque_N_m", dry},
+                    {"/effects/viscous_torque_N_m_s", viscous},
+                    {"/numerics/method", "\"taylor\""}})
+        .errors.empty();
+  };
+  EXPECT_TRUE(is_taken("5e-5", "0"));
+  EXPECT_TRUE(is_taken("0", "2e-6"));
+  EXPECT_FALSE(is_taken("5e-5", "2e-6"));
+  EXPECT_TRUE(is_taken("5e-6", "1e-7"));
+}
+
+// What a disc or quadratic drag brakes to zero is the spin relative to the platform.
+TEST(EffectRefusals, SeriesTakeDragOnATopThatOutrunsItsPlatform) {
+  const auto is_taken = [](const char* drag, const std::string& platform_rate) {
+    return examine({{"/effects/quadratic_torque_N_m_s2", drag},
+                    {"/platform", R"({"motion": "constant", "axis": [0, 0, 1], "rate_rad_s": )" + platform_rate + "}"},
+                    {"/numerics/method", "\"taylor\""}})
+        .errors.empty();
+  };
+  EXPECT_TRUE(is_taken("1e-11", "0.1"));
+  EXPECT_TRUE(is_taken("1e-11", "50"));
+  EXPECT_FALSE(is_taken("1e-11", "200"));   // the turntable goes round with the top
+  EXPECT_FALSE(is_taken("1e-11", "-200"));  // or against it, which the rule does not tell apart
+  EXPECT_TRUE(is_taken("5e-9", "1"));
+  EXPECT_FALSE(is_taken("5e-9", "50"));  // the drag brakes the top to the rate of the turntable
 }
 
 TEST(EffectRefusals, TheSameScenesWithWhatIsMissingAreTaken) {

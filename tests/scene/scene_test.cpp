@@ -9,6 +9,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "scene/once.hpp"
 #include "support/changed_scene.hpp"
+#include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
 #include "text/sha256.hpp"
 
@@ -91,8 +92,23 @@ TEST(Scene, TakesTheFormThatIntegrationsTake) {
   const Scene rubbed = changed(plain, [](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-6; });
   const Scene leaving_out = changed(plain, [](Scenario& s) { s.effects.coriolis = false; });
   const Scene carried = changed(plain, [](Scenario& s) { s.platform = PlatformSpec{}; });
+  // Wheels in a gimbal: a compass, and what is none.
+  const auto disc = [](Scenario& s) { s.effects.applied.air_drag.emplace().disc_radius_m = 0.03; };
+  const auto lying = [](Scenario& s) {  // symmetric about body axis 1
+    testing::set_principal(s.body, 4e-5, 1.2e-4, 1.2e-4);
+    s.body.center_of_mass_m = {0.01, 0, 0};
+  };
+  const auto balanced = [](Scenario& s) { testing::set_principal(s.body, 1e-3, 5e-4, 5e-4); };
+  const Scene compass = testing::gyrocompass(30, 10, 1e-5);
+  const Scene asymmetric_wheel = testing::held_rotor(), wheel_on_edge = changed(compass, balanced);
+  const Scene wheel_in_air = changed(compass, disc),
+              wheel_left_out = changed(compass, [](Scenario&s) { s.effects.centrifugal = false; });
+  const Scene in_air = changed(plain, disc), lying_plain = changed(plain, lying);
+  const Scene lying_rubbed = changed(rubbed, lying), lying_in_air = changed(lying_plain, disc);
+  EXPECT_NE(leaving_out.choice().reason.find("left out"), std::string::npos);
   int reduced = 0;
-  for (const Scene& scene : {plain, asymmetric, rubbed, leaving_out, carried})
+  for (const Scene& scene : {plain, asymmetric, rubbed, leaving_out, carried, compass, asymmetric_wheel, wheel_on_edge,
+                             wheel_in_air, wheel_left_out, in_air, lying_plain, lying_rubbed, lying_in_air})
     for (const Method method : {Method::rkf78, Method::splitting, Method::taylor, Method::long_horizon, Method::closed_form})
       for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial})
         for (const ModelForm form : {ModelForm::automatic, ModelForm::general}) {
@@ -102,8 +118,9 @@ TEST(Scene, TakesTheFormThatIntegrationsTake) {
           EXPECT_EQ(scene.form(options) == ModelForm::reduced, taken) << to_string(method) << ' ' << to_string(observer);
           reduced += taken;
         }
-  // The plain symmetric top in laboratory axes, by splitting in inertial ones too; the three driven ones by their series.
-  EXPECT_EQ(reduced, 8);
+  // Each of the two plain symmetric tops in laboratory axes, and by splitting in inertial ones too; by their series the driven
+  // ones: two that stand, one in air, one that lies, and the compass, also in air.
+  EXPECT_EQ(reduced, 2 * 5 + 6);
 }
 
 // The parts of an estimate are those of the run, and the whole is their sum.

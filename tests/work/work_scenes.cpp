@@ -158,11 +158,12 @@ WorkDone work_done(const Scenario& scenario) {
   done.status[0] = result.solution.status, done.status[1] = result.certificate.status;
   if (estimate.growth.steps == 0) return done;
   const auto problem = Scene(scenario).problem<double>();
-  const double tolerance = growth_tolerance(problem).value();
+  const std::optional<double> tolerance = growth_tolerance(problem, result.reached_s);
+  if (!tolerance) return done;
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
     if (kind == MotionKind::rotating && scenario.rotation_rate_rad_s == 0) break;
-    const GrowthReport growth = disturbance_growth(problem, kind, until_s, tolerance);
+    const GrowthReport growth = disturbance_growth(problem, kind, until_s, *tolerance);
     done.growth_completed = done.growth_completed && growth.completed;
     const Work work = used(growth.counters);
     done.used[2] = {done.used[2].steps + work.steps, done.used[2].evaluations + work.evaluations};

@@ -53,7 +53,10 @@ inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
 /// where disturbances of the motion grow no faster than with the time, or where an upright top is at its critical spin, so that
 /// no growth says more. Motions with a closed form are followed closely, as they leave a separatrix by the integration's own
 /// error.
-std::optional<double> growth_tolerance(const MotionProblem<double>& problem);
+std::optional<double> growth_tolerance(const MotionProblem<double>& problem, double duration_s);
+
+/// The work of following the growth along one motion, from the problem's pace.
+Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance);
 
 /// Integrates the variational equations
 ///   dtheta/dt = theta x w + dw ,  Theta ddw/dt = (Theta dw) x w + (Theta w) x dw + m r x ((R^T f) x theta) ,

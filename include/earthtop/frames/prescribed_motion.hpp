@@ -35,6 +35,11 @@ struct PrescribedMotion {
     const T formula = acceleration - amplitude * pulsation() * pulsation() * real::sin(argument(t));
     return table ? formula + table->angle_acceleration(t) : formula;
   }
+  /// An upper bound of |angle_rate| from 0 to `end`.
+  T largest_rate(T end) const {
+    const T formula = real::abs(rate) + end * real::abs(acceleration) + real::abs(amplitude * pulsation());
+    return table ? formula + table->largest_rate() : formula;
+  }
   /// Whether the layer stays parallel to its parent.
   bool never_turns() const {
     return angle0 == T(0) && rate == T(0) && acceleration == T(0) && amplitude == T(0) && (!table || table->is_zero());

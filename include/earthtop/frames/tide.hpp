@@ -2,6 +2,7 @@
 /// The tidal acceleration: the attraction of the Moon and the Sun at the site, less their attraction of the Earth as a whole.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -81,6 +82,16 @@ class TideSeries {
     if (pieces_) a = value(*pieces_, t_s);
     if (!is_zero(amplitude_L_)) a += real::sin(pulsation_ * t_s + phase_) * amplitude_L_;
     return (unit_s_ * unit_s_) * a;
+  }
+  /// No acceleration is larger than this, at any time; in the unit of `acceleration_L`.
+  T largest() const {
+    T largest = T(0);
+    for (std::size_t i = 0; pieces_ && i < pieces_->coefficients.size(); i += ChebyshevPieces::kTerms) {
+      T sum = T(0);
+      for (std::size_t n = 0; n < ChebyshevPieces::kTerms; ++n) sum += T(norm(pieces_->coefficients[i + n]));
+      largest = std::max(largest, sum);
+    }
+    return (unit_s_ * unit_s_) * (largest + norm(amplitude_L_));
   }
   /// Puts the coefficients of the powers of (t' - t) of the acceleration into rows, one for each order from 0 on.
   void expand(T t, std::span<std::array<T, 3>> rows) const {

@@ -43,7 +43,8 @@ struct Contact {
   Mat3<S> gradient_H;        ///< gradient of gravitation (1/time^2)
 };
 
-/// @param model  gives the weights; its platform and friction torques have no meaning here   @param gradient  null: left out
+/// @param body  its origin is the centre of the tip's sphere   @param weights  of Coriolis and centrifugal force and torque
+/// @param gradient  of gravitation, which exerts a force and a torque; null: left out
 template <class T>
 Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site& site, const TorqueWeights<T>& weights,
                         const GravityGradientSpec* gradient, const NaturalUnits& units = {});

@@ -118,7 +118,7 @@ Vec3<S> gradient_torque(const Mat3<S>& gradient, const Mat3<S>& S_BC) {
   return torque;
 }
 
-/// z.x is constant along the motion and known; the part of a vector in the table's plane.
+/// The part of a vector in the table's plane.
 template <class S>
 Vec3<S> in_table_plane(const Vec3<S>& x, const Vec3<S>& normal) {
   return x - inner(x, normal) * normal;

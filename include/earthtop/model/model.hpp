@@ -23,6 +23,7 @@ struct TorqueWeights {
   T coriolis = T(1);
   T transverse = T(1);
   T centrifugal = T(1);
+  bool all_act() const { return coriolis == T(1) && transverse == T(1) && centrifugal == T(1); }
   TorqueWeights complement() const { return {T(1) - coriolis, T(1) - transverse, T(1) - centrifugal}; }
 };
 

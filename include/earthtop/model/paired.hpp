@@ -61,6 +61,28 @@ Paired<T> fifth_root(const Paired<T>& x) {
 
 }  // namespace real
 
+/// A vector in both predictions.   @param difference  over epsilon
+template <class T>
+Vec3<Paired<T>> paired_vector(const Vec3<T>& reference, const Vec3<T>& rotating, const Vec3<T>& difference) {
+  Vec3<Paired<T>> both;
+  for (int i = 0; i < 3; ++i) both[i] = Paired<T>(reference[i], rotating[i], difference[i]);
+  return both;
+}
+template <class T>
+Vec3<Paired<T>> paired_vector(const Vec3<T>& reference, const Vec3<T>& difference, const T& epsilon) {
+  return paired_vector(reference, Vec3<T>(reference + epsilon * difference), difference);
+}
+/// A vector that is the same in both predictions.
+template <class T>
+Vec3<Paired<T>> paired_vector(const Vec3<T>& constant) {
+  return paired_vector(constant, constant, Vec3<T>(Vec3<T>::Zero()));
+}
+/// The vector of one prediction, or the difference: one member of each component.
+template <class T>
+Vec3<T> parts(const Vec3<Paired<T>>& both, T Paired<T>::*member) {
+  return {both[0].*member, both[1].*member, both[2].*member};
+}
+
 /// Whether a size is above zero; for a Paired size, in both motions.
 template <class T>
 bool is_above_zero(const T& size) {

@@ -50,24 +50,23 @@ bool is_reducible(const Model<T>& model) {
 }
 
 /// Whether a model is a symmetric top in any scene whose torques do not depend on the angle of spin (reduced_torques.hpp). A
-/// gimbal's constraint is not written in that form; a disc spins about body axis 3.
+/// gimbal's constraint is not written in that form; a disc spins about body axis 3. All
+/// torques of [F] act: it has no place for one that is left out.
 template <class T>
 bool is_reducible_when_driven(const Model<T>& model) {
   const AppliedTorques<T>& applied = model.applied;
   const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
   const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
-  return axis >= 0 && !applied.level_axis && (axis == 2 || !has_disc);
+  return axis >= 0 && !applied.level_axis && (axis == 2 || !has_disc) && model.weights.all_act();
 }
 
 /// Whether a model is a wheel symmetric about body axis 3 in a gimbal that keeps it level in the laboratory: a compass. Its
 /// reduced form has one angle and the spin.
 template <class T>
 bool is_compass(const Model<T>& model) {
-  const TorqueWeights<T>& weights = model.weights;
   const Platform<T>& platform = model.platform;
   const bool rests = platform.turn.never_turns() && norm(platform.pivot_offset_P) == T(0);
-  return model.applied.level_axis && rests && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 &&
-         weights.coriolis == T(1) && weights.transverse == T(1) && weights.centrifugal == T(1);
+  return model.applied.level_axis && rests && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 && model.weights.all_act();
 }
 
 /// @throws std::logic_error for a model that is not a symmetric top

@@ -17,7 +17,6 @@ struct SeenBesideAxis {
   Vec3<S> u;                        ///< inertial rate of the body normal to the axis
   S w3;                             ///< that along the axis
   Vec3<S> w_IP;                     ///< inertial rate of the platform, or of the laboratory if there is none
-  Vec3<S> W;                        ///< the Earth's rate, for torques of [F] that are left out; 0 for a motion without it
   Vec3<S> field;                    ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
 };
@@ -28,19 +27,6 @@ struct AxisTorques {
   Vec3<S> across;  ///< torque normal to the axis, divided by I1
   S along;         ///< torque along the axis, divided by I3: the rate of change of the spin
 };
-
-/// Minus the Coriolis and centrifugal torques of [F] that a scene leaves out, divided by I1. With the second moment S, both are
-/// integrals of (r.W)(r x w), so that with w the rate relative to the laboratory
-///   tau_cor = -2 (S W) x w ,  tau_cent = -(S W) x W ,  S = s1 (1 - n n^T) + s3 n n^T ,  s1 = I3 / 2 ,  s3 = I1 - I3 / 2.
-template <class T, class S>
-Vec3<S> left_out_torque(const ReducedTop<T>& top, const TorqueWeights<T>& left_out, const Vec3<S>& n, const Vec3<S>& W,
-                        const Vec3<S>& w_LB) {
-  const T s1 = top.I3 / (T(2) * top.I1), s3 = T(1) - s1;
-  const S along = n[0] * W[0] + n[1] * W[1] + n[2] * W[2];
-  const Vec3<S> SW = S(s1) * W + S(S(s3 - s1) * along) * n;
-  const Vec3<S> w = S(T(2) * left_out.coriolis) * w_LB + S(left_out.centrifugal) * W;
-  return SW.cross(w);
-}
 
 /// @param mass_moment  (m l / I1), see moment_factor
 template <class T, class S>
@@ -56,13 +42,6 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
     const T factor = applied.gradient[i].strength * ((top.I3 - top.I1) / top.I1);
     torques.across += S(S(factor) * dot(seen.n, u)) * Vec3<S>(u.cross(seen.n));
   }
-  const TorqueWeights<T> left_out = model.weights.complement();
-  if (left_out.coriolis != T(0) || left_out.centrifugal != T(0)) {
-    const Vec3<S> torque = left_out_torque<T, S>(top, left_out, seen.n, seen.W, Vec3<S>(seen.u + seen.w3 * seen.n - seen.W));
-    const S part_along = dot(seen.n, torque);
-    torques.across += Vec3<S>(torque - part_along * seen.n);
-    torques.along += S(top.I1 / top.I3) * part_along;
-  }
   if (!applied.friction()) return torques;
   // The rate relative to the platform, normal to the axis and along it.
   const S carried = dot(seen.n, seen.w_IP), spin = seen.w3 - carried;
@@ -75,27 +54,26 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
   return torques;
 }
 
-/// Whether a torque along the axis acts on a symmetric top, so that its spin changes.
-template <class T>
-bool changes_spin(const Model<T>& model) {
-  const TorqueWeights<T> left_out = model.weights.complement();
-  return model.applied.friction() || left_out.coriolis != T(0) || left_out.centrifugal != T(0);
-}
-
 /// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series all along.
-/// Dry friction, quadratic drag and a disc's drag have one where the rate that they brake goes through zero. It cannot do so
-/// while the top keeps much of its spin: dry friction takes at most half of it within the duration, and any other at its initial
-/// torque at most four times the spin, which leaves a fifth or more, as that torque falls with the spin.
-/// @param I3, w3, fastest_rate, duration  moment about the axis, spin at release, and rate and duration of the whole motion
+/// Dry friction, quadratic drag and a disc's drag have one where the spin that they brake, which is relative to the platform or
+/// the laboratory, goes through zero. With a carrier's rate of at most c the relative spin is at most w3 + c, and at least w3 - c.
+///   Friction other than dry takes at most `decay` of w3 + c, and as its coefficient falls with the rate, w3 + c keeps
+/// exp(-decay) of itself or more: above 2 c the relative spin keeps its sign, and 3 c has a margin for the Coriolis torque that a
+/// scene leaves out, which changes w3 by at most twice the Earth's rate. Dry friction does not fall with the spin: there all of
+/// friction together may take half of w3.
+/// @param I3, w3  moment about the axis, and inertial spin at release   @param carrier_rate  largest rate of the platform, and of
+/// the Earth   @param fastest_rate, duration  upper bound of all rates, and duration, of the whole motion
 template <class T>
-bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T fastest_rate, T duration) {
+bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T carrier_rate, T fastest_rate, T duration) {
   const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
   if (applied.coulomb == T(0) && applied.quadratic == T(0) && !has_disc) return true;
-  constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4;
-  const T spin = real::abs(w3), momentum = I3 * spin;
-  if (!(spin > T(kOfTheRate) * fastest_rate)) return false;
-  const T other = applied.viscous * spin + applied.quadratic * spin * spin + disc_drag_coefficient(applied, spin) * spin;
-  return applied.coulomb * duration <= T(kDry) * momentum && other * duration <= T(kOther) * momentum;
+  constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4, kOfTheCarrier = 3;
+  const T spin = real::abs(w3), relative = spin + carrier_rate;
+  if (!(spin > T(kOfTheRate) * fastest_rate && relative > T(kOfTheCarrier) * carrier_rate)) return false;
+  const T coefficient = applied.viscous + applied.quadratic * fastest_rate + disc_drag_coefficient(applied, relative);
+  const T decay = coefficient * duration / I3;
+  if (applied.coulomb != T(0)) return applied.coulomb * duration / I3 + decay * relative <= T(kDry) * spin;
+  return decay <= T(kOther) && relative * real::exp(-decay) > T(kOfTheCarrier) * carrier_rate;
 }
 
 }  // namespace earthtop

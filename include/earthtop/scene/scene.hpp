@@ -85,7 +85,7 @@ class Scene {
   const std::string& sha256() const;
 
   /// Returns whether the scene is a top under gravity, on a pivot at rest in the laboratory, with all three torques of [F].
-  /// Closed forms, series, exact flows and the reduced form need such a scene.
+  /// Closed forms, exact flows, and the reduced form of every method but `taylor` need such a scene.
   bool is_plain() const;
   /// Returns the body axis (0, 1 or 2) that is a symmetry axis and holds the centre of mass; -1 without one.
   int symmetry_axis() const;

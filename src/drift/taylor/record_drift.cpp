@@ -20,6 +20,15 @@ taylor::Operations<T> record_general(const Model<T>& model, std::span<const T> x
   return recorded_equations<T, DriftShape<RotatingMotion::composed>::kSize>(system, recording, x, t);
 }
 
+template <class T, Observer O>
+DrivenReducedEquations<real::Recorded<T>, O> recorded(const DrivenReducedEquations<T, O>& e) {
+  return {recorded_model(e.model), recorded_top(e.top), e.w3, e.k_at_release, e.b, e.b_rest};
+}
+template <class T, Observer O>
+CompassEquations<real::Recorded<T>, O> recorded(const CompassEquations<T, O>& e) {
+  return {recorded_model(e.model), recorded_top(e.top), e.east, e.north, e.w3, e.carried};
+}
+
 }  // namespace
 
 template <class T>
@@ -32,35 +41,15 @@ taylor::Operations<T> record_drift(const Model<T>& model, Observer observer, std
   throw std::logic_error("in laboratory axes the rotating motion is integrated, and has no series");
 }
 
-template <class T, Observer O>
-taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>& equations, std::span<const T> x, T t) {
-  using R = real::Recorded<T>;
+template <class T, template <class, Observer> class Equations, Observer O>
+taylor::Operations<T> record_spinless(const Equations<T, O>& equations, std::span<const T> x, T t) {
   taylor::Recording<T> recording;
-  const DrivenReducedEquations<R, O> made{recorded_model(equations.model),
-                                          recorded_top(equations.top),
-                                          equations.w3,
-                                          equations.k_at_release,
-                                          equations.b,
-                                          equations.b_rest};
-  return recorded_equations<T, DrivenReducedShape::kSize>(made, recording, x, t);
+  return recorded_equations<T, Equations<T, O>::kSize>(recorded(equations), recording, x, t);
 }
 
-template <class T, Observer O>
-taylor::Operations<T> record_compass(const CompassEquations<T, O>& equations, std::span<const T> x, T t) {
-  using R = real::Recorded<T>;
-  taylor::Recording<T> recording;
-  const CompassEquations<R, O> made{recorded_model(equations.model),
-                                    recorded_top(equations.top),
-                                    equations.east,
-                                    equations.north,
-                                    equations.w3,
-                                    equations.carried};
-  return recorded_equations<T, CompassShape::kSize>(made, recording, x, t);
-}
-
-#define EARTHTOP_RECORD_TOP(T, O)                                                                               \
-  template taylor::Operations<T> record_driven_top(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
-  template taylor::Operations<T> record_compass(const CompassEquations<T, O>&, std::span<const T>, T);
+#define EARTHTOP_RECORD_TOP(T, O)                                                                             \
+  template taylor::Operations<T> record_spinless(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
+  template taylor::Operations<T> record_spinless(const CompassEquations<T, O>&, std::span<const T>, T);
 #define EARTHTOP_RECORD(T)                                                                       \
   template taylor::Operations<T> record_drift(const Model<T>&, Observer, std::span<const T>, T); \
   EARTHTOP_RECORD_TOP(T, Observer::laboratory)                                                   \

@@ -6,30 +6,30 @@
 #include "integrate/taylor/record_equations.hpp"
 
 namespace earthtop {
+namespace {
 
-taylor::Operations<double> record_driven_variations(const Model<double>& model, const ReducedTop<double>& top, double w3,
-                                                    bool has_Earth, const DrivenVariationsEquations<double>::State& x,
-                                                    double t) {
-  using R = real::Recorded<double>;
-  taylor::Recording<double> recording;
-  const Vec3<double> W_L = has_Earth ? model.W_IL_L : Vec3<double>(Vec3<double>::Zero());
-  const DrivenVariationsEquations<R> equations{
-      recorded_model(model), recorded_top(top), w3, top.spin_ratio * w3, recorded_model_detail::recorded(W_L), has_Earth};
-  return recorded_equations<double, DrivenVariationsShape::kSize>(equations, recording, x, t);
+using R = real::Recorded<double>;
+
+DrivenVariationsEquations<R> recorded(const DrivenVariationsEquations<double>& e) {
+  return {recorded_model(e.model), recorded_top(e.top), e.w3, e.b, recorded_model_detail::recorded(e.W_L), e.has_Earth};
+}
+CompassVariationsEquations<R> recorded(const CompassVariationsEquations<double>& e) {
+  return {
+      recorded_model(e.model), recorded_top(e.top), e.east, e.north, e.w3, recorded_model_detail::recorded(e.W_L), e.has_Earth};
 }
 
-taylor::Operations<double> record_compass_variations(const CompassVariationsEquations<double>& equations,
-                                                     const CompassVariationsEquations<double>::State& x, double t) {
-  using R = real::Recorded<double>;
+}  // namespace
+
+template <template <class> class Equations>
+taylor::Operations<double> record_variations(const Equations<double>& equations, const typename Equations<double>::State& x,
+                                             double t) {
   taylor::Recording<double> recording;
-  const CompassVariationsEquations<R> made{recorded_model(equations.model),
-                                           recorded_top(equations.top),
-                                           equations.east,
-                                           equations.north,
-                                           equations.w3,
-                                           recorded_model_detail::recorded(equations.W_L),
-                                           equations.has_Earth};
-  return recorded_equations<double, CompassVariationsShape::kSize>(made, recording, x, t);
+  constexpr std::size_t kSize = std::tuple_size_v<typename Equations<double>::State>;
+  return recorded_equations<double, kSize>(recorded(equations), recording, x, t);
 }
+template taylor::Operations<double> record_variations(const DrivenVariationsEquations<double>&,
+                                                      const DrivenVariationsEquations<double>::State&, double);
+template taylor::Operations<double> record_variations(const CompassVariationsEquations<double>&,
+                                                      const CompassVariationsEquations<double>::State&, double);
 
 }  // namespace earthtop
