@@ -180,7 +180,7 @@ struct Driven {
 
 /// Returns the angle through which a symmetric top turns without its spin (rad), for a top with symmetry axis 3. Its nutation
 /// slows down with its spin.
-double turned_without_spin(const Scene& scene, const Driven& driven, const Friction& friction) {
+double turned_without_spin(const Scene& scene, const Driven& driven, const FrictionPace& friction) {
   const double time = scene.scenario().duration_s, unbraked = driven.top.turning_rate() * time;
   const double braked_s = unbraked > 0 ? std::min(1.0, friction.turned_rad() / unbraked) * time : time;
   return driven.top.momentum / driven.top.body.I_BP_B(0, 0) * braked_s + driven.swinging_rate() * friction.swung_s() +
