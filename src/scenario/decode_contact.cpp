@@ -99,7 +99,6 @@ void check_beside(const Section& root, const Scenario& scenario) {
 
 /// Checks that the release says what it means on this table.
 void check_release(const Section& release, const Section& contact, const ContactSpec& spec) {
-  const Section table = contact.section("table");
   if (spec.table_tilt_deg != 0 && release.has("quaternion_LB"))
     release.refuse_key("quaternion_LB",
                        "is an attitude relative to the laboratory, and a release on a tilted table is relative to the "
