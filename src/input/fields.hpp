@@ -21,6 +21,7 @@ enum class FieldKind {
   word,            ///< one of `words`
   flag,            ///< true or false
   number,
+  vector2,   ///< two numbers
   vector3,   ///< three numbers
   matrix3,   ///< three rows of three numbers
   numbers,   ///< one to four numbers

@@ -19,6 +19,7 @@ constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 /// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is no array of plain values.
 std::vector<std::size_t> lengths_of(FieldKind kind) {
   switch (kind) {
+    case FieldKind::vector2: return {2};
     case FieldKind::vector3: return {3};
     case FieldKind::matrix3: return {3, 3};
     case FieldKind::numbers: return {4};

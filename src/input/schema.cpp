@@ -18,7 +18,9 @@ void add_range(Json& schema, const Range& range) {
   if (!std::isinf(range.most)) schema["maximum"] = range.most;
 }
 
-Json of_three(Json items) { return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 3}, {"maxItems", 3}}; }
+Json array_of(int size, Json items) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", size}, {"maxItems", size}};
+}
 
 class SchemaWriter {
  public:
@@ -65,8 +67,9 @@ class SchemaWriter {
       case FieldKind::word: return words;
       case FieldKind::flag: return {{"type", "boolean"}};
       case FieldKind::number: return number;
-      case FieldKind::vector3: return of_three(number);
-      case FieldKind::matrix3: return of_three(of_three(number));
+      case FieldKind::vector2: return array_of(2, number);
+      case FieldKind::vector3: return array_of(3, number);
+      case FieldKind::matrix3: return array_of(3, array_of(3, number));
       case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
       case FieldKind::changes:
         return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};

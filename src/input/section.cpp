@@ -78,6 +78,9 @@ std::optional<std::vector<std::string>> Section::changes(std::string_view key) c
     return list;
   });
 }
+std::optional<std::array<double, 2>> Section::pair(std::string_view key) const {
+  return read(key, [](const Node& node) { return std::array{node.children[0].number, node.children[1].number}; });
+}
 std::optional<std::array<double, 3>> Section::vector(std::string_view key) const { return read(key, three_numbers); }
 std::optional<std::array<std::array<double, 3>, 3>> Section::matrix(std::string_view key) const {
   return read(key, [](const Node& node) {

@@ -38,6 +38,7 @@ class Section {
   std::optional<std::vector<double>> numbers(std::string_view key) const;
   std::optional<std::vector<std::string>> changes(std::string_view key) const;
   const Node* any(std::string_view key) const;  ///< the key's node; null if it is missing or refused
+  std::optional<std::array<double, 2>> pair(std::string_view key) const;
   std::optional<std::array<double, 3>> vector(std::string_view key) const;
   std::optional<std::array<std::array<double, 3>, 3>> matrix(std::string_view key) const;
 

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "earthtop/model/contact_release.hpp"
+
 namespace earthtop {
 namespace {
 
@@ -30,6 +32,47 @@ void require_symmetric_about_axis_3(const Body<T>& body) {
                         "or \"none\"");
 }
 
+/// The cosine of the tilt at which a symmetric top that leans is to precess steadily; exactly 0 where it is so to round-off.
+/// @throws ScenarioError for any other body, or an axis that is vertical
+template <class T>
+T cosine_of_leaning(const Body<T>& body, const Quaternion<T>& q_LB) {
+  require_symmetric_about_axis_3(body);
+  const Mat3<T> R_LB = rotation_matrix(q_LB);
+  const T cosine = R_LB(2, 2), sine = real::hypot(R_LB(0, 2), R_LB(1, 2));
+  const T round_off = T(8) * real::epsilon<T>();
+  if (sine <= round_off)
+    throw ScenarioError(kPointer,
+                        "no steady precession: the axis is vertical (tilt 0 or 180 deg), where every rate is steady; "
+                        "give \"none\"");
+  return real::abs(cosine) <= round_off ? T(0) : cosine;
+}
+
+/// @param steady_rate  function that gives the rate of the steady precession named, for an attitude
+template <class T, class SteadyRate>
+Release<T> released(const ReleaseSpec& spec, const SteadyRate& steady_rate) {
+  Release<T> release;
+  release.X = spec.rates_relative_to;
+  if (spec.quaternion_LB) {
+    const auto& q = *spec.quaternion_LB;
+    release.q_LB = Quaternion<T>{T(q[0]), Vec3<T>(T(q[1]), T(q[2]), T(q[3]))}.normalized();
+  } else {
+    release.q_LB = release_attitude<T>(spec.tilt_deg, spec.azimuth_deg, spec.spin_angle_deg);
+  }
+  if (release.q_LB.w < T(0)) release.q_LB = {-release.q_LB.w, -release.q_LB.v};  // the sign convention of the results
+  if (spec.angular_velocity_body_rad_s) {
+    for (int i = 0; i < 3; ++i) release.w_XB_B[i] = T((*spec.angular_velocity_body_rad_s)[static_cast<std::size_t>(i)]);
+    return release;
+  }
+  T rate = T(0);
+  if (spec.precession == Precession::given)
+    rate = T(spec.precession_rate_rad_s);
+  else if (spec.precession != Precession::none)
+    rate = steady_rate(release.q_LB);
+  // The precession is about Up; the component of the rate along axis 3 is in total spin_rad_s.
+  const Vec3<T> up_B = rotation_matrix(release.q_LB).row(2).transpose();
+  release.w_XB_B = Vec3<T>(rate * up_B[0], rate * up_B[1], T(spec.spin_rad_s));
+  return release;
+}
 }  // namespace
 
 template <class T>
@@ -42,22 +85,14 @@ template Quaternion<float128> release_attitude(double, double, double);
 
 template <class T>
 T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravity, T w3, Precession which) {
-  require_symmetric_about_axis_3(body);
-  const Mat3<T> R_LB = rotation_matrix(q_LB);
-  const T cosine = R_LB(2, 2), sine = real::hypot(R_LB(0, 2), R_LB(1, 2));
-  const T round_off = T(8) * real::epsilon<T>();
-  if (sine <= round_off)
-    throw ScenarioError(kPointer,
-                        "no steady precession: the axis is vertical (tilt 0 or 180 deg), where every rate is steady; "
-                        "give \"none\"");
-  const bool horizontal = real::abs(cosine) <= round_off;
-  if (horizontal && which == Precession::steady_fast)
+  const T cosine = cosine_of_leaning(body, q_LB);
+  if (cosine == T(0) && which == Precession::steady_fast)
     throw ScenarioError(kPointer,
                         "no fast steady precession: at a tilt of 90 deg there is only the slow one; take "
                         "\"steady_slow\"");
   const T spin_momentum = body.I_BP_B(2, 2) * w3;
   const T mgl = body.mass * gravity * body.p_PBcm_B[2];
-  const T a = horizontal ? T(0) : body.I_BP_B(0, 0) * cosine;
+  const T a = body.I_BP_B(0, 0) * cosine;
   const T discriminant = spin_momentum * spin_momentum - T(4) * a * mgl;
   if (discriminant < T(0))
     throw ScenarioError(kPointer, fmt::format("no steady precession: the spin is too slow for this tilt; |spin_rad_s| must be "
@@ -78,31 +113,30 @@ template float128 steady_precession_rate(const Body<float128>&, const Quaternion
 
 template <class T>
 Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity) {
-  Release<T> release;
-  release.X = spec.rates_relative_to;
-  if (spec.quaternion_LB) {
-    const auto& q = *spec.quaternion_LB;
-    release.q_LB = Quaternion<T>{T(q[0]), Vec3<T>(T(q[1]), T(q[2]), T(q[3]))}.normalized();
-  } else {
-    release.q_LB = release_attitude<T>(spec.tilt_deg, spec.azimuth_deg, spec.spin_angle_deg);
-  }
-  if (release.q_LB.w < T(0)) release.q_LB = {-release.q_LB.w, -release.q_LB.v};  // the sign convention of the results
-  if (spec.angular_velocity_body_rad_s) {
-    for (int i = 0; i < 3; ++i) release.w_XB_B[i] = T((*spec.angular_velocity_body_rad_s)[static_cast<std::size_t>(i)]);
-    return release;
-  }
-  T rate = T(0);
-  if (spec.precession == Precession::given)
-    rate = T(spec.precession_rate_rad_s);
-  else if (spec.precession != Precession::none)
-    rate = steady_precession_rate(body, release.q_LB, gravity, T(spec.spin_rad_s), spec.precession);
-  // The precession is about Up; the component of the rate along axis 3 is in total spin_rad_s.
-  const Vec3<T> up_B = rotation_matrix(release.q_LB).row(2).transpose();
-  release.w_XB_B = Vec3<T>(rate * up_B[0], rate * up_B[1], T(spec.spin_rad_s));
-  return release;
+  return released<T>(spec, [&](const Quaternion<T>& q_LB) {
+    return steady_precession_rate(body, q_LB, gravity, T(spec.spin_rad_s), spec.precession);
+  });
 }
 template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);
 template Release<long double> make_release(const ReleaseSpec&, const Body<long double>&, long double);
 template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
+
+template <class T>
+Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& contact, const Body<T>& body, const Site& site) {
+  return released<T>(spec, [&](const Quaternion<T>& q_HB) {
+    const T cosine = cosine_of_leaning(body, q_HB);
+    const auto rate = steady_precession_on_table(make_contact<T>(contact, body, site, {}, nullptr), T(site.gravity_m_s2),
+                                                 cosine, T(spec.spin_rad_s), spec.precession);
+    if (!rate)
+      throw ScenarioError(kPointer, fmt::format("no {} steady precession on this table at this spin and tilt; give a faster "
+                                                "spin, {{\"rate_rad_s\": ...}} or \"none\"",
+                                                spec.precession == Precession::steady_fast ? "fast" : "slow"));
+    return *rate;
+  });
+}
+template Release<double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<double>&, const Site&);
+template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,
+                                                    const Site&);
+template Release<float128> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float128>&, const Site&);
 
 }  // namespace earthtop

@@ -69,7 +69,7 @@ bool decode_site(const Section& root, Scenario& scenario) {
   return true;
 }
 
-/// Decodes the whole scenario. @returns whether body, release and gravity are known
+/// Decodes the whole scenario. @returns whether body, release, gravity and contact are known
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
@@ -83,6 +83,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, scenario);
   decode_numerics(root.section("numerics"), scenario);
+  if (root.has("contact")) scenario.contact = decode_contact(root, scenario);
   decode_headline(root, scenario);
   scenario.criteria = decode_criteria(root);
   report_keys(report, scenario);
@@ -91,7 +92,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
     uncertainty_keys(uncertainty, scenario.uncertainty.emplace());
     scenario.sensitivities = true;
   }
-  return body && release && gravity;
+  return body && release && gravity && (scenario.contact || !root.has("contact"));
 }
 
 }  // namespace

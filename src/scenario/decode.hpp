@@ -25,6 +25,10 @@ void decode_motion(const Section& motion, Scenario& scenario);
 /// Decodes the platform. @param source  says whether a table may be read, and where   @param duration_s  time it must cover (s)
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
+/// Decodes the contact with a table, and checks that the other sections, which must have been decoded, allow one.
+/// @returns the contact; empty if it is not complete
+std::optional<ContactSpec> decode_contact(const Section& root, const Scenario& scenario);
+
 /// Decodes which torques act, and the directions of the Earth's pole and of the plumb line.
 /// @param scenario  must have site and rate; its effects, site and rate are written
 void decode_effects(const Section& root, Scenario& scenario);

@@ -23,7 +23,7 @@ struct Decoded {
   input::Findings findings;
   Scenario scenario;
   bool is_whole = false;   ///< whether the text is valid JSON; otherwise nothing was decoded
-  bool has_start = false;  ///< whether body, release and gravity are known
+  bool has_start = false;  ///< whether body, release, gravity and contact are known
 
   /// Returns the section of the whole text, in which messages can be placed.
   input::Section section() { return {root, findings, fields()}; }

@@ -128,6 +128,41 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("file_sha256", platform.file_sha256);  // represents the table in the run's identity
 }
 
+// -- contact
+
+/// Describes the contact. A law's coefficients are written with that law only; what is off, and a level table, is left out.
+template <class Codec, class S>
+void contact_keys(Codec& codec, S& contact) {
+  codec.key("tip_radius_m", contact.tip_radius_m);
+  codec.word("law", contact.law, kContactLaws);
+  const auto of_law = [&](std::string_view key, auto& member) {
+    if (!Codec::kWrites || input::lists(row_of(kContactLaws, contact.law).allowed, key)) codec.key(key, member);
+  };
+  of_law("sliding_viscosity_N_s_m", contact.sliding_viscosity_N_s_m);
+  of_law("sliding_viscosity_s_m", contact.sliding_viscosity_s_m);
+  of_law("friction_coefficient", contact.friction_coefficient);
+  of_law("regularisation_m_s", contact.regularisation_m_s);
+  of_law("patch_radius_m", contact.patch_radius_m);
+  of_law("static_coefficient", contact.static_coefficient);
+  codec.sparse("spinning_friction_m", contact.spinning_friction_m);
+  codec.sparse("rolling_resistance_m", contact.rolling_resistance_m);
+  codec.sparse("regularisation_rad_s", contact.regularisation_rad_s);
+  if (codec.takes("tip_velocity_m_s", contact.start == ContactStart::tip_velocity)) {
+    codec.key("tip_velocity_m_s", contact.tip_velocity_m_s);
+    if constexpr (!Codec::kWrites) contact.start = ContactStart::tip_velocity;
+  } else {
+    if constexpr (!Codec::kWrites)
+      if (contact.law == ContactLaw::rolling) contact.start = ContactStart::rolling;
+    codec.word("start", contact.start, kContactStarts);
+  }
+  codec.key("tip_position_m", contact.tip_position_m);
+  codec.key("max_tilt_deg", contact.max_tilt_deg);
+  codec.object("table", true, [&](auto& below) {
+    below.sparse("tilt_deg", contact.table_tilt_deg);
+    below.sparse("tilt_azimuth_deg", contact.table_tilt_azimuth_deg);
+  });
+}
+
 // -- effects: an effect that is off is left out, so that a scene keeps its identity when new effects are added to the format
 
 template <class Codec, class S>

@@ -83,6 +83,9 @@ class Reading {
   std::optional<double> value_of(std::string_view key, double) { return section_.number(key); }
   std::optional<bool> value_of(std::string_view key, bool) { return section_.flag(key); }
   std::optional<std::string> value_of(std::string_view key, const std::string&) { return section_.word(key); }
+  std::optional<std::array<double, 2>> value_of(std::string_view key, const std::array<double, 2>&) {
+    return section_.pair(key);
+  }
   std::optional<std::array<double, 3>> value_of(std::string_view key, const std::array<double, 3>&) {
     return section_.vector(key);
   }

@@ -26,6 +26,8 @@ bool belongs(std::string_view key, const Json& given) {
   if (key == "relative_tolerance")
     return !given.contains("step_s") && given.value("method", "") != "closed_form" &&
            given.value("precision", "double") == "double";
+  if (input::lists(kContactLawKeys, key) && given.contains("law"))
+    return input::lists(row_of_word(kContactLaws, given.at("law").get<std::string>()).allowed, key);
   if (!given.contains("motion")) return true;
   const auto keys = split_words(kMotionKeys);
   if (std::find(keys.begin(), keys.end(), key) == keys.end()) return true;

@@ -11,6 +11,7 @@
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
+#include "earthtop/model/contact_spec.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
@@ -98,6 +99,29 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
+
+/// The coefficients that a law of friction must and may have.
+struct ContactLawRule {
+  std::string_view word;
+  ContactLaw value;
+  std::string_view required, allowed;  ///< members of kContactLawKeys, separated by '|'
+};
+
+inline constexpr std::string_view kContactLawKeys =
+    "sliding_viscosity_N_s_m|sliding_viscosity_s_m|friction_coefficient|regularisation_m_s|patch_radius_m|static_coefficient";
+inline constexpr std::array kContactLaws = {
+    ContactLawRule{"frictionless", ContactLaw::frictionless, "", ""},
+    ContactLawRule{"viscous", ContactLaw::viscous, "sliding_viscosity_N_s_m", "sliding_viscosity_N_s_m"},
+    ContactLawRule{"viscous_load", ContactLaw::viscous_load, "sliding_viscosity_s_m", "sliding_viscosity_s_m"},
+    ContactLawRule{"coulomb", ContactLaw::coulomb, "friction_coefficient", "friction_coefficient|regularisation_m_s"},
+    ContactLawRule{"contensou", ContactLaw::contensou, "friction_coefficient|patch_radius_m",
+                   "friction_coefficient|patch_radius_m"},
+    ContactLawRule{"rolling", ContactLaw::rolling, "", "static_coefficient"},
+};
+/// The words of `start`; the remaining start is given by `tip_velocity_m_s`.
+inline constexpr std::array kContactStarts = {
+    Word<ContactStart>{"tip_at_rest", ContactStart::tip_at_rest}, Word<ContactStart>{"rolling", ContactStart::rolling},
+    Word<ContactStart>{"center_of_mass_at_rest", ContactStart::center_of_mass_at_rest}};
 
 inline constexpr std::array kCompositions = {Composition::automatic, Composition::aba82,   Composition::aba84,
                                              Composition::aba864,    Composition::aba1064, Composition::rkn6,

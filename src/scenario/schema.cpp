@@ -61,6 +61,28 @@ Json platform_rules() {
   return rules;
 }
 
+/// Returns the rules of a contact's coefficients, which belong to laws, and of its start.
+Json contact_rules() {
+  Json rules = Json::array();
+  for (const ContactLawRule& rule : kContactLaws) {
+    Json properties = Json::object();
+    for (const std::string_view key : split_words(kContactLawKeys))
+      if (!input::lists(rule.allowed, key)) properties[key] = false;
+    if (rule.value == ContactLaw::rolling) {
+      properties["start"] = {{"enum", Json::array({"rolling"})}};
+      properties["tip_velocity_m_s"] = false;
+    }
+    rules.push_back(when("law", rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
+  }
+  rules.push_back({{"not", required("start|tip_velocity_m_s")}});
+  const Json rate = required("regularisation_rad_s");
+  for (const char* key : {"spinning_friction_m", "rolling_resistance_m"})
+    rules.push_back({{"if", has(key, {{"exclusiveMinimum", 0}})}, {"then", rate}});
+  rules.push_back(
+      {{"if", rate}, {"then", {{"anyOf", Json::array({required("spinning_friction_m"), required("rolling_resistance_m")})}}}});
+  return rules;
+}
+
 /// Returns the rule that latitude is required if the Earth rotates, or if gravity is computed from it.
 Json site_rule() {
   Json nothing_to_know = has("site", required("gravity_m_s2"));
@@ -156,6 +178,7 @@ Json rules_of(std::string_view pattern) {
         {{{"properties", {{"start_utc", {{"pattern", "^\\d{4}-\\d{2}-\\d{2}T\\d{2}:\\d{2}:\\d{2}([.]\\d+)?Z$"}}}}}}});
   if (pattern == "/effects/tide") return Json::array({tide_rule()});
   if (pattern == "/platform") return platform_rules();
+  if (pattern == "/contact") return contact_rules();
   if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();
 }

@@ -9,6 +9,7 @@
 
 #include "earthtop/model/release.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "scene/examine_contact.hpp"
 #include "scene/plausibility.hpp"
 
 namespace earthtop {
@@ -58,12 +59,12 @@ void check_gimbal(const Section& effects, const Scene& scene) {
 void check_effects(const Section& effects, const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const AppliedTorquesSpec& applied = scenario.effects.applied;
-  if (applied.gimbal) check_gimbal(effects, scene);
+  if (applied.gimbal && !scenario.contact) check_gimbal(effects, scene);
   constexpr double kLongestTide_s = 3.2e7;  // computing the tide's series for this time takes a second or two
   if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
     effects.refuse("tide",
                    "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");
-  if (applied.coulomb_N_m != 0 && scenario.platform)
+  if (applied.coulomb_N_m != 0 && scenario.platform && !scenario.contact)
     effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
 }
 
@@ -88,6 +89,7 @@ void check_cost(const Section& root, const Scene& scene) {
 
 void check_scene(const Section& root, const Scene& scene) {
   if (!check_start(root.section("release"), scene)) return;
+  if (scene.scenario().contact) check_contact(root, scene);
   check_effects(root.section("effects"), scene);
   check_method(root.section("numerics"), scene);
 }

@@ -27,6 +27,7 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
   if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
+  if (scene.scenario().contact) return what + "is not made for a top on a table; take \"auto\", or leave the contact out";
   if (auto reason = need_all_torques(word, scene)) return reason;
   if (!scene.is_plain())
     return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";

@@ -73,9 +73,9 @@ struct Braking {
 };
 
 /// The contribution of friction to the pace.
-class Friction {
+class FrictionPace {
  public:
-  Friction(const Scene& scene, const Released& top, double rate, double driven_rate, double torque)
+  FrictionPace(const Scene& scene, const Released& top, double rate, double driven_rate, double torque)
       : top_(top), time_(scene.scenario().duration_s), rate_(rate), driven_(driven_rate), torque_(torque) {
     const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
     turned_ = rate_ * time_;
@@ -173,14 +173,14 @@ struct Driven {
     gradient = gradient_torque(scene, top);
   }
   double swinging_rate() const { return falling_rate(gravity_torque, top.swinging()) + falling_rate(gradient, top.swinging()); }
-  Friction friction(const Scene& scene) const {
+  FrictionPace friction(const Scene& scene) const {
     return {scene, top, top.turning_rate(), platform.rate_rad_s, gravity_torque + gradient};
   }
 };
 
 /// Returns the angle through which a symmetric top turns without its spin (rad), for a top with symmetry axis 3. Its nutation
 /// slows down with its spin.
-double turned_without_spin(const Scene& scene, const Driven& driven, const Friction& friction) {
+double turned_without_spin(const Scene& scene, const Driven& driven, const FrictionPace& friction) {
   const double time = scene.scenario().duration_s, unbraked = driven.top.turning_rate() * time;
   const double braked_s = unbraked > 0 ? std::min(1.0, friction.turned_rad() / unbraked) * time : time;
   return driven.top.momentum / driven.top.body.I_BP_B(0, 0) * braked_s + driven.swinging_rate() * friction.swung_s() +
@@ -240,7 +240,7 @@ double fastest_rate_of(const Scene& scene) {
 Paced paced(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const Driven driven(scene);
-  const Friction friction = driven.friction(scene);
+  const FrictionPace friction = driven.friction(scene);
   const double time = scenario.duration_s, swinging = driven.swinging_rate();
   const double carried = std::abs(scene.rotation_rate_rad_s()) + driven.platform.rate_rad_s;
 

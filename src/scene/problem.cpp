@@ -53,6 +53,9 @@ template Model<float128> model_of(const Scene&, const NaturalUnits&);
 template <class T>
 DriftProblem<T> problem_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
+  // CONTACT-REFUSAL: the only place where a scenario with a contact is refused as a whole; the integration of contacts replaces it.
+  if (scenario.contact)
+    throw ScenarioError("/contact", "motions on a table are not integrated; leave the block out for a fixed pivot");
   DriftProblem<T> problem;
   problem.release = scene.release<T>();
   problem.units = scene.units();

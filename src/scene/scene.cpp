@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "earthtop/model/contact_release.hpp"
 #include "scene/once.hpp"
 #include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
@@ -63,7 +64,7 @@ const std::string& Scene::sha256() const {
   return parts_->sha256.get([this] { return sha256_hex(identity()); });
 }
 
-bool Scene::is_plain() const { return !scenario().platform && scenario().effects.plain(); }
+bool Scene::is_plain() const { return !scenario().platform && !scenario().contact && scenario().effects.plain(); }
 int Scene::symmetry_axis() const {
   return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
 }
@@ -89,7 +90,11 @@ const Body<T>& Scene::body() const {
 }
 template <class T>
 const Release<T>& Scene::release() const {
-  return parts_->in<T>().release.get([this] { return make_release<T>(scenario().release, body<T>(), T(site().gravity_m_s2)); });
+  return parts_->in<T>().release.get([this] {
+    const auto& contact = scenario().contact;
+    return contact ? make_release_on_table<T>(scenario().release, *contact, body<T>(), site())
+                   : make_release<T>(scenario().release, body<T>(), T(site().gravity_m_s2));
+  });
 }
 template <class T>
 const Model<T>& Scene::model() const {

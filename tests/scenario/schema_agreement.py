@@ -98,8 +98,19 @@ WHOLE = [
     scene(effects={"coulomb_torque_N_m": 1e-3}),
     scene(effects="auto", accuracy={"drift_rad": 1e-9}),
     scene(effects={"select": "auto", "viscous_torque_N_m_s": 1e-7}, accuracy={"drift_rad": 1e-9}),
+    scene(contact={"tip_radius_m": 0.002, "law": "frictionless", "start": "center_of_mass_at_rest", "tip_position_m": [0.1, -0.1],
+                   "max_tilt_deg": 75, "table": {"tilt_deg": 1, "tilt_azimuth_deg": -30}}),
+    scene(contact={"tip_radius_m": 0, "law": "viscous", "sliding_viscosity_N_s_m": 0.05, "start": "rolling"}),
+    scene(contact={"tip_radius_m": 0.002, "law": "viscous_load", "sliding_viscosity_s_m": 0.3, "tip_velocity_m_s": [0.1, 0]}),
+    scene(contact={"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01,
+                   "spinning_friction_m": 1e-5, "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1}),
+    scene(contact={"tip_radius_m": 0.002, "law": "contensou", "friction_coefficient": 0.2, "patch_radius_m": 1e-4}),
+    scene(contact={"tip_radius_m": 0.002, "law": "rolling", "start": "rolling", "static_coefficient": 0.3},
+          release={"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"}),
     scene(platform={"motion": "table", "file": "angles.csv", "file_sha256": hashlib.sha256(ANGLES).hexdigest()}),
 ]
+
+SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01}
 
 # Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
 BEYOND_THE_SCHEMA = [
@@ -138,6 +149,21 @@ BEYOND_THE_SCHEMA = [
     ({"platform": {"motion": "table", "file": "angles.csv", "file_sha256": ""}}, "is not that of"),
     ({"platform": {"motion": "table", "file": "angles.csv"}, "motion": {"duration_s": 2.5}}, "it must reach the duration"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
+    ({"contact": SLIDING, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "is not available with /contact"),
+    ({"contact": SLIDING, "effects": {"viscous_torque_N_m_s": 1e-7}}, "is not available with /contact"),
+    ({"contact": SLIDING, "numerics": {"observer": "body"}}, "with /contact"),
+    ({"contact": SLIDING, "numerics": {"method": "splitting"}}, "not made for a top on a table"),
+    ({"contact": SLIDING, "release": {"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"}}, "with /contact/law"),
+    ({"contact": {"tip_radius_m": 0.002, "law": "rolling", "table": {"tilt_deg": 1}},
+      "release": {"tilt_deg": 20, "spin_rad_s": 200, "precession": "steady_slow"}}, "on a tilted table"),
+    ({"contact": {**SLIDING, "table": {"tilt_deg": 1}},
+      "release": {"quaternion_LB": {"w": 1, "x": 0, "y": 0, "z": 0}, "spin_rad_s": 1}}, "a release on a tilted table"),
+    ({"contact": {**SLIDING, "max_tilt_deg": 10}}, "is not above the tilt of the release"),
+    ({"contact": {**SLIDING, "friction_coefficient": 1e3, "tip_velocity_m_s": [0, -1]}}, "Painleve"),
+    ({"contact": SLIDING, "release": {"tilt_deg": 60, "angular_velocity_body_rad_s": [0, -100, 0]}}, "leaves the table"),
+    ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "lets a slip die out"),
+    ({"contact": SLIDING, "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {
+        "about": "center_of_mass", "principal_kg_m2": [0, 1e-4, 1e-4]}}}, "all three must be above 0"),
     ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),
 ]
 # The same where the fault is in the text: a parser takes these silently, or a schema never sees them.

@@ -78,6 +78,16 @@ std::optional<T> steady_precession_on_table(const Contact<T>& c, T gravity, T co
   return which == Precession::steady_fast ? sum / (T(2) * a) : T(2) * moment / sum;
 }
 
+/// Attitude and rates at release on a table, relative to the table's axes; see make_release. A steady precession is that on the
+/// table.   @throws ScenarioError if the steady precession asked for does not exist
+template <class T>
+Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& contact, const Body<T>& body, const Site& site);
+extern template Release<double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<double>&, const Site&);
+extern template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,
+                                                           const Site&);
+extern template Release<float128> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float128>&,
+                                                        const Site&);
+
 /// The model with its gravity and the Earth's rate in the table's axes. Its tide stays in laboratory axes.
 template <class T>
 Model<T> in_table_axes(const Model<T>& model, const Quaternion<T>& q_LH) {

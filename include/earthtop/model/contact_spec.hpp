@@ -25,14 +25,17 @@ struct ContactSpec {
   double friction_coefficient = 0;     ///< mu of `coulomb` and `contensou`
   double regularisation_m_s = 0;       ///< slip below which `coulomb` is proportional to it; 0: the exact law
   double patch_radius_m = 0;           ///< radius of the contact patch of `contensou`
-  double spinning_friction_m = 0;      ///< c_s: moment about the normal over normal force, under any law
-  double rolling_resistance_m = 0;     ///< c_r: moment about horizontal axes over normal force, under any law
-  double regularisation_rad_s = 0;     ///< rate below which these two moments are proportional to it
+  /// mu_s of `rolling`: the largest friction over normal force that it may need; it decides nothing in the motion.
+  std::optional<double> static_coefficient = {};
+  double spinning_friction_m = 0;   ///< c_s: moment about the normal over normal force, under any law
+  double rolling_resistance_m = 0;  ///< c_r: moment about horizontal axes over normal force, under any law
+  double regularisation_rad_s = 0;  ///< rate below which these two moments are proportional to it
   ContactStart start = ContactStart::tip_at_rest;
   std::array<double, 2> tip_velocity_m_s = {0, 0};  ///< along axes 1 and 2 of the table (East, North if it is level)
   std::array<double, 2> tip_position_m = {0, 0};
-  double table_tilt_deg = 0;          ///< angle of the table's normal to Up
-  double table_tilt_azimuth_deg = 0;  ///< compass direction of steepest descent
+  std::optional<double> max_tilt_deg = {};  ///< tilt from the normal at which rim or stem touches the table
+  double table_tilt_deg = 0;                ///< angle of the table's normal to Up
+  double table_tilt_azimuth_deg = 0;        ///< compass direction of steepest descent
   bool operator==(const ContactSpec&) const = default;
 };
 

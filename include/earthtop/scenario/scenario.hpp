@@ -15,6 +15,7 @@
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
+#include "earthtop/model/contact_spec.hpp"
 #include "earthtop/model/ledger_row.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
@@ -78,6 +79,7 @@ struct Scenario {
   std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z
   double output_step_s = 0;
   std::optional<PlatformSpec> platform;
+  std::optional<ContactSpec> contact;  ///< the tip on a table; none: a fixed pivot
   EffectsSpec effects;
   IntegrationOptions numerics;
   Precision precision = Precision::bits53;
