@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "earthtop/budget/budget.hpp"
+#include "earthtop/drift/contact_event.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/stop_event.hpp"
 #include "earthtop/scene/scene.hpp"
@@ -94,6 +95,19 @@ struct SensitivityReport {
   double axis_error_rad = 0;             ///< standard error of the axis drift from all inputs, taken as independent (rad)
 };
 
+/// How far the non-rotating prediction itself moves with one input of the contact, at the last reliable row.
+struct PredictionChange {
+  std::string_view input;          ///< "friction_coefficient", "table_tilt", ...
+  std::string_view step;           ///< what the change is: "1 %", "1 arcsec"
+  double axis_rad = 0, tip_m = 0;  ///< change of the reference axis and of the reference tip; the largest over its directions
+};
+/// What a run of a top on a table tells about the contact.
+struct ContactReport {
+  std::vector<ContactEvent> events;  ///< ascending in time
+  double at_s = 0;                   ///< time of `changes`
+  std::vector<PredictionChange> changes;
+};
+
 /// Tells whether the requested error was reached, counting both the error bound and the effects left out.
 struct AccuracyReport {
   double asked_rad = 0;
@@ -123,10 +137,11 @@ struct RunResult {
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full precision; empty in double precision
   DriftSummary drift;
   VerdictReport verdict;
-  std::vector<StopEvent> stops;   ///< the times when dry friction brought a motion to rest
-  IntegrationReport solution;     ///< the integration that gives the rows
-  IntegrationReport certificate;  ///< the second integration, whose distance to the rows gives the bounds
-  double attitude_bound_rad = 0;  ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
+  std::vector<StopEvent> stops;          ///< the times when dry friction brought a motion to rest
+  std::optional<ContactReport> contact;  ///< present for a top on a table
+  IntegrationReport solution;            ///< the integration that gives the rows
+  IntegrationReport certificate;         ///< the second integration, whose distance to the rows gives the bounds
+  double attitude_bound_rad = 0;         ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;
   std::optional<SensitivityReport> sensitivities;  ///< present if the scenario requests them

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "earthtop/drift/drift.hpp"
 
@@ -36,6 +37,15 @@ std::optional<SecularDrift> fit_secular_drift(const std::vector<DriftRow>& rows)
 }
 
 }  // namespace
+
+std::string_view to_string(ContactState state) {
+  switch (state) {
+    case ContactState::slide: return "slide";
+    case ContactState::roll: return "roll";
+    case ContactState::mixed: return "mixed";
+  }
+  throw std::logic_error("unknown state of a contact");
+}
 
 std::string_view to_string(ThresholdCrossing crossing) {
   switch (crossing) {

@@ -12,6 +12,25 @@
 
 namespace earthtop {
 
+/// How the tip touches the table: it slides or rolls in both predictions, or one of them slides and the other rolls.
+enum class ContactState { slide, roll, mixed };
+std::string_view to_string(ContactState state);
+
+/// What a row of a top on a table has beside attitudes and rates. The tip is the contact point; positions are horizontal, from the
+/// laboratory's origin, to East and North (on a tilted table along its axes 1 and 2).
+template <class T>
+struct BasicContactRow {
+  std::array<T, 2> tip_m = {}, ref_tip_m = {};
+  T slip_m_s = T(0), ref_slip_m_s = T(0);
+  T normal_force_N = T(0), ref_normal_force_N = T(0);
+  std::array<T, 2> drift_tip_xy_m = {};  ///< rotating less reference
+  T drift_tip_m = T(0);                  ///< its length
+  T drift_tip_bound_m = T(0);            ///< bound on the error of `drift_tip_m`
+  T drift_slip_m_s = T(0);
+  T drift_spin_rate_rad_s = T(0);  ///< difference of the inertial rates about axis 3
+  ContactState state = ContactState::slide;
+};
+
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
 /// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
 /// in float128, which holds a long double unchanged.
@@ -32,6 +51,7 @@ struct BasicDriftRow {
   T drift_attitude_bound_rad = T(0);   ///< bound on the error of `drift_attitude_rad`
   T drift_spin_rad = T(0);             ///< difference of the spin phases, continuous
   bool drift_reliable = true;          ///< false from the time on from which the run's verdict calls the drift unreliable
+  std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
@@ -64,11 +84,12 @@ struct DriftSummary {
   double spin_final_rad = 0;
   std::optional<double> azimuth_final_rad;
   double tilt_final_rad = 0;
-  std::optional<double> axis_final_over_earth_angle;    ///< axis_final / (|Omega| t)
-  std::optional<SecularDrift> secular;                  ///< none where fewer than three rows have an azimuth
-  std::optional<double> threshold_time_s;               ///< when drift_axis_rad first passes the threshold asked for
-  std::optional<double> threshold_time_bound_s;         ///< bound on that time's error; only for a clear crossing
-  std::optional<ThresholdCrossing> threshold_crossing;  ///< none where no threshold is asked for
+  std::optional<double> axis_final_over_earth_angle;          ///< axis_final / (|Omega| t)
+  std::optional<SecularDrift> secular;                        ///< none where fewer than three rows have an azimuth
+  std::optional<double> threshold_time_s;                     ///< when drift_axis_rad first passes the threshold asked for
+  std::optional<double> threshold_time_bound_s;               ///< bound on that time's error; only for a clear crossing
+  std::optional<ThresholdCrossing> threshold_crossing;        ///< none where no threshold is asked for
+  std::optional<double> tip_final_m, tip_max_m, tip_bound_m;  ///< of a top on a table
 };
 
 /// Summarises the rows. The members on the threshold stay empty: its crossing is found by the integrations, which see every

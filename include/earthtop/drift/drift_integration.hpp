@@ -3,13 +3,17 @@
 /// motion (on the rotating Earth), the non-rotating prediction (the reference), and the deviation between them.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "earthtop/drift/contact_event.hpp"
+#include "earthtop/drift/contact_state.hpp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/drift/stop_event.hpp"
 #include "earthtop/drift/threshold.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/model/contact_release.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -74,13 +78,22 @@ struct DriftSample {
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
-  T attitude_error = T(0);  ///< bound on the error of both attitudes
-  T drift_error = T(0);     ///< bound on the error of the drift
+  T attitude_error = T(0);                      ///< bound on the error of both attitudes
+  T drift_error = T(0);                         ///< bound on the error of the drift
+  std::optional<ContactDriftState<T>> contact;  ///< of a top on a table, in natural units
 };
 
 /// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
 /// the deviation, which saves a third of the work (in body and inertial axes; in laboratory axes it is always integrated).
 enum class RotatingMotion { integrated, composed };
+
+/// A table on which the top stands instead of turning about a fixed pivot.
+template <class T>
+struct TableProblem {
+  Contact<T> contact;
+  ContactRelease<T> start;
+  double max_tilt_rad = HUGE_VAL;  ///< tilt from the table's normal at which the rim touches
+};
 
 /// A problem of which both motions and their deviation are sought.
 template <class T>
@@ -88,6 +101,7 @@ struct DriftProblem : MotionProblem<T> {
   std::optional<double> threshold_rad;  ///< axis drift of which the first passing is sought (rad)
   RotatingMotion rotating = RotatingMotion::integrated;
   DriftSought sought = DriftSought::rows;  ///< with `distances` the samples' spin and azimuth are not followed
+  std::optional<TableProblem<T>> table;    ///< none: a fixed pivot
 };
 
 /// Both motions and the drift at the output times, and how their integration ended. Ended early, it has fewer samples.
@@ -98,6 +112,7 @@ struct DriftTrajectory {
   StepCounters counters;
   std::optional<double> step_s;                 ///< step of a fixed-step method in the first output interval (s)
   std::vector<StopEvent> stops;                 ///< ascending in time
+  std::vector<ContactEvent> contact_events;     ///< ascending in time
   std::optional<ThresholdRecord<T>> threshold;  ///< in seconds; none where no threshold is asked for
   std::optional<KickSteps> kick_steps;          ///< the steps that long_horizon found last
 };
