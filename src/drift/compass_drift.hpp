@@ -49,8 +49,7 @@ class CompassDrift : public WithSeries<RecordedSeries<T, CompassShape::kSize>> {
 
   DriftState<T> shared_state(const State& x, T t) const {
     DriftState<T> s = deviation_state(x, t);
-    s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, epsilon_ * s.e_v_scaled};
-    s.q_LB = s.q_LB.normalized();
+    s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, epsilon_ * s.e_v_scaled}.normalized();
     const CompassMotion<Paired<T>> both = equations_.motions(x);
     const auto rate = [](const Quaternion<T>& q_LB, const T& p, const T& spin) {
       Vec3<T> w_LB_B = p * Vec3<T>(rotation_matrix(q_LB).row(2).transpose());

@@ -57,6 +57,7 @@ class SecondBeside {
     } catch (const std::system_error&) {  // then one integration follows the other
     }
   }
+  bool runs() const { return made_.valid(); }
   /// Waits for it. @returns whether it was made, for all rows of the first one
   bool take(const DriftTrajectory<T>& first, std::size_t rows, DriftTrajectory<T>& second, IntegrationReport& report) {
     if (!made_.valid()) return false;
@@ -83,11 +84,12 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   made.options = within_estimate(scene, scene.choice().options);
   made.other_options = second_options(scene, made.options);
   const Watch& watch = run_options.watch;
-  const RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
+  RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
+  SecondBeside<T> beside(scene, made.options, within_estimate(scene, made.other_options), run_options);
+  if (beside.runs()) seconds.bound = std::max(0.0, seconds.bound - seconds.solution);
   Parts parts(watch, seconds.all());
 
   const DriftProblem<T>& rows = scene.problem<T>();
-  SecondBeside<T> beside(scene, made.options, within_estimate(scene, made.other_options), run_options);
   made.first = integrate_timed(rows, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
   made.solution.reason = scene.choice().reason;
   const Watch bound = parts.next(seconds.bound, "error bound");

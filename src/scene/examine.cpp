@@ -72,7 +72,9 @@ void check_method(const Section& numerics, const Scene& scene) {
   if (const auto& reason = scene.method_refusal()) numerics.refuse("method", *reason);
 }
 
+/// Checks the cost of a scene without other errors: its estimate takes the whole scene.
 void check_cost(const Section& root, const Scene& scene) {
+  if (scene.scenario().numerics.step_s) return;
   try {
     scene.require_affordable();
   } catch (const ScenarioError& error) {
@@ -90,7 +92,6 @@ void check_scene(const Section& root, const Scene& scene) {
   if (scene.scenario().contact) check_contact(root, scene);
   check_effects(root.section("effects"), scene);
   check_method(root.section("numerics"), scene);
-  if (scene.scenario().duration_s > 0 && !scene.scenario().numerics.step_s) check_cost(root, scene);
 }
 
 }  // namespace
@@ -99,9 +100,10 @@ ScenarioReport examine(const scenario::Document& document, const std::vector<inp
   scenario::Decoded decoded = document.decode(changes);
   if (!decoded.is_whole) return {std::nullopt, decoded.findings.count(), decoded.errors()};
   const Scene scene(std::move(decoded.scenario));
-  if (decoded.has_start) check_scene(decoded.section(), scene);
-  warn_of_implausible(decoded.section(), scene);
   const input::Findings& findings = decoded.findings;
+  if (decoded.has_start) check_scene(decoded.section(), scene);
+  if (decoded.has_start && findings.empty()) check_cost(decoded.section(), scene);
+  warn_of_implausible(decoded.section(), scene);
   ScenarioReport report{std::nullopt, findings.count(), decoded.errors(), findings.warnings(decoded.text)};
   if (!findings.empty()) return report;
   report.scenario = scene.scenario();

@@ -32,7 +32,7 @@ double slowness(Precision precision) {
 /// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
-  constexpr double kReduced = 1.2e-7, kDrivenOrder = 4e-7, kGeneralOrder = 8e-7;
+  constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
   const bool reduced = scene.form(options) == ModelForm::reduced;
   double seconds = reduced ? kReduced : general_evaluation_seconds(scene);
   if (options.method == Method::taylor && !scene.is_plain()) seconds = reduced ? kDrivenOrder : kGeneralOrder;

@@ -28,6 +28,7 @@ Work work_of_verdict(const Scene& scene) {
 /// Returns the time (s) of one evaluation of a motion with three disturbances.
 double seconds_a_variation(const Scene& scene) {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  if (!scene.is_plain() && scene.is_reducible_when_driven() && !scene.method_refusal(Method::taylor)) return 2.6e-7;
   if (applied.gimbal) return 1.2e-6;
   return applied.any() ? 6e-7 : 2.5e-7;
 }

@@ -111,12 +111,13 @@ def scene(name, file, **sets):
 
 
 def main():
-    top = scene("toy-top", "top", motion__duration_s=300, motion__output_step_s=1)
+    top = scene("toy-top", "top", motion__duration_s=3000, motion__output_step_s=1)
     body = scene("asymmetric-top", "body", motion__duration_s=900)
     rows = scene("toy-top", "rows", motion__output_step_s=0.0004)
     friction = scene("asymmetric-top", "friction", motion__duration_s=40, motion__output_step_s=1,
                      effects__coulomb_torque_N_m=1e-9)
-    points = {"name": "points", "base": top, "collect": ["drift.axis_final_rad"],
+    point = scene("asymmetric-top", "point", motion__duration_s=400)
+    points = {"name": "points", "base": point, "collect": ["drift.axis_final_rad"],
               "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5, "to": 40, "points": 8}}]}
     with open("points.json", "w", encoding="utf-8") as file:
         json.dump(points, file)

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "integrate/odeint_driver.hpp"
@@ -15,19 +18,26 @@ namespace earthtop {
 namespace {
 
 /// Records formulas of the time, and gives their coefficients at t, by order and formula.
+/// @param width  of the vectors; 0: as the processor has them
 template <class T, class Formulas>
-std::vector<std::vector<T>> series_of(const Formulas& formulas, T t, int orders) {
+std::vector<std::vector<T>> series_of(const Formulas& formulas, T t, int orders, int width = 0) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
   const R time(recording, recording.add({.kind = taylor::Kind::time}, t));
   std::vector<int> places;
   for (const R& result : formulas(time)) places.push_back(result.place_in(recording));
   const std::size_t count = places.size();
-  taylor::Program<T> program(recording.finish(std::move(places)));
-  const std::vector<T> no_state;
-  program.start(no_state, t);
+  taylor::Program<T> program(recording.finish(std::move(places)), width > 0 ? width : taylor::width_of_processor());
+  // The formulas are the derivatives of a state, whose coefficients are found.
+  std::vector<T> x((static_cast<std::size_t>(orders) + 2) * count, T(0));
+  // A second step must not be disturbed by what the first has left.
+  for (const T at : {t + T(1), t}) {
+    program.start(std::span(x).first(count), at);
+    program.expand(x.data(), orders + 1);
+  }
   std::vector<std::vector<T>> rows(static_cast<std::size_t>(orders) + 1, std::vector<T>(count));
-  for (int k = 0; k <= orders; ++k) program.extend(k, no_state, rows[static_cast<std::size_t>(k)]);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < count; ++i) rows[k][i] = x[(k + 1) * count + i] * static_cast<T>(k + 1);
   return rows;
 }
 
@@ -78,7 +88,112 @@ void expect_known_series() {
 
 TEST(Recorded, SeriesOfEveryOperationAreTheKnownOnes) {
   expect_known_series<double>();
+  expect_known_series<long double>();
   expect_known_series<float128>();
+}
+
+/// A power series with the plainest arithmetic.
+template <class T>
+struct PlainSeries {
+  static constexpr std::size_t kOrders = 12;
+  std::array<T, kOrders> c{};
+  PlainSeries(T number = T(0)) : c{number} {}  // NOLINT(google-explicit-constructor): numbers in formulas are constants
+
+  friend PlainSeries operator+(const PlainSeries& a, const PlainSeries& b) {
+    PlainSeries r;
+    for (std::size_t k = 0; k < kOrders; ++k) r.c[k] = a.c[k] + b.c[k];
+    return r;
+  }
+  friend PlainSeries operator-(const PlainSeries& a, const PlainSeries& b) { return a + PlainSeries(T(-1)) * b; }
+  friend PlainSeries operator*(const PlainSeries& a, const PlainSeries& b) {
+    PlainSeries r;
+    for (std::size_t k = 0; k < kOrders; ++k)
+      for (std::size_t j = 0; j <= k; ++j) r.c[k] += a.c[j] * b.c[k - j];
+    return r;
+  }
+  friend PlainSeries operator/(const PlainSeries& a, const PlainSeries& b) {
+    PlainSeries r;
+    for (std::size_t k = 0; k < kOrders; ++k) {
+      r.c[k] = a.c[k];
+      for (std::size_t j = 0; j < k; ++j) r.c[k] = r.c[k] - r.c[j] * b.c[k - j];
+      r.c[k] = r.c[k] / b.c[0];
+    }
+    return r;
+  }
+  friend PlainSeries conserved(const PlainSeries& a) { return a.c[0]; }
+};
+
+/// Formulas that a program puts together in many ways: sums of 1 to 11 terms, sums that are used once and twice, factors that
+/// are held, numbers times held factors, divisions by what is held, results without any order but 0.
+template <class S, class T>
+std::vector<S> formulas_of_all_kinds(const S& x) {
+  const auto n = [](double number) { return S(static_cast<T>(number)); };
+  const S h = conserved(S(x * x + n(2))), g = conserved(S(x + n(1)));
+  const S a = x * x - n(3) * x, b = n(1) + x * a, used_twice = a + n(2) * b;
+  std::vector<S> f = {a * b,
+                      h,
+                      n(5),
+                      h * (a * b - n(2) * b) * g + n(4) * h * g,
+                      (a * b + b) / h + a / n(3),
+                      (h + x) / (n(1) + x * x),
+                      used_twice * used_twice - n(0.5) * used_twice * b,
+                      (n(2) * x + a) - (x + n(0.5) * a),
+                      n(7) * x + n(1),
+                      g * (n(2) + h * (x * b + g)),
+                      h * g - x};
+  S sum = n(0);
+  for (int i = 1; i <= 11; ++i) {
+    sum = sum + n(1.0 / i) * ((x + n(i)) * (a - n(2 * i)));
+    f.push_back(sum);
+  }
+  return f;
+}
+
+template <class T>
+void expect_plain_series(std::size_t formulas, int width) {
+  const T t = T(3) / T(10);
+  PlainSeries<T> time(t);
+  time.c[1] = T(1);
+  const std::vector<PlainSeries<T>> plain = formulas_of_all_kinds<PlainSeries<T>, T>(time);
+  using R = real::Recorded<T>;
+  const int orders = static_cast<int>(PlainSeries<T>::kOrders) - 1;
+  const auto some = [&](const R& x) {
+    std::vector<R> all = formulas_of_all_kinds<R, T>(x);
+    all.resize(formulas);
+    return all;
+  };
+  const auto rows = series_of<T>(some, t, orders, width);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < formulas; ++i) {
+      T scale = T(1);
+      for (const T c : plain[i].c) scale = std::max(scale, real::abs(c));
+      // Some 100 operations, each with a rounding of at most a few times the largest coefficient.
+      EXPECT_LT(real::abs(rows[k][i] - plain[i].c[k]), T(400) * real::epsilon<T>() * scale)
+          << "order " << k << ", formula " << i << " of " << formulas << ", width " << width;
+    }
+  if (width != 2) {
+    EXPECT_EQ(rows, series_of<T>(some, t, orders, 2)) << "width " << width;
+  }
+}
+
+TEST(Recorded, SumsAndProductsAreThoseOfPlainSeriesForEveryNumberOfThemAndEveryWidth) {
+  const std::size_t count = formulas_of_all_kinds<PlainSeries<double>, double>({}).size();
+  for (std::size_t formulas = 1; formulas <= count; ++formulas) {
+    for (int width = 2; width <= taylor::width_of_processor(); width *= 2) expect_plain_series<double>(formulas, width);
+    expect_plain_series<long double>(formulas, 2);
+    expect_plain_series<float128>(formulas, 2);
+  }
+}
+
+TEST(Recorded, SeriesAreTheSameForEveryWidth) {
+  using R = real::Recorded<double>;
+  const auto formulas = [](const R& x) {
+    const R y = R(1.0) + x * x;
+    return std::vector<R>{sin(x * y), cos(y), sqrt(y), pow(y, R(0.2)), x / y, sin(x) * sqrt(y) - pow(x, R(1.5)) / y};
+  };
+  const auto pairs = series_of<double>(formulas, 0.3, taylor::kMostOrder<double>, 2);
+  for (int width = 4; width <= taylor::width_of_processor(); width *= 2)
+    EXPECT_EQ(series_of<double>(formulas, 0.3, taylor::kMostOrder<double>, width), pairs) << width;
 }
 
 TEST(Recorded, FunctionsOfTimeBringTheirCoefficients) {
@@ -117,8 +232,9 @@ TEST(Recorded, WhatIsConstantOrRepeatedIsNotListed) {
   EXPECT_EQ((x * y - y).value(), 3.0);
   const R unused = sqrt(x) * y, held = conserved(R(x * x));
   const R rate = x * y + held * y + unused * zero;
-  taylor::Program<double> program(recording.finish({rate.place_in(recording)}));
-  // x, y, x^2 and what is held of it, two products, their sum: no square root, and one product of two series.
+  taylor::Program<double> program(recording.finish({rate.place_in(recording), y.place_in(recording)}));
+  // 1, x, y, x^2 and what is held of it, a product, the sum of it and of the held multiple of y: no square root, and one
+  // product of two series.
   EXPECT_EQ(program.operations(), 7u);
   EXPECT_EQ(program.products(), 1u);
 }

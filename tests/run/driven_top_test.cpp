@@ -137,6 +137,29 @@ TEST(DrivenTop, SeriesInBodyAndInertialAxesAgreeForAnyBody) {
   }
 }
 
+// Without the Earth's rotation the two motions are the same to the last bit.
+TEST(DrivenTop, WithoutTheEarthBothMotionsAreOne) {
+  std::vector<Case> all = cases();
+  all.push_back({"compass", [](Scenario& s) { s = testing::gyrocompass(40, 25, 1e-4); }});
+  for (const Case& effect : all) {
+    SCOPED_TRACE(effect.name);
+    Scenario s = fast_earth_top();
+    effect.add(s);
+    s.rotation_rate_rad_s = 0;
+    s.duration_s = 0.5, s.output_step_s = 0.1;
+    for (const Observer observer : {Observer::laboratory, Observer::inertial}) {
+      const auto motions = drift(s, Method::taylor, observer, ModelForm::reduced);
+      ASSERT_EQ(motions.status, RunStatus::completed);
+      for (const DriftSample<double>& sample : motions.samples) {
+        EXPECT_EQ(sample.state.q_LB.w, sample.state.ref_q_LB.w);
+        EXPECT_EQ(sample.state.q_LB.v, sample.state.ref_q_LB.v);
+        EXPECT_EQ(sample.state.w_LB_B, sample.state.ref_w_LB_B);
+        EXPECT_EQ(sample.measures.attitude, 0);
+      }
+    }
+  }
+}
+
 TEST(Compass, WithOneAngleMovesAsAConstrainedBody) {
   Scenario plain = testing::gyrocompass(40, 25, 0);
   plain.rotation_rate_rad_s = 0.02;

@@ -36,11 +36,8 @@ class RecordedSeries {
     program_.start(x, t);
     return program_.guards_hold();
   }
-  void extend(int k, const State& x, State& next) {
-    program_.extend(k, x, next);
-    const T order = T(k + 1);
-    for (T& value : next) value /= order;
-  }
+  /// Finds the coefficients of the orders 1 to `order`. @param x  the coefficients, with that of order 0
+  void expand(State* x, int order) { program_.expand(x->data(), order); }
 
  private:
   Record record_;
