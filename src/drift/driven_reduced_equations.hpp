@@ -57,8 +57,7 @@ struct DrivenReducedEquations {
     const T nutation = b + (b_rest + top.spin_ratio * spin_change);
     const T spinning = (T(1) - top.spin_ratio) * k;
     const Vec3<T> across = n.cross(V);
-    Vec3<T> d = v;
-    if constexpr (O == Observer::laboratory) d -= model.W_IL_L_scaled + epsilon * times(M, model.W_IL_L_scaled);
+    const Vec3<T> d = relative_to_axes(v, M);
 
     store_vector(s, dxdt, 0);
     store_vector(Vec3<T>(parts(torques.across, &Paired<T>::ref) - nutation * s), dxdt, 3);
@@ -76,15 +75,28 @@ struct DrivenReducedEquations {
   }
 
  private:
+  /// v less the rate of the axes over epsilon, turned back as the rotating motion sees it.
+  Vec3<T> relative_to_axes(const Vec3<T>& v, const Mat3<T>& M) const {
+    if constexpr (O == Observer::inertial)
+      return v;
+    else
+      return v - Vec3<T>(model.W_IL_L_scaled + model.epsilon * times(M, model.W_IL_L_scaled));
+  }
+  /// The change over epsilon that the Earth's rate makes in a vector of the laboratory, with that by the turn of the laboratory in
+  /// axes that do not turn with it.
+  Vec3<T> whole_change(const Vec3<T>& u_L, const Vec3<T>& change_L, const T& t) const {
+    if constexpr (O == Observer::laboratory) {
+      return change_L;
+    } else {
+      const LaboratoryTurn<T> turn = laboratory_turn(model, t);
+      return change_L + turn_minus_one_scaled(turn.w, turn.v_scaled, model.epsilon, Vec3<T>(u_L + model.epsilon * change_L));
+    }
+  }
   /// A vector of the laboratory as both motions see it, in the reference's axes.
   /// @param u_L  for the reference   @param change_L  its change by the Earth's rate over epsilon
   /// @param M  turn_back_minus_one_matrix of the deviation
   Vec3<Paired<T>> seen(const Vec3<T>& u_L, const Vec3<T>& change_L, const T& t, const Mat3<T>& M) const {
-    Vec3<T> change = change_L;
-    if constexpr (O == Observer::inertial) {
-      const LaboratoryTurn<T> turn = laboratory_turn(model, t);
-      change += turn_minus_one_scaled(turn.w, turn.v_scaled, model.epsilon, Vec3<T>(u_L + model.epsilon * change_L));
-    }
+    const Vec3<T> change = whole_change(u_L, change_L, t);
     return paired_vector(u_L, Vec3<T>(times(M, u_L) + change + model.epsilon * times(M, change)), model.epsilon);
   }
 

@@ -27,7 +27,7 @@ std::vector<std::vector<T>> series_of(const Formulas& formulas, T t, int orders,
   std::vector<int> places;
   for (const R& result : formulas(time)) places.push_back(result.place_in(recording));
   const std::size_t count = places.size();
-  taylor::Program<T> program(recording.finish(std::move(places)), width > 0 ? width : taylor::width_of_processor());
+  taylor::Program<T> program(recording.finish(places), width > 0 ? width : taylor::width_of_processor());
   // The formulas are the derivatives of a state, whose coefficients are found.
   std::vector<T> x((static_cast<std::size_t>(orders) + 2) * count, T(0));
   // A second step must not be disturbed by what the first has left.

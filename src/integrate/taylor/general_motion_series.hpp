@@ -90,7 +90,7 @@ class GeneralMotionSeries {
     const Four turned = rate_ * q[0] + ((rate_plus_ * plus - rate_y_ * y) - rate_minus_ * minus);
     q = ((z_w + (x_w - y_w)) - turned) / (T(2) * order);
     for (int i = 0; i < 4; ++i) next[static_cast<std::size_t>(i)] = q[i];
-    for (int i = 0; i < 3; ++i) next[static_cast<std::size_t>(4 + i)] = w[i];
+    for (std::size_t i = 0; i < 3; ++i) next[4 + i] = w[static_cast<int>(i)];
   }
   /// @param up  x z - w y, y z + w x, x^2 + y^2
   template <taylor::Place kPlace>

@@ -32,7 +32,7 @@ constexpr int lanes_of(Kind kind) {
     case Kind::product:
     case Kind::quotient:
     case Kind::square_root: return 1;
-    case Kind::power: return 2;
+    case Kind::power:
     case Kind::sine: return 2;
     default: return 0;
   }

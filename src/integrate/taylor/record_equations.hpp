@@ -28,8 +28,9 @@ taylor::Operations<T> recorded_equations(const Equations& equations, taylor::Rec
   const R time(recording, recording.add({.kind = taylor::Kind::time}, t));
   equations(state, rate, time);
   std::vector<int> outputs;
+  outputs.reserve(N);
   for (const R& component : rate) outputs.push_back(component.place_in(recording));
-  return recording.finish(std::move(outputs));
+  return recording.finish(outputs);
 }
 
 }  // namespace earthtop

@@ -74,8 +74,8 @@ class Recording {
   }
   T value(int place) const { return values_[static_cast<std::size_t>(place)]; }
   /// Takes the list, with the results that are the right-hand side.
-  Operations<T> finish(std::vector<int> outputs) {
-    operations_.outputs = std::move(outputs);
+  Operations<T> finish(const std::vector<int>& outputs) {
+    operations_.outputs = outputs;
     return std::move(operations_);
   }
 
