@@ -298,7 +298,6 @@ TEST(ContactKeys, WhatATableCanHaveIsTaken) {
       {{"/effects/deflection_of_vertical", R"({"north_arcsec": 5})"}},
       {{"/effects/coriolis", "false"}},
       {{"/numerics/observer", "inertial"}},
-      {{"/numerics/ledger", "laboratory"}},
       {{"/numerics/method", "extrapolation"}, {"/numerics/precision", "float128"}},
       {{"/numerics/model", "general"}},
       {{"/release/precession", R"({"rate_rad_s": 1})"}},
@@ -313,6 +312,12 @@ TEST(ContactKeys, WhatATableCanHaveIsTaken) {
       for (const Diagnostic& error : report_of(contact, overrides).errors)
         ADD_FAILURE() << error.pointer << " " << error.message;
     }
+}
+
+TEST(ContactKeys, TheLedgerOfAFixedPivotIsRefused) {
+  const ScenarioReport report = report_of(kContensou, {{"/numerics/ledger", "laboratory"}});
+  ASSERT_EQ(report.errors.size(), 1U);
+  EXPECT_EQ(report.errors[0].pointer, "/numerics/ledger");
 }
 
 /// A uniform rod of a kilogram and a metre, tilted so that friction presses its end into the table most: 1 + 3 sin^2 =
