@@ -77,7 +77,10 @@ class ContactWatch {
   /// Goes on to the next state of the integration. @returns whether an event has ended the run
   bool follow(T t, const State& x) {
     Look next = look(t, x);
-    if (started_) search(last_, next);
+    if (started_)
+      search(last_, next);
+    else
+      see_start(next);
     started_ = true;
     last_ = next;
     return end_.has_value();
@@ -129,6 +132,18 @@ class ContactWatch {
     return least - kEnough() * (most - least) < T(0);
   }
 
+  /// A release from which the contact cannot go on is an event as well.
+  void see_start(const Look& look) {
+    for (std::size_t k = Functions::kCount; k-- > 0;) {
+      if (!ends_run(Functions::kKinds[k]) || end_) continue;
+      Event event{Functions::kKinds[k], std::nullopt, std::nullopt, std::nullopt};
+      if (!(look.g[k].ref > T(0))) event.t_ref = look.t;
+      if (!(look.g[k].rot > T(0))) event.t_rot = look.t;
+      if (!event.t_ref && !event.t_rot) continue;
+      events_.push_back(event);
+      end_ = look.t;
+    }
+  }
   void search(const Look& p, const Look& q) {
     for (std::size_t k = 0; k < Functions::kCount; ++k) {
       if (Functions::kKinds[k] == ContactEventKind::slip_started && has(ContactEventKind::slip_started)) continue;
