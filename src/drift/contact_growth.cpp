@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kDisturbances = 3;
 constexpr double kDirections[kDisturbances][6] = {{0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
+constexpr double kPath = 3;  // growth while the axis settles, as if it had gone so far
 constexpr std::int64_t kMostSteps = 20'000'000;
 
 Vec3<double> difference(const Vec3<Paired<double>>& v) { return {v[0].diff, v[1].diff, v[2].diff}; }
@@ -88,9 +89,9 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
       axis = now;
     }
     growth.largest = std::max(growth.largest, grown);
-    growth.largest_ratio = std::max(growth.largest_ratio, grown / (1 + path));
+    growth.largest_ratio = std::max(growth.largest_ratio, grown / (kPath + path));
     growth.end_s = real::scale(t, problem.units.time_exponent);
-    if (grown > kRegularContactGrowth * (1 + path)) {
+    if (grown > kRegularContactGrowth * (kPath + path)) {
       if (!growth.above_s) growth.above_s = growth.end_s;
       growth.again_s.reset();
     } else if (growth.above_s && !growth.again_s) {

@@ -10,19 +10,19 @@
 namespace earthtop {
 
 /// Growth of the change of axis and spin (over the spin at release), of three disturbances of attitude and rates that belong to no
-/// symmetry; the largest counts. Regular motions let it grow to 1 + s, where s is the path of the axis on the unit sphere, and less
-/// than twice that (toy tops under every law: 1.7).
+/// symmetry; the largest counts. Regular motions let it grow with the path s of the axis on the unit sphere: toy tops under every
+/// law to 2.5 (3 + s) at most, the 3 while slip and nutation settle.
 struct ContactGrowth {
-  std::optional<double> above_s;  ///< when it first exceeded kRegularContactGrowth (1 + s); none if it did not
+  std::optional<double> above_s;  ///< when it first exceeded kRegularContactGrowth (3 + s); none if it did not
   std::optional<double> again_s;  ///< from when on it no longer did; none if it did so to the end
   double largest = 0;             ///< growth at most
-  double largest_ratio = 0;       ///< the same over 1 + s
+  double largest_ratio = 0;       ///< the same over 3 + s
   double end_s = 0;               ///< time reached
   bool completed = false;
   StepCounters counters;
 };
 
-inline constexpr double kRegularContactGrowth = 4;
+inline constexpr double kRegularContactGrowth = 3;
 /// Growth matters to a few percent.
 inline constexpr double kContactGrowthTolerance = 1e-7;
 

@@ -19,6 +19,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
   using Equations = ContactReducedEquations<T, O>;
   using Shape = ContactReducedShape<O>;
   static constexpr std::size_t kSize = Shape::kSize;
+  static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table   @param change  see

@@ -170,6 +170,17 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
   }
 }
 
+/// Judges whether the drift stands out of its errors, and sets the time until which it is reliable.
+void judge_noise(const RunResult& result, VerdictReport& report) {
+  report.reliable_until_s = report.from_s.value_or(result.reached_s);
+  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
+    report.verdict = Verdict::noise_floor;
+    report.from_s = from_s;
+    report.reliable_until_s = *from_s;
+    report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
+  }
+}
+
 }  // namespace
 
 VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
@@ -180,6 +191,11 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
     return report;
   }
   const DriftProblem<double>& problem = result.modelled.problem<double>();
+  if (problem.table) {
+    report.reason = "growth of disturbances is not followed for a top on a table";
+    judge_noise(result, report);
+    return report;
+  }
   if (const auto reason = marginal_reason(problem)) {
     report.verdict = Verdict::marginal;
     report.from_s = 0;
@@ -192,13 +208,7 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   else
     judge_growth(follow_growth(result, problem, *tolerance, watch), result.rows, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
-  report.reliable_until_s = report.from_s.value_or(result.reached_s);
-  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
-    report.verdict = Verdict::noise_floor;
-    report.from_s = from_s;
-    report.reliable_until_s = *from_s;
-    report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
-  }
+  judge_noise(result, report);
   return report;
 }
 
