@@ -68,20 +68,18 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
   return moved;
 }
 
-ContactReport assess_contact(const RunResult& result, std::vector<ContactEvent> events, const Watch& watch) {
+void assess_prediction_changes(RunResult& result, const Watch& watch) {
   const DriftProblem<double>& problem = result.modelled.problem<double>();
-  ContactReport report;
-  report.events = std::move(events);
+  ContactReport& report = *result.contact;
   double before_s = HUGE_VAL;
   for (const ContactEvent& event : report.events)
     if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && is_exact_coulomb(problem.table->contact)))
       before_s = std::min(before_s, event.t_s);
   const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(),
                                 [&](const DriftRow& r) { return r.drift_reliable && r.t_s < before_s; });
-  if (row == result.rows.rend()) return report;
+  if (row == result.rows.rend()) return;
   report.at_s = row->t_s;
   report.changes = prediction_changes(problem, report.at_s, watch);
-  return report;
 }
 
 }  // namespace earthtop
