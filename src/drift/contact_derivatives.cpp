@@ -9,8 +9,6 @@
 namespace earthtop {
 namespace {
 
-constexpr std::int64_t kMostSteps = 20'000'000;
-
 template <class Drift>
 ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes, double at_s,
                                double relative_tolerance, const Watch& watch) {
@@ -31,7 +29,7 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
   stepper.initialize(x, 0);
   double t = 0;
   for (; t < end; ++found.counters.accepted) {
-    if (watch.asks_to_stop() || found.counters.accepted >= kMostSteps) return found;
+    if (watch.asks_to_stop() || found.counters.accepted >= kMostBundleSteps) return found;
     if (found.counters.accepted % 64 == 0) watch.reach(t / end);
     stepper.limit_step(end - t);
     stepper.do_step(series);

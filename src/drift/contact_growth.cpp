@@ -9,10 +9,9 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kDisturbances = 3;
-constexpr double kDirections[kDisturbances][6] = {{0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
-constexpr double kPath = 3;  // growth while the axis settles, as if it had gone so far
-constexpr std::int64_t kMostSteps = 20'000'000;
+constexpr std::size_t kFollowed = 3;
+constexpr double kDirectionsFollowed[kFollowed][6] = {{0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
+constexpr double kSettlingPath = 3;  // growth while the axis settles, as if it had gone so far
 
 Vec3<double> difference(const Vec3<Paired<double>>& v) { return {v[0].diff, v[1].diff, v[2].diff}; }
 Vec3<double> reference(const Vec3<Paired<double>>& v) { return {v[0].ref, v[1].ref, v[2].ref}; }
@@ -46,13 +45,13 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   using Pairs = typename Bundle::Bundle;
   const Model<double> model = model_for_change(problem.model);
   const TableProblem<double>& table = *problem.table;
-  const Bundle bundle(std::vector<Drift>(kDisturbances, Drift(model, table.contact, table.start, problem.release, problem.units)));
+  const Bundle bundle(std::vector<Drift>(kFollowed, Drift(model, table.contact, table.start, problem.release, problem.units)));
 
   const double spin = norm(problem.units.rate_from_rad_s(problem.release.w_XB_B));
   const double rate = spin > 0 ? spin : problem.fastest_rate;
   typename Bundle::State x = bundle.initial_state();
-  for (std::size_t d = 0; d < kDisturbances; ++d) {
-    const double(&c)[6] = kDirections[d];
+  for (std::size_t d = 0; d < kFollowed; ++d) {
+    const double(&c)[6] = kDirectionsFollowed[d];
     auto pair = Pairs::pair(x, d);
     disturb(bundle.drift(d), Vec3<double>(c[0], c[1], c[2]), Vec3<double>(c[3], c[4], c[5]) * rate, pair);
     Pairs::put_pair(pair, x, d);
@@ -68,7 +67,7 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   double t = 0, path = 0;
   Vec3<double> axis = reference(bundle.contact_state(x, 0, 0).axis_L);
   for (; t < end; ++growth.counters.accepted) {
-    if (watch.asks_to_stop() || growth.counters.accepted >= kMostSteps) return growth;
+    if (watch.asks_to_stop() || growth.counters.accepted >= kMostBundleSteps) return growth;
     if (growth.counters.accepted % 64 == 0) watch.reach(t / end);
     stepper.limit_step(std::min(longest, end - t));
     stepper.do_step(series);
@@ -80,7 +79,7 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
     scales.include(x);
 
     double grown = 0;
-    for (std::size_t d = 0; d < kDisturbances; ++d) {
+    for (std::size_t d = 0; d < kFollowed; ++d) {
       const ContactDriftState<double> state = bundle.contact_state(x, d, t);
       grown = std::max(grown, real::hypot(norm(difference(state.axis_L)), state.spin.diff / rate));
       if (d > 0) continue;
@@ -89,9 +88,9 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
       axis = now;
     }
     growth.largest = std::max(growth.largest, grown);
-    growth.largest_ratio = std::max(growth.largest_ratio, grown / (kPath + path));
+    growth.largest_ratio = std::max(growth.largest_ratio, grown / (kSettlingPath + path));
     growth.end_s = real::scale(t, problem.units.time_exponent);
-    if (grown > kRegularContactGrowth * (kPath + path)) {
+    if (grown > kRegularContactGrowth * (kSettlingPath + path)) {
       if (!growth.above_s) growth.above_s = growth.end_s;
       growth.again_s.reset();
     } else if (growth.above_s && !growth.again_s) {

@@ -135,13 +135,14 @@ class ContactWatch {
   /// A release from which the contact cannot go on is an event as well.
   void see_start(const Look& look) {
     for (std::size_t k = Functions::kCount; k-- > 0;) {
-      if (!ends_run(Functions::kKinds[k]) || end_) continue;
+      const bool ends = ends_run(Functions::kKinds[k]);
+      if (Functions::kKinds[k] == ContactEventKind::inverted || (ends && end_)) continue;
       Event event{Functions::kKinds[k], std::nullopt, std::nullopt, std::nullopt};
       if (!(look.g[k].ref > T(0))) event.t_ref = look.t;
       if (!(look.g[k].rot > T(0))) event.t_rot = look.t;
       if (!event.t_ref && !event.t_rot) continue;
       events_.push_back(event);
-      end_ = look.t;
+      if (ends) end_ = look.t;
     }
   }
   void search(const Look& p, const Look& q) {

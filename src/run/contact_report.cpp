@@ -11,7 +11,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kShare = 0.01;  // of a coefficient
+constexpr double kCoefficientShare = 0.01;  // of a coefficient
 
 /// The coefficients that a contact uses. @returns name and change of each, for a change by its own size
 std::vector<std::pair<std::string_view, ContactChange<double>>> coefficient_changes(const Contact<double>& contact) {
@@ -60,7 +60,7 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
   if (!found.completed) return {};
   std::vector<PredictionChange> moved;
   for (std::size_t i = 0; i < coefficients.size(); ++i)
-    moved.push_back({coefficients[i].first, "1 %", kShare * norm(found.each[i].axis_L), kShare * norm(found.each[i].tip_L_m)});
+    moved.push_back({coefficients[i].first, "1 %", kCoefficientShare * norm(found.each[i].axis_L), kCoefficientShare * norm(found.each[i].tip_L_m)});
   const double arcsecond = real::pi<double>() / 648'000;
   const ContactDerivative &north = found.each[coefficients.size()], &east = found.each[coefficients.size() + 1];
   moved.push_back({"table_tilt", "1 arcsec", arcsecond * longest(north.axis_L, east.axis_L),
