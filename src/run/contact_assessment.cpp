@@ -129,8 +129,8 @@ std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const
   if (conserved.routh) reports.push_back(routh.report());
   return reports;
 }
-#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                                       \
-  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&,         \
+#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                              \
+  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&, \
                                                                   std::size_t, const Watch&);
 EARTHTOP_CONTACT_INVARIANTS(double)
 EARTHTOP_CONTACT_INVARIANTS(long double)

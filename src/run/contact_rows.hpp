@@ -16,7 +16,10 @@ class ContactRows {
  public:
   /// @param problem  must have a table   @param events  of the integration that the rows are from, ascending in time
   ContactRows(const DriftProblem<T>& problem, const std::vector<ContactEvent>& events)
-      : units_(problem.units), R_LH_(rotation_matrix(problem.table->start.q_LH)), contact_(problem.table->contact), events_(events) {}
+      : units_(problem.units),
+        R_LH_(rotation_matrix(problem.table->start.q_LH)),
+        contact_(problem.table->contact),
+        events_(events) {}
 
   /// @param sample  must have a contact
   BasicContactRow<T> row(const DriftSample<T>& sample, T tip_bound) const {
@@ -68,18 +71,10 @@ template <class To, class From>
 BasicContactRow<To> contact_cast(const BasicContactRow<From>& row) {
   const auto to = [](const auto& x) { return static_cast<To>(x); };
   const auto both = [&](const std::array<From, 2>& x) { return std::array<To, 2>{to(x[0]), to(x[1])}; };
-  return {both(row.tip_m),
-          both(row.ref_tip_m),
-          to(row.slip_m_s),
-          to(row.ref_slip_m_s),
-          to(row.normal_force_N),
-          to(row.ref_normal_force_N),
-          both(row.drift_tip_xy_m),
-          to(row.drift_tip_m),
-          to(row.drift_tip_bound_m),
-          to(row.drift_slip_m_s),
-          to(row.drift_spin_rate_rad_s),
-          row.state};
+  return {both(row.tip_m),          both(row.ref_tip_m),           to(row.slip_m_s),
+          to(row.ref_slip_m_s),     to(row.normal_force_N),        to(row.ref_normal_force_N),
+          both(row.drift_tip_xy_m), to(row.drift_tip_m),           to(row.drift_tip_bound_m),
+          to(row.drift_slip_m_s),   to(row.drift_spin_rate_rad_s), row.state};
 }
 
 }  // namespace earthtop

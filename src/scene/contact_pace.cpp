@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "earthtop/model/body.hpp"
@@ -17,7 +18,8 @@ namespace {
 struct OnTable {
   Mat3<double> inertia;
   double mass, lever;  ///< lever: the longest arm of the table's force (m)
-  double gravity, least, swinging, momentum, rate, axis;
+  double gravity, least, swinging, center, momentum, rate;
+  int axis;
 
   explicit OnTable(const Scene& scene)
       : inertia(scene.body<double>().I_BBcm_B()),
@@ -26,9 +28,19 @@ struct OnTable {
         gravity(scene.site().gravity_m_s2),
         least(Eigen::SelfAdjointEigenSolver<Mat3<double>>(inertia, Eigen::EigenvaluesOnly).eigenvalues()[0]),
         swinging(scene.symmetry_axis() == 2 ? inertia(0, 0) : least),
+        center(center_from_contact(scene)),
         momentum(norm(Vec3<double>(inertia * scene.release<double>().w_XB_B))),
         rate(norm(scene.release<double>().w_XB_B)),
         axis(scene.symmetry_axis()) {}
+
+  /// Distance of the centre of mass from the contact point at release (m).
+  static double center_from_contact(const Scene& scene) {
+    const Mat3<double> R_HB = rotation_matrix(scene.release<double>().q_LB);
+    return norm(
+        Vec3<double>(R_HB * scene.body<double>().p_PBcm_B + scene.scenario().contact->tip_radius_m * Vec3<double>::UnitZ()));
+  }
+  /// Moment about which a symmetric top nutates: a top that rolls turns about its contact point.
+  double nutating(ContactLaw law) const { return law == ContactLaw::rolling ? swinging + mass * center * center : swinging; }
 
   double falling_rate() const { return 2 * std::sqrt(mass * gravity * lever / swinging); }
   double earth_rate(const Scene& scene) const { return std::abs(scene.rotation_rate_rad_s()); }
@@ -50,6 +62,19 @@ std::string_view pointer_of(ContactLaw law) {
 double braking_rate(const ContactSpec& spec, const OnTable& top) {
   const double arm = spec.spinning_friction_m + spec.rolling_resistance_m;
   return arm > 0 ? arm * top.mass * top.gravity / (top.least * spec.regularisation_rad_s) : 0;
+}
+
+/// Returns the integral over the time of the rate at which a slip dies out, for the law `contensou`, where it grows as the patch
+/// brakes the spin.
+double slip_damping(const Scene& scene, const OnTable& top, double rate) {
+  constexpr double kLeft = 0.01;  // share of the spin at which the end is taken for reached
+  const ContactSpec& spec = *scene.scenario().contact;
+  const double time = scene.scenario().duration_s;
+  if (spec.law != ContactLaw::contensou || spec.friction_coefficient == 0) return rate * time;
+  const double moment = 3 * std::numbers::pi / 16 * spec.friction_coefficient * top.mass * top.gravity * spec.patch_radius_m;
+  const double stop = top.momentum / moment;  // s
+  const double spent = std::min(time / stop, 1 - kLeft), rest = std::max(0.0, time - (1 - kLeft) * stop);
+  return rate * (stop * -real::log1p(-spent) + rest / kLeft);
 }
 
 }  // namespace
@@ -75,11 +100,14 @@ Paced paced_on_table(const Scene& scene) {
   pace.rows = scene.rows();
   pace.turning_rad = std::max(1.0, (std::max(top.rate, top.momentum / top.least) + carried) * time);
   pace.watched_angle_rad = scene.fastest_rate_rad_s() * time;
-  pace.damping = (slip + braking) * time;
+  const double slipping = std::isfinite(given) ? slip_damping(scene, top, slip) : slip * time;
+  pace.damping = slipping + braking * time;
   pace.reduced_damping = pace.damping;
   pace.reduced_turning_rad =
-      top.axis == 2 ? std::min(pace.turning_rad, std::max(1.0, (top.momentum / top.swinging + carried) * time)) : pace.turning_rad;
-  const std::string_view moments = spec.spinning_friction_m > 0 ? "/contact/spinning_friction_m" : "/contact/rolling_resistance_m";
+      top.axis == 2 ? std::min(pace.turning_rad, std::max(1.0, (top.momentum / top.nutating(spec.law) + carried) * time))
+                    : pace.turning_rad;
+  const std::string_view moments =
+      spec.spinning_friction_m > 0 ? "/contact/spinning_friction_m" : "/contact/rolling_resistance_m";
   return {pace, {slip >= braking ? pointer_of(spec.law) : moments, pace.damping}};
 }
 

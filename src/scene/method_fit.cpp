@@ -41,8 +41,8 @@ std::optional<std::string> need_fixed_pivot(const MethodRow& row, const Scene& s
   if (!scene.scenario().contact || method == Method::automatic || method == Method::taylor || method == Method::extrapolation ||
       (method == Method::rkf78 && runge_kutta))
     return std::nullopt;
-  return fmt::format("{} is not built for a top on a table{}; take \"auto\", \"taylor\"{} \"extrapolation\"{}", quoted(row.word),
-                     method == Method::rkf78 ? " in extended precision" : "", runge_kutta ? "," : " or",
+  return fmt::format("{} is not built for a top on a table{}; take \"auto\", \"taylor\"{} \"extrapolation\"{}",
+                     quoted(row.word), method == Method::rkf78 ? " in extended precision" : "", runge_kutta ? "," : " or",
                      runge_kutta ? " or \"rkf78\"" : "");
 }
 
