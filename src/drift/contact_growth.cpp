@@ -39,6 +39,20 @@ void disturb(const General& drift, const Vec3<double>& turn, const Vec3<double>&
   store_vector(change, x, Shape::kHalf + Shape::kMomentum);
 }
 
+/// Axis and its change, and the change of the spin.
+struct Seen {
+  Vec3<double> axis, change;
+  double spin_change;
+};
+Seen seen(const Reduced&, const Reduced::State& x, double) {
+  using Shape = Reduced::Shape;
+  return {load_vector(x, Shape::kN), load_vector(x, Shape::kHalf + Shape::kN), x[Shape::kHalf + Shape::kSpin]};
+}
+Seen seen(const General& drift, const General::State& x, double t) {
+  const ContactDriftState<double> state = drift.contact_state(x, t);
+  return {reference(state.axis_L), difference(state.axis_L), state.spin.diff};
+}
+
 template <class Drift>
 ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, double relative_tolerance, const Watch& watch) {
   using Bundle = ContactBundle<Drift>;
@@ -65,7 +79,7 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   const double longest = 1 / problem.fastest_rate;  // the path of the axis is measured from step to step
   stepper.initialize(x, 0);
   double t = 0, path = 0;
-  Vec3<double> axis = reference(bundle.contact_state(x, 0, 0).axis_L);
+  Vec3<double> axis = seen(bundle.drift(0), Pairs::pair(x, 0), 0).axis;
   for (; t < end; ++growth.counters.accepted) {
     if (watch.asks_to_stop() || growth.counters.accepted >= kMostBundleSteps) return growth;
     if (growth.counters.accepted % 64 == 0) watch.reach(t / end);
@@ -80,12 +94,11 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
 
     double grown = 0;
     for (std::size_t d = 0; d < kFollowed; ++d) {
-      const ContactDriftState<double> state = bundle.contact_state(x, d, t);
-      grown = std::max(grown, real::hypot(norm(difference(state.axis_L)), state.spin.diff / rate));
+      const Seen now = seen(bundle.drift(d), Pairs::pair(x, d), t);
+      grown = std::max(grown, real::hypot(norm(now.change), now.spin_change / rate));
       if (d > 0) continue;
-      const Vec3<double> now = reference(state.axis_L);
-      path += norm(Vec3<double>(now - axis));
-      axis = now;
+      path += norm(Vec3<double>(now.axis - axis));
+      axis = now.axis;
     }
     growth.largest = std::max(growth.largest, grown);
     growth.largest_ratio = std::max(growth.largest_ratio, grown / (kSettlingPath + path));

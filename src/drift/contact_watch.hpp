@@ -76,11 +76,15 @@ class ContactWatch {
 
   /// Goes on to the next state of the integration. @returns whether an event has ended the run
   bool follow(T t, const State& x) {
-    Look next = look(t, x);
-    if (started_)
-      search(last_, next);
-    else
-      see_start(next);
+    Look next{t, x, values(t, x), {}, false};
+    if (started_) {
+      if (may_fall(next)) {
+        if (!last_.has_rates) find_rates(last_);
+        find_rates(next);
+        search(last_, next);
+      }
+    }
+    if (!started_) see_start(next);
     started_ = true;
     last_ = next;
     return end_.has_value();
@@ -101,20 +105,36 @@ class ContactWatch {
     T t = T(0);
     State x{};
     Values g, rate;
+    bool has_rates = false;
   };
   static constexpr T kEnough() { return T(0.05); }
 
   Values values(T t, const State& x) const { return functions_(system_.contact_state(x, t)); }
+  /// Whether a function may fall through 0 since the last state: not if it is well above 0 and a short step hardly changes it.
+  bool may_fall(const Look& next) const {
+    if ((next.t - last_.t) * motion_rate_ > T(1)) return true;
+    for (std::size_t k = 0; k < Functions::kCount; ++k)
+      for (T Paired<T>::*motion : {&Paired<T>::ref, &Paired<T>::rot}) {
+        const T before = last_.g[k].*motion, after = next.g[k].*motion, least = std::min(before, after);
+        // A function that stays below 0 does not fall again; not a number is looked into.
+        if (before < T(0) && after < T(0)) continue;
+        if (!(least > T(4) * real::abs(after - before) && (least > T(0.1) || least > T(20) * real::abs(after - before)))) return true;
+      }
+    return false;
+  }
   Look look(T t, const State& x) const {
-    Look made;
-    made.t = t, made.x = x, made.g = values(t, x);
-    State dxdt, ahead;
-    system_(x, dxdt, t);
-    const T h = T(real::cbrt(static_cast<double>(real::epsilon<T>()))) / motion_rate_;
-    for (std::size_t i = 0; i < x.size(); ++i) ahead[i] = x[i] + h * dxdt[i];
-    const Values then = values(t + h, ahead);
-    for (std::size_t k = 0; k < Functions::kCount; ++k) made.rate[k] = (then[k] - made.g[k]) * Paired<T>(T(1) / h);
+    Look made{t, x, values(t, x), {}, false};
+    find_rates(made);
     return made;
+  }
+  void find_rates(Look& at) const {
+    State dxdt, ahead;
+    system_(at.x, dxdt, at.t);
+    const T h = T(real::cbrt(static_cast<double>(real::epsilon<T>()))) / motion_rate_;
+    for (std::size_t i = 0; i < dxdt.size(); ++i) ahead[i] = at.x[i] + h * dxdt[i];
+    const Values then = values(at.t + h, ahead);
+    for (std::size_t k = 0; k < Functions::kCount; ++k) at.rate[k] = (then[k] - at.g[k]) * Paired<T>(T(1) / h);
+    at.has_rates = true;
   }
   /// Hermite's cubic of a function, at the fraction s of the way from p to q.
   static T cubic(const Look& p, const Look& q, std::size_t k, T Paired<T>::*motion, T s) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "drift/contact_growth.hpp"
 
@@ -27,6 +28,20 @@ bool is_integrable_on_table(const DriftProblem<double>& problem) {
   return contact.law == ContactLaw::frictionless || (contact.law == ContactLaw::rolling && level);
 }
 
+/// Whether a symmetric top stands well above its critical spin all along, with its centre of mass above that of the tip's sphere
+/// and the tip smaller than that height: it does not fall, and does not turn over as a tippe top.
+bool stands_fast(const DriftProblem<double>& problem, const std::vector<DriftRow>& rows) {
+  constexpr double kFast = 2;  // square of the spin over the critical one
+  const Contact<double>& c = problem.table->contact;
+  if (!is_symmetric(c) || !(c.height_of_center > c.tip_radius) || norm(problem.table->start.q_LH.v) > 0) return false;
+  const double arm = c.height_of_center + c.tip_radius;
+  const double falling = 4 * (c.I1 + c.mass * arm * arm) * c.mass * norm(problem.model.apparent_gravity_L) * arm;
+  return std::all_of(rows.begin(), rows.end(), [&](const DriftRow& row) {
+    const double momentum = c.I3 * problem.units.rate_from_rad_s(row.ref_w_LB_B[2]);
+    return row.ref_axis_L[2] > 0.5 && momentum * momentum > kFast * falling;
+  });
+}
+
 }  // namespace
 
 VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
@@ -40,6 +55,10 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
   }
   if (is_integrable_on_table(problem)) {
     report.reason = "the non-rotating prediction is integrable: no disturbance grows exponentially";
+    return report;
+  }
+  if (stands_fast(problem, result.rows)) {
+    report.reason = "a top that stands, well above its critical spin all along: no disturbance grows exponentially";
     return report;
   }
   // Dry friction has no derivative where the slip stops, and the motion is not integrated beyond its last event.
