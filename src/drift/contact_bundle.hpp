@@ -82,11 +82,11 @@ class ContactBundleEquations {
 
 /// The operations of a bundle's right-hand side.
 taylor::Operations<double> record_contact_bundle(
-    const ContactBundleEquations<double, ContactReducedEquations<double, Observer::laboratory>>& bundle, std::span<const double> x,
-    double t);
+    const ContactBundleEquations<double, ContactReducedEquations<double, Observer::laboratory>>& bundle,
+    std::span<const double> x, double t);
 taylor::Operations<double> record_contact_bundle(
-    const ContactBundleEquations<double, ContactGeneralEquations<double, Observer::laboratory>>& bundle, std::span<const double> x,
-    double t);
+    const ContactBundleEquations<double, ContactGeneralEquations<double, Observer::laboratory>>& bundle,
+    std::span<const double> x, double t);
 
 /// The system of a bundle, for steps of a Taylor series.
 /// @tparam Drift  ContactReducedDrift or ContactGeneralDrift of double, in laboratory axes

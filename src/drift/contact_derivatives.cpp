@@ -56,7 +56,8 @@ ContactDerivatives contact_derivatives(const DriftProblem<double>& problem, std:
   if (changes.empty()) return {true, {}, {}};
   return is_symmetric(problem.table->contact)
              ? derivatives<ContactReducedDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance, watch)
-             : derivatives<ContactGeneralDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance, watch);
+             : derivatives<ContactGeneralDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance,
+                                                                              watch);
 }
 
 }  // namespace earthtop

@@ -10,7 +10,8 @@ namespace earthtop {
 namespace {
 
 constexpr std::size_t kFollowed = 3;
-constexpr double kDirectionsFollowed[kFollowed][6] = {{0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
+constexpr double kDirectionsFollowed[kFollowed][6] = {
+    {0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
 constexpr double kSettlingPath = 3;  // growth while the axis settles, as if it had gone so far
 
 Vec3<double> difference(const Vec3<Paired<double>>& v) { return {v[0].diff, v[1].diff, v[2].diff}; }

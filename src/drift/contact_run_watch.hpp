@@ -16,9 +16,7 @@ template <class T, class System>
 class ContactRunWatch {
  public:
   ContactRunWatch(const System& system, const DriftProblem<T>& problem)
-      : units_(problem.units),
-        epsilon_(problem.model.epsilon),
-        watch_(system, functions(problem), problem.fastest_rate) {}
+      : units_(problem.units), epsilon_(problem.model.epsilon), watch_(system, functions(problem), problem.fastest_rate) {}
 
   /// To be called with every step.   @throws ContactEnded if the run ends within it
   void operator()(T t, const typename System::State& x) {

@@ -17,7 +17,7 @@ namespace earthtop {
 /// The stops of both slips.
 template <class T>
 struct SlipStop {
-  Paired<T> time;  ///< in natural units
+  Paired<T> time;                                                          ///< in natural units
   typename ContactReducedEquations<T, Observer::laboratory>::State state;  ///< both motions, each at its own stop
 };
 

@@ -29,7 +29,8 @@ void append_part(DriftTrajectory<T>&& part, DriftTrajectory<T>& whole) {
 
 /// In laboratory axes.   @param problem  has a table and the exact Coulomb law, and a symmetric body
 template <class T>
-DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, const IntegrationOptions& options,
+                                            const Watch& watch) {
   using Drift = ContactReducedDrift<T, Observer::laboratory>;
   constexpr double kLeftOut = 1e-4;  // of the time to the stop, just before it, is not watched for other events
   const TableProblem<T>& table = *problem.table;
@@ -57,10 +58,10 @@ DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, cons
     for (const ContactEvent& event : whole.contact_events)
       if (ends_run(event.kind)) return whole;
     const double difference = static_cast<double>(seconds(T(epsilon * stop->time.diff)));
-    ContactEvent stops[2] = {{ContactEventKind::slip_stopped, Prediction::reference, static_cast<double>(seconds(stop->time.ref)),
-                              difference, std::nullopt},
-                             {ContactEventKind::slip_stopped, Prediction::rotating, static_cast<double>(seconds(stop->time.rot)),
-                              difference, std::nullopt}};
+    ContactEvent stops[2] = {{ContactEventKind::slip_stopped, Prediction::reference,
+                              static_cast<double>(seconds(stop->time.ref)), difference, std::nullopt},
+                             {ContactEventKind::slip_stopped, Prediction::rotating,
+                              static_cast<double>(seconds(stop->time.rot)), difference, std::nullopt}};
     if (difference < 0) std::swap(stops[0], stops[1]);
     whole.contact_events.insert(whole.contact_events.end(), stops, stops + 2);
   }
@@ -73,13 +74,15 @@ DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, cons
     if (whole.threshold && whole.threshold->passing) part.threshold_rad.reset();
     part.times_s.assign(1, static_cast<double>(seconds(stop->time.ref)));
     part_times.assign(1, stop->time.ref);
-    for (std::size_t i = rows; i < times.size(); ++i) part.times_s.push_back(problem.times_s[i]), part_times.push_back(times[i]);
+    for (std::size_t i = rows; i < times.size(); ++i)
+      part.times_s.push_back(problem.times_s[i]), part_times.push_back(times[i]);
     // A row between the two stops is shown as if the reference had rolled since: it is marked.
     for (T& t : part_times) t = std::max(t, stop->time.ref);
   } else {
     part_times = times;
   }
-  DriftTrajectory<T> on = integrate_system_at(part_times, rolling, rolling.initial_state(), part, options, watch, rolling.largest_step());
+  DriftTrajectory<T> on =
+      integrate_system_at(part_times, rolling, rolling.initial_state(), part, options, watch, rolling.largest_step());
   if (!slides) return on;
   append_part(std::move(on), whole);
   return whole;

@@ -28,10 +28,10 @@ struct ContactEventFunctions {
   static constexpr std::size_t kCount = kKinds.size();
   using Values = std::array<Paired<T>, kCount>;
 
-  Vec3<T> normal_L;               ///< of the table
-  T weight = T(1);                ///< m g
-  T least_cosine = T(-2);         ///< of the tilt at which the rim touches; below -1: it never does
-  std::optional<T> most_friction; ///< per normal force, of a tip that rolls
+  Vec3<T> normal_L;                ///< of the table
+  T weight = T(1);                 ///< m g
+  T least_cosine = T(-2);          ///< of the tilt at which the rim touches; below -1: it never does
+  std::optional<T> most_friction;  ///< per normal force, of a tip that rolls
 
   /// Each of the order of 1.
   Values operator()(const ContactDriftState<T>& state) const {
@@ -55,7 +55,8 @@ struct ContactEventFunctions {
 
 /// The functions of a scene, but for its largest tilt and the friction that rolling may need.
 template <class T>
-ContactEventFunctions<T> contact_event_functions(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start) {
+ContactEventFunctions<T> contact_event_functions(const Model<T>& model, const Contact<T>& contact,
+                                                 const ContactRelease<T>& start) {
   ContactEventFunctions<T> functions;
   functions.normal_L = rotation_matrix(start.q_LH).col(2);
   functions.weight = contact.mass * norm(model.apparent_gravity_L);
@@ -118,7 +119,8 @@ class ContactWatch {
         const T before = last_.g[k].*motion, after = next.g[k].*motion, least = std::min(before, after);
         // A function that stays below 0 does not fall again; not a number is looked into.
         if (before < T(0) && after < T(0)) continue;
-        if (!(least > T(4) * real::abs(after - before) && (least > T(0.1) || least > T(20) * real::abs(after - before)))) return true;
+        if (!(least > T(4) * real::abs(after - before) && (least > T(0.1) || least > T(20) * real::abs(after - before))))
+          return true;
       }
     return false;
   }
@@ -179,13 +181,14 @@ class ContactWatch {
     if (before > T(0) && !(after > T(0))) {
       // Between looks so far apart it may do so more than once; the first time counts.
       T root = q.t, least = T(1e300);
-      close_in(p.t, before, q.t, after,
-               [&](T t) {
-                 const T value = at(t, p)[k].*motion;
-                 if (real::abs(value) < least) least = real::abs(value), root = t;
-                 return value;
-               },
-               [] { return false; });
+      close_in(
+          p.t, before, q.t, after,
+          [&](T t) {
+            const T value = at(t, p)[k].*motion;
+            if (real::abs(value) < least) least = real::abs(value), root = t;
+            return value;
+          },
+          [] { return false; });
       return root;
     }
     if (!(before > T(0)) || halvings == kMostHalvings || !may_dip(p, q, k, motion)) return std::nullopt;
@@ -202,16 +205,19 @@ class ContactWatch {
     // The other prediction's event may have been found in the step before, or be just beyond this one.
     if (!events_.empty()) {
       for (Event& event : events_)
-        if (event.kind == kind && event.difference && ((t_ref && !t_rot && event.t_ref && is_near(*event.t_ref, *t_ref, p, q)) ||
-                                                       (t_rot && !t_ref && event.t_rot && is_near(*event.t_rot, *t_rot, p, q))))
+        if (event.kind == kind && event.difference &&
+            ((t_ref && !t_rot && event.t_ref && is_near(*event.t_ref, *t_ref, p, q)) ||
+             (t_rot && !t_ref && event.t_rot && is_near(*event.t_rot, *t_rot, p, q))))
           return;
     }
     Event event{kind, t_ref, t_rot, std::nullopt};
     const T epsilon = system_.equations().model().epsilon;
     if (const auto difference = time_difference(k, p, q, t_ref ? *t_ref : *t_rot, t_ref.has_value())) {
       event.difference = difference;
-      if (t_ref) event.t_rot = *t_ref + epsilon * *difference;
-      else event.t_ref = *t_rot - epsilon * *difference;
+      if (t_ref)
+        event.t_rot = *t_ref + epsilon * *difference;
+      else
+        event.t_ref = *t_rot - epsilon * *difference;
     } else if (t_ref && t_rot && epsilon > T(0)) {
       event.difference = (*t_rot - *t_ref) / epsilon;
     }
@@ -247,7 +253,8 @@ class ContactWatch {
     T Paired<T>::*other = from_reference ? &Paired<T>::rot : &Paired<T>::ref;
     const T here = from_reference ? g[2].diff : -g[2].diff;
     const T slope = (T(8) * (g[3].*other - g[1].*other) - (g[4].*other - g[0].*other)) / (T(12) * h);
-    const T curvature = (-(g[4].*other + g[0].*other) + T(16) * (g[3].*other + g[1].*other) - T(30) * (g[2].*other)) / (T(12) * h * h);
+    const T curvature =
+        (-(g[4].*other + g[0].*other) + T(16) * (g[3].*other + g[1].*other) - T(30) * (g[2].*other)) / (T(12) * h * h);
     if (!(slope < T(0))) return std::nullopt;
     const T linear = -here / slope;
     const T bend = epsilon * curvature * linear / slope;

@@ -21,7 +21,9 @@ void note_steps(const Driver& driver, const DriftProblem<T>& problem, DriftTraje
 
 /// A system of a top on a table has events.
 template <class System, class T>
-concept HasContact = requires(const System& system, const typename System::State& x, T t) { system.contact_state(x, t); };
+concept HasContact = requires(const System& system, const typename System::State& x, T t) {
+  system.contact_state(x, t);
+};
 
 /// @param times  in natural units: of the release, or of another state at which the integration begins, then of the rows, and of
 /// an end beyond the last row if there is one more   @param largest_step  the longest time between two states that are seen; 0: no

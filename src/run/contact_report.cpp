@@ -40,9 +40,7 @@ double longest(const Vec3<double>& a, const Vec3<double>& b) {
   return real::sqrt((aa + bb) / 2 + real::hypot((aa - bb) / 2, ab));
 }
 
-bool is_exact_coulomb(const Contact<double>& contact) {
-  return contact.law == ContactLaw::coulomb && contact.slip_floor == 0;
-}
+bool is_exact_coulomb(const Contact<double>& contact) { return contact.law == ContactLaw::coulomb && contact.slip_floor == 0; }
 
 }  // namespace
 
@@ -60,7 +58,8 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
   if (!found.completed) return {};
   std::vector<PredictionChange> moved;
   for (std::size_t i = 0; i < coefficients.size(); ++i)
-    moved.push_back({coefficients[i].first, "1 %", kCoefficientShare * norm(found.each[i].axis_L), kCoefficientShare * norm(found.each[i].tip_L_m)});
+    moved.push_back({coefficients[i].first, "1 %", kCoefficientShare * norm(found.each[i].axis_L),
+                     kCoefficientShare * norm(found.each[i].tip_L_m)});
   const double arcsecond = real::pi<double>() / 648'000;
   const ContactDerivative &north = found.each[coefficients.size()], &east = found.each[coefficients.size() + 1];
   moved.push_back({"table_tilt", "1 arcsec", arcsecond * longest(north.axis_L, east.axis_L),

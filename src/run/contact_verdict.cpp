@@ -74,9 +74,9 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
   report.verdict = Verdict::unstable;
   report.from_s = growth.above_s;
   report.until_s = growth.again_s;
-  report.reason = fmt::format("from {:.4g} s on disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
-                              growth.largest,
-                              growth.again_s ? fmt::format("; from {:.4g} s on they no longer do", *growth.again_s) : "");
+  report.reason =
+      fmt::format("from {:.4g} s on disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
+                  growth.largest, growth.again_s ? fmt::format("; from {:.4g} s on they no longer do", *growth.again_s) : "");
   return report;
 }
 

@@ -46,10 +46,10 @@ ContactScene lifting(std::array<double, 2> transverse, double spin) {
 TEST(ContactEvents, LiftOffIsTimedInBothPredictions) {
   // The differences have the digits that the printed times leave them.
   const ContactScene spun = lifting({-3, -15}, 50), straight = lifting({0, -22}, 0);
-  for (const auto& motion :
-       {watched_motion<double, Observer::laboratory>(spun, 0.05, 1e-14), watched_motion<double, Observer::inertial>(spun, 0.05, 1e-14)}) {
-    expect_times(motion, ContactEventKind::lifted_off, 0.0070863810694653000743, 0.0070864527085555633182,
-                 7.16390902632439e-8, 1e-9);
+  for (const auto& motion : {watched_motion<double, Observer::laboratory>(spun, 0.05, 1e-14),
+                             watched_motion<double, Observer::inertial>(spun, 0.05, 1e-14)}) {
+    expect_times(motion, ContactEventKind::lifted_off, 0.0070863810694653000743, 0.0070864527085555633182, 7.16390902632439e-8,
+                 1e-9);
     EXPECT_LT(motion.reached_s, 0.05);
   }
   expect_times(watched_motion<double, Observer::laboratory>(straight, 0.05, 1e-14), ContactEventKind::lifted_off,
@@ -65,9 +65,9 @@ TEST(ContactEvents, TippeTopsPassTheHorizontalAtTheirTimes) {
   for (const Case& known : {Case{"K5", 5.8797495180457983792, 5.8797330688474554265, -1.64491983429527e-5},
                             Case{"K6", 1.0152340906175009096, 1.0152324042882726541, -1.6863292282555e-6},
                             Case{"K7", 0.99197416215108351295, 0.99197493514116597806, 7.7299008246511e-7}}) {
-    const auto scene = std::find_if(references.begin(), references.end(),
-                                    [&](const auto& r) { return std::string(r.name).starts_with(known.name); })
-                           ->scene;
+    const auto scene = std::find_if(references.begin(), references.end(), [&](const auto& r) {
+                         return std::string(r.name).starts_with(known.name);
+                       })->scene;
     const WatchedMotion motion = watched_motion<double, Observer::laboratory>(scene, 1.01 * known.reference, 1e-14);
     expect_times(motion, ContactEventKind::inverted, known.reference, known.rotating, known.difference, 1e-7);
     EXPECT_GE(motion.reached_s, known.reference);  // nothing ends

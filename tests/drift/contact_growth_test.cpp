@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Derivatives of the non-rotating prediction of a top on a table, and the growth of disturbances of its motion.
+#include "drift/contact_growth.hpp"
+
 #include <gtest/gtest.h>
 
 #include "drift/contact_derivatives.hpp"
-#include "drift/contact_growth.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_series.hpp"
 
@@ -78,8 +79,9 @@ TEST(ContactDerivatives, OfTheTiltAreThoseOfATiltedTable) {
     const auto row = testing::contact_rows<double, Observer::laboratory>(of, {1}, 1e-14)[0];
     // In the table's axes, in which the derivative is at rest.
     const Mat3<double> R = rotation_matrix(problem.start.q_LH);
-    return std::pair(transposed_times(R, Vec3<double>(row.contact.axis_L[0].ref, row.contact.axis_L[1].ref, row.contact.axis_L[2].ref)),
-                     transposed_times(R, Vec3<double>(row.contact.tip_L[0].ref, row.contact.tip_L[1].ref, row.contact.tip_L[2].ref)));
+    return std::pair(
+        transposed_times(R, Vec3<double>(row.contact.axis_L[0].ref, row.contact.axis_L[1].ref, row.contact.axis_L[2].ref)),
+        transposed_times(R, Vec3<double>(row.contact.tip_L[0].ref, row.contact.tip_L[1].ref, row.contact.tip_L[2].ref)));
   };
   const auto there = along(tilted), here = along(scene);
   const Vec3<double> d_axis = (there.first - here.first) / kTilt, d_tip = (there.second - here.second) / kTilt;

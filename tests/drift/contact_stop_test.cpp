@@ -64,9 +64,9 @@ TEST(ContactStops, LeineAndGlockersTopRollsOn) {
       EXPECT_EQ(sample.contact->slip.ref, 0);
     }
     // The attitude's axis is that of the reduced state, before and after the stop.
-    EXPECT_NEAR(norm(Vec3<double>(rotation_matrix(sample.state.ref_q_LB).col(2) -
-                                  Vec3<double>(sample.contact->axis_L[0].ref, sample.contact->axis_L[1].ref,
-                                               sample.contact->axis_L[2].ref))),
+    EXPECT_NEAR(norm(Vec3<double>(rotation_matrix(sample.state.ref_q_LB).col(2) - Vec3<double>(sample.contact->axis_L[0].ref,
+                                                                                               sample.contact->axis_L[1].ref,
+                                                                                               sample.contact->axis_L[2].ref))),
                 0, 1e-12);
   }
 }

@@ -97,8 +97,8 @@ TEST(ContactRunEvents, LiftOffEndsTheRunWithoutFailure) {
 }
 
 TEST(ContactRunEvents, SlipStopsMarkTheRowsBetweenThem) {
-  Scenario s = scenario_of(testing::leine_glocker_top(
-      {.tip_radius_m = 0.015, .law = ContactLaw::coulomb, .friction_coefficient = 0.3}));
+  Scenario s =
+      scenario_of(testing::leine_glocker_top({.tip_radius_m = 0.015, .law = ContactLaw::coulomb, .friction_coefficient = 0.3}));
   s.duration_s = 0.1445778, s.output_step_s = 0.03614445;  // the second row is between the two stops
   const RunResult result = run(s);
   EXPECT_EQ(result.status, RunStatus::completed);

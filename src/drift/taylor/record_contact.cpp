@@ -57,13 +57,13 @@ taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>& equati
   return recorded_equations<T, ContactGeneralShape<O>::kSize>(recorded(equations), recording, x, t);
 }
 taylor::Operations<double> record_contact_bundle(
-    const ContactBundleEquations<double, ContactReducedEquations<double, Observer::laboratory>>& bundle, std::span<const double> x,
-    double t) {
+    const ContactBundleEquations<double, ContactReducedEquations<double, Observer::laboratory>>& bundle,
+    std::span<const double> x, double t) {
   return record_bundle(bundle, x, t);
 }
 taylor::Operations<double> record_contact_bundle(
-    const ContactBundleEquations<double, ContactGeneralEquations<double, Observer::laboratory>>& bundle, std::span<const double> x,
-    double t) {
+    const ContactBundleEquations<double, ContactGeneralEquations<double, Observer::laboratory>>& bundle,
+    std::span<const double> x, double t) {
   return record_bundle(bundle, x, t);
 }
 
