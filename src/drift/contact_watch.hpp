@@ -169,9 +169,16 @@ class ContactWatch {
   }
   void search(const Look& p, const Look& q) {
     for (std::size_t k = 0; k < Functions::kCount; ++k) {
-      if (Functions::kKinds[k] == ContactEventKind::slip_started && has(ContactEventKind::slip_started)) continue;
-      const std::optional<T> t_ref = falls(p, q, k, &Paired<T>::ref, 0), t_rot = falls(p, q, k, &Paired<T>::rot, 0);
-      if (t_ref || t_rot) add(k, p, q, t_ref, t_rot);
+      // Only the first event of a kind counts in each prediction: nutation may bring the axis back for a moment.
+      Event* known = first(Functions::kKinds[k]);
+      std::optional<T> t_ref, t_rot;
+      if (known == nullptr || !known->t_ref) t_ref = falls(p, q, k, &Paired<T>::ref, 0);
+      if (known == nullptr || !known->t_rot) t_rot = falls(p, q, k, &Paired<T>::rot, 0);
+      if (!t_ref && !t_rot) continue;
+      if (known == nullptr)
+        add(k, p, t_ref, t_rot);
+      else
+        complete(*known, t_ref, t_rot);
     }
   }
   /// The first time between two looks at which a function of one motion falls through 0.
@@ -200,19 +207,11 @@ class ContactWatch {
     return falls(middle, q, k, motion, halvings + 1);
   }
 
-  void add(std::size_t k, const Look& p, const Look& q, std::optional<T> t_ref, std::optional<T> t_rot) {
+  void add(std::size_t k, const Look& p, std::optional<T> t_ref, std::optional<T> t_rot) {
     const ContactEventKind kind = Functions::kKinds[k];
-    // The other prediction's event may have been found in the step before, or be just beyond this one.
-    if (!events_.empty()) {
-      for (Event& event : events_)
-        if (event.kind == kind && event.difference &&
-            ((t_ref && !t_rot && event.t_ref && is_near(*event.t_ref, *t_ref, p, q)) ||
-             (t_rot && !t_ref && event.t_rot && is_near(*event.t_rot, *t_rot, p, q))))
-          return;
-    }
     Event event{kind, t_ref, t_rot, std::nullopt};
     const T epsilon = system_.equations().model().epsilon;
-    if (const auto difference = time_difference(k, p, q, t_ref ? *t_ref : *t_rot, t_ref.has_value())) {
+    if (const auto difference = time_difference(k, p, t_ref ? *t_ref : *t_rot, t_ref.has_value())) {
       event.difference = difference;
       if (t_ref)
         event.t_rot = *t_ref + epsilon * *difference;
@@ -229,17 +228,23 @@ class ContactWatch {
       if (!end_ || first < *end_) end_ = first;
     }
   }
-  static bool is_near(T a, T b, const Look& p, const Look& q) { return real::abs(a - b) <= T(1e-6) * (q.t - p.t); }
-  bool has(ContactEventKind kind) const {
-    for (const Event& event : events_)
-      if (event.kind == kind) return true;
-    return false;
+  /// Adds the other prediction's event, which came too much later to follow from the first.
+  void complete(Event& event, std::optional<T> t_ref, std::optional<T> t_rot) const {
+    if (t_ref) event.t_ref = t_ref;
+    if (t_rot) event.t_rot = t_rot;
+    const T epsilon = system_.equations().model().epsilon;
+    if (event.t_ref && event.t_rot && epsilon > T(0)) event.difference = (*event.t_rot - *event.t_ref) / epsilon;
+  }
+  Event* first(ContactEventKind kind) {
+    for (Event& event : events_)
+      if (event.kind == kind) return &event;
+    return nullptr;
   }
 
   /// The time from the reference's event to the rotating motion's, over epsilon, from the pair near one of them; none where the
   /// two are so far apart that a parabola does not tell.
   /// @param t  time of one of the events   @param from_reference  whether it is the reference's
-  std::optional<T> time_difference(std::size_t k, const Look& p, const Look&, T t, bool from_reference) const {
+  std::optional<T> time_difference(std::size_t k, const Look& p, T t, bool from_reference) const {
     const T epsilon = system_.equations().model().epsilon;
     // Rates from values around the event, by formulas of order 4.
     const T h = T(real::pow(static_cast<double>(real::epsilon<T>()), 0.2)) / motion_rate_;

@@ -63,7 +63,7 @@ TEST(ContactVerdict, TippeTopIsUnstableWhileItTurnsOver) {
     EXPECT_EQ(result.contact->at_s, 2);
     EXPECT_EQ(result.contact->changes.size(), 3U);
     ASSERT_EQ(result.contact->events.size(), 2U);
-    for (const ContactEvent& event : result.contact->events) {
+    for (const ContactEvent& event : result.contact->events) {  // one for each prediction
       EXPECT_EQ(event.kind, ContactEventKind::inverted);
       const double known = event.prediction == Prediction::reference ? 1.0152340906175009096 : 1.0152324042882726541;
       ASSERT_TRUE(event.bound_s);
