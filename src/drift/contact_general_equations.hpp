@@ -31,6 +31,8 @@ struct ContactGeneralShape {
   static constexpr std::size_t kMomentum = 4, kSlip = 7, kPosition = kSlip + kLength;
   static constexpr std::size_t kHalf = kPosition + kLength;
   static constexpr std::size_t kSize = 2 * kHalf;
+  /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
+  static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
     return std::array<ComponentGroup, 9>{{{0, 4, 1.0},
                                           {kMomentum, 3, 1e-3},

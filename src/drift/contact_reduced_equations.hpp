@@ -32,6 +32,8 @@ struct ContactReducedShape {
   static constexpr std::size_t kN = 0, kU = 3, kA = 6, kSpin = 9, kPhase = 10, kSlip = 11, kPosition = kSlip + kLength;
   static constexpr std::size_t kHalf = kPosition + kLength;  ///< components of the reference, and of the deviation
   static constexpr std::size_t kSize = 2 * kHalf;
+  /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
+  static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
     return std::array<ComponentGroup, 13>{{{kN, 3, 1.0},
                                            {kU, 3, 1e-3},

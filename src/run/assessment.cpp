@@ -84,8 +84,8 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
   const Scenario& scenario = scene.scenario();
   const double Omega = scene.rotation_rate_rad_s();
-  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
-      !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
+  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() ||
+      scenario.effects.tide || !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
     return {};
   const Body<double>& body = scene.body<double>();
   const Release<double>& release = scene.release<double>();

@@ -50,6 +50,9 @@ MethodChoice choose_on_table(const Scene& scene) {
   options.form = scene.form(options);
   if (options.method != Method::automatic) return {options, "asked for"};
   options.method = Method::taylor;
+  // The last term of a step is far below the tolerance, and at a tenfold one all that is left is rounding.
+  constexpr double kLooser = 10, kLoosest = 1e-6;
+  options.relative_tolerance = std::max(options.relative_tolerance, std::min(kLooser * options.relative_tolerance, kLoosest));
   return {options, options.form == ModelForm::reduced
                        ? "a symmetric top on a table, integrated without its spin: Taylor series take the fewest operations"
                        : "a body on a table: Taylor series take the fewest operations"};

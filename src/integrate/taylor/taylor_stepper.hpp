@@ -163,7 +163,12 @@ class TaylorStepper {
   /// The work of a step is taken to be proportional to (order + kOrderOffset)^2. As an order takes some time beside the products,
   /// whose number is its square, 12 would take an eighth fewer orders (54,515 instead of 62,401 for a toy top), by steps half as
   /// long again; but their largest terms, and with them the rounding, would be several times as large.
-  static constexpr double kOrderOffset = 3;
+  static constexpr double kOrderOffset = [] {
+    if constexpr (requires { System::Shape::kOrderOffset; })
+      return System::Shape::kOrderOffset;
+    else
+      return 3.0;
+  }();
 
   static constexpr double kUnlimited = 1e4, kShortest = -700;
   double log_tolerance_;
