@@ -7,6 +7,7 @@
 #include "drift/contact_general_drift.hpp"
 #include "drift/contact_integration.hpp"
 #include "drift/contact_reduced_drift.hpp"
+#include "drift/contact_stop_integration.hpp"
 #include "drift/integrate_system.hpp"
 
 namespace earthtop {
@@ -29,6 +30,12 @@ DriftTrajectory<T> integrate_on_table(const DriftProblem<T>& problem, const Inte
 
 template <class T>
 DriftTrajectory<T> integrate_contact(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  // The clock of the slip exists for the reduced form in laboratory axes; a second integration differs by its tolerance.
+  if (has_exact_coulomb(problem.table->contact)) {
+    if (!is_symmetric(problem.table->contact))
+      throw std::logic_error("the exact Coulomb law is integrated for symmetric bodies only");
+    return integrate_to_stop_and_on(problem, options, watch);
+  }
   switch (options.observer) {
     case Observer::laboratory: return integrate_on_table<T, Observer::laboratory>(problem, options, watch);
     case Observer::inertial: return integrate_on_table<T, Observer::inertial>(problem, options, watch);

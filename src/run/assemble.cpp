@@ -11,6 +11,7 @@
 
 #include "run/assessment.hpp"
 #include "run/contact_assessment.hpp"
+#include "run/contact_report.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
 #include "run/rows.hpp"
@@ -207,9 +208,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
+  if (table) result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
+  if (table) assess_prediction_changes(result, rows);
   // The two integrations can agree on a threshold crossing although rounding has moved it in both.
   if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s) {
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;

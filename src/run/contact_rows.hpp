@@ -53,8 +53,11 @@ class ContactRows {
     const bool exact = contact_.law == ContactLaw::coulomb && contact_.slip_floor == T(0);
     bool rolls = contact_.law == ContactLaw::rolling, changed = false;
     for (const ContactEvent& event : events_) {
-      if (T(event.t_s) > t_s) break;
       if (event.prediction != prediction) continue;
+      if (T(event.t_s) > t_s) {
+        if (!changed && event.kind == ContactEventKind::slip_stopped) return false;  // it slides until then
+        break;
+      }
       if (event.kind == ContactEventKind::slip_stopped) rolls = changed = true;
       if (event.kind == ContactEventKind::slip_started) rolls = false, changed = true;
     }

@@ -36,6 +36,7 @@ TableProblem<T> table_of(const Scene& scene, const NaturalUnits& units) {
       make_contact<T>(spec, scene.body<T>(), scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
   table.start = make_contact_release<T>(spec, units);
   if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
+  table.static_coefficient = spec.static_coefficient;
   return table;
 }
 

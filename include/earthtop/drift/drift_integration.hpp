@@ -78,9 +78,9 @@ struct DriftSample {
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
-  T attitude_error = T(0);                      ///< bound on the error of both attitudes
-  T drift_error = T(0);                         ///< bound on the error of the drift
-  std::optional<ContactDriftState<T>> contact;  ///< of a top on a table, in natural units
+  T attitude_error = T(0);                        ///< bound on the error of both attitudes
+  T drift_error = T(0);                           ///< bound on the error of the drift
+  std::optional<ContactDriftState<T>> contact{};  ///< of a top on a table, in natural units
 };
 
 /// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
@@ -92,7 +92,8 @@ template <class T>
 struct TableProblem {
   Contact<T> contact;
   ContactRelease<T> start;
-  double max_tilt_rad = HUGE_VAL;  ///< tilt from the table's normal at which the rim touches
+  double max_tilt_rad = HUGE_VAL;              ///< tilt from the table's normal at which the rim touches
+  std::optional<double> static_coefficient{};  ///< friction over normal force above which a rolling tip would slip
 };
 
 /// A problem of which both motions and their deviation are sought.
