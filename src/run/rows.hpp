@@ -46,6 +46,7 @@ template <class To, class From>
 void cast_to(To& to, const From& from) {
   to = static_cast<To>(from);
 }
+inline void cast_to(ContactState& to, ContactState from) { to = from; }
 template <class To, class From>
 void cast_to(std::optional<To>& to, const std::optional<From>& from) {
   if (from) to = static_cast<To>(*from);
@@ -60,6 +61,11 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   BasicDriftRow<To> cast;
   cast_to(cast.t_s, row.t_s);
   for_each_drift_quantity([&](auto member, const RowQuantity&) { cast_to(member(cast), member(row)); });
+  if (row.contact) {
+    cast.contact.emplace();
+    for_each_contact_quantity(
+        [&](auto member, const RowQuantity&) { cast_to(member(*cast.contact), member(*row.contact)); });
+  }
   return cast;
 }
 

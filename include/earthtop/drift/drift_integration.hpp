@@ -80,7 +80,7 @@ struct DriftSample {
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
   T attitude_error = T(0);                      ///< bound on the error of both attitudes
   T drift_error = T(0);                         ///< bound on the error of the drift
-  std::optional<ContactDriftState<T>> contact;  ///< of a top on a table, in natural units
+  std::optional<ContactDriftState<T>> contact{};  ///< of a top on a table, in natural units
 };
 
 /// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
