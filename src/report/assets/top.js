@@ -41,17 +41,20 @@ function readTorques(torques) {
  *  fixed pivot. */
 function makePlace(moments, numbers) {
   const count = Math.min(moments?.length ?? 0, Math.floor((numbers?.length ?? 0) / 3)), origin = [0, 0, 0];
-  const row = (i) => { const place = numbers.slice(3 * i, 3 * i + 3); return place.every(isNumber) ? place : null; };
+  const rows = Array.from({ length: count }, (_, i) => {
+    const place = numbers.slice(3 * i, 3 * i + 3);
+    return place.every(isNumber) ? place : null;
+  });
   const at = (time) => {
-    if (count < 2) return (count && row(0)) || origin;
-    const i = rowBefore(moments, time, count), step = moments[i + 1] - moments[i], p = row(i), q = row(i + 1);
+    if (count < 2) return rows[0] ?? origin;
+    const i = rowBefore(moments, time, count), step = moments[i + 1] - moments[i], p = rows[i], q = rows[i + 1];
     const u = step > 0 ? clamp((time - moments[i]) / step, 0, 1) : 0;
     return p && q ? combine(1 - u, p, u, q) : p ?? q ?? origin;
   };
   /** The places of all rows up to a time, and that of the time itself. */
   const until = (time) => {
     const path = [];
-    for (let i = 0; i < count && moments[i] <= time; ++i) { const place = row(i); if (place) path.push(place); }
+    for (let i = 0; i < count && moments[i] <= time; ++i) if (rows[i]) path.push(rows[i]);
     if (count) path.push(at(time));
     return path;
   };
