@@ -17,7 +17,7 @@ namespace {
 
 using compare::Row;
 
-constexpr double kShownDrift = 0.15;     // part of the path's extent to which the drift of the contact point is magnified
+constexpr double kShownTipDrift = 0.15;     // part of the path's extent to which the drift of the contact point is magnified
 constexpr double kDiscHeight = 0.58;     // of the top drawn, in stems: where its disc is
 constexpr double kShownPath = 1.5;       // largest extent of the path in the animation, in stems
 constexpr std::size_t kMostRows = 200;   // of a table
@@ -46,9 +46,9 @@ double largest(const std::vector<double>& list) {
 }
 
 /// By how much the drift is magnified in the picture of the path; 1 where it is not small beside the path.
-double magnification(double path_m, double drift_m) {
-  if (!(drift_m > 0) || !(path_m * kShownDrift > drift_m)) return 1;
-  const double most = kShownDrift * path_m / drift_m;
+double tip_magnification(double path_m, double drift_m) {
+  if (!(drift_m > 0) || !(path_m * kShownTipDrift > drift_m)) return 1;
+  const double most = kShownTipDrift * path_m / drift_m;
   return std::isfinite(most) ? round_down(most) : 1;
 }
 
@@ -70,7 +70,7 @@ std::string path_html(const Run& run, Page& page) {
   picture.reference = {"prediction", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m")};
   const std::vector<double> x = values(run, "drift_tip_x_m"), y = values(run, "drift_tip_y_m"), t = times(run);
   const double path_m = extent(picture.reference.x, picture.reference.y), drift_m = std::fmax(largest(x), largest(y));
-  const double factor = magnification(path_m, drift_m);
+  const double factor = tip_magnification(path_m, drift_m);
   picture.rotating = {factor == 1 ? "with Earth rotation" : fmt::format("with Earth rotation, drift ×{}", times_text(factor)),
                       picture.reference.x, picture.reference.y};
   std::vector<std::vector<std::string>> rows;

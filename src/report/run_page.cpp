@@ -173,7 +173,8 @@ void add_motion(const Run& run, Page& page) {
   if (!run.scene) return;
   const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
-  data["torques"] = torques_of(run, model);
+  // Of a top on a table the force of the table acts as well, and the tip moves: these torques would not add up.
+  if (!run.has_contact) data["torques"] = torques_of(run, model);
 }
 
 /// The largest torque of apparent gravity about the pivot over the displayed rows (N m).
@@ -189,7 +190,7 @@ double largest_gravity(const Run& run) {
   return largest;
 }
 
-std::string ledger_section(const Run& run, Page& page) {
+std::string torques_html(const Run& run, Page& page) {
   if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
     return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
   const Budget budget = effect_budget(*run.scene);
@@ -210,6 +211,14 @@ std::string ledger_section(const Run& run, Page& page) {
   if (bars.empty()) return table;
   return page.picture("torques", bars_svg("torques", "Largest torques", "N m", bars), "Solid: modelled. Hatched: left out.",
                       table);
+}
+
+std::string ledger_section(const Run& run, Page& page) {
+  try {
+    return torques_html(run, page);
+  } catch (const ScenarioError& error) {  // the results are there, but this version does not follow such a scene
+    return fmt::format("<p>Not computed: {}.</p>\n", escaped(error.what()));
+  }
 }
 
 std::string invariants_section(const Run& run) {

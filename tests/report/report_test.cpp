@@ -181,7 +181,7 @@ TEST(Report, OfAContactSaysOnlyWhatIsTrue) {
   const std::string rolls = page_of_contact(dir, result);
   EXPECT_NE(rolls.find("It rolls all the time"), rolls.npos);
   EXPECT_NE(rolls.find("Both predictions to scale"), rolls.npos);
-  for (const char* text : {"moves its end by", "Nobody knows a coefficient", "makes it", "Its slip falls"})
+  for (const char* text : {"moves its end by", "Nobody knows a coefficient", "rotation makes it", "Its slip falls"})
     EXPECT_EQ(rolls.find(text), rolls.npos) << text;
 }
 

@@ -26,7 +26,7 @@ TEST(ContactText, TheTipsDriftHasBoundAndDirection) {
   last.drift_slip_m_s = -2e-7;
   const auto lines = tip_drift_lines(result, result.rows.back(), 2e-9);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], "3.001662e-04 ± 2.0e-09 m = 0.30017 mm to the West");
+  EXPECT_EQ(lines[0], "3.001666e-04 ± 2.0e-09 m = 300.17 micrometres to the West");
   EXPECT_EQ(lines[1], "-3.000000e-04 m East, +1.000000e-05 m North");
   EXPECT_NE(lines[2].find("slip -2.000000e-07 m/s"), std::string::npos);
   EXPECT_TRUE(tip_drift_lines(result, test::made_up_run().rows.back(), 0).empty());
