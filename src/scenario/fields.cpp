@@ -165,7 +165,7 @@ constexpr Field kFields[] = {
      "tilt at which the rim or the stem touches the table, which ends the run; above the tilt of the release"},
     {"/contact/table", object, "", any(), "", "{}", "how the table stands; both predictions stand on it"},
     {"/contact/table/tilt_deg", number, "deg", from(0, 80), "", "0",
-     "of the table's normal from Up; the release's tilt and azimuth are then about the normal"},
+     "of the table's normal from Up; the release's tilt, azimuth and precession are then about the normal"},
     {"/contact/table/tilt_azimuth_deg", number, "deg", kAngles, "", "0", "compass direction of steepest descent"},
 
     {"/effects", object_or_word, "", any(), "auto", "{}",

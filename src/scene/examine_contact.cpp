@@ -216,6 +216,10 @@ void check_contact(const Section& root, const Scene& scene) {
                    fmt::format("{} deg is not above the tilt of the release, {:.6g} deg: the rim would touch at once; "
                                "give a larger angle, or leave it out",
                                *spec.max_tilt_deg, touchdown.tilt_deg()));
+  if (const double height = spec.tip_radius_m + touchdown.r_c()[2]; height < 0)
+    root.warn("contact", fmt::format("the centre of mass lies {:.3g} m below the table at the release; is the sign of "
+                                     "/body/center_of_mass_m right, and the tilt at most 90 deg?",
+                                     -height));
   if (!check_reaction(root, touchdown)) return;
   check_relaxation(contact, touchdown);
 }

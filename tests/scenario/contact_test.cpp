@@ -387,6 +387,7 @@ TEST(ContactKeys, MistakesOfUnitAreWarnedOf) {
        "larger than the tip"},
       {replaced(kContensou, "3e-5", "1e-9"), "/contact/patch_radius_m", "a slip dies out at"},
       {replaced(kViscous, "0.05", "5e4"), "/contact/sliding_viscosity_N_s_m", "a slip dies out at"},
+      {kContensou, "/contact", "0.028 m below the table", {{"/release/tilt_deg", "180"}}},
       {kContensou, "/contact/law", "does not turn about the normal", {{"/release/spin_rad_s", "0"}}},
   };
   for (const Case& c : cases) {
