@@ -23,13 +23,13 @@ constexpr double kRounding = 1e-12;       // part of a quantity's size: thousand
 constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 10;  // largest ratio of two errors
 constexpr double kTorque = 1e-9;          // part of a torque's largest value: many times the state's error
-constexpr double kContact = 1e-8;         // part of a quantity of the contact for which no row states bounds: as of a torque, but
-                                          // slip and tip lose a digit where a tippe top turns over
-constexpr double kDerived = 1e-6;         // part of a number computed from several, for which no summary states bounds
-constexpr double kTime = 1e-3;            // part of a time at which disturbances have grown: growth is computed to some percent
-constexpr double kEventTime = 1e-9;       // part of the time of a contact's event: far more than the last digit of a root found
-constexpr double kOfSize = 0.1;           // part of a quantity's size: upper limit of error bounds where there is no effect
-constexpr double kSmall = 0.01;           // part of the largest error; smaller errors count as equal in size
+constexpr double kContact = 1e-8;    // part of a quantity of the contact for which no row states bounds: as of a torque, but
+                                     // slip and tip lose a digit where a tippe top turns over
+constexpr double kDerived = 1e-6;    // part of a number computed from several, for which no summary states bounds
+constexpr double kTime = 1e-3;       // part of a time at which disturbances have grown: growth is computed to some percent
+constexpr double kEventTime = 1e-9;  // part of the time of a contact's event: far more than the last digit of a root found
+constexpr double kOfSize = 0.1;      // part of a quantity's size: upper limit of error bounds where there is no effect
+constexpr double kSmall = 0.01;      // part of the largest error; smaller errors count as equal in size
 // Tolerances for the same computation, rounded otherwise: parts of a quantity's size, and of the error bounds, which are larger
 // where rounding has more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;

@@ -195,7 +195,8 @@ constexpr void for_each_contact_quantity(const Visit& visit) {
     visit(member, quantity);
   };
   using Q = RowQuantity;
-  visit_one([](auto& c) -> auto& { return c.tip_m; }, Q{"tip_L", "_m", place, rotating, "tip_m", Bound::none, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.tip_m; }, Q{"tip_L", "_m", place, rotating, "tip_m", Bound::none, "drift_tip_m"});
   visit_one(
       [](auto& c) -> auto& { return c.ref_tip_m; },
       Q{"ref_tip_L", "_m", place, reference, "ref_tip_m", Bound::none, "drift_tip_m"});
@@ -228,8 +229,9 @@ constexpr void for_each_contact_quantity(const Visit& visit) {
   visit_one(
       [](auto& c) -> auto& { return c.drift_spin_rate_rad_s; },
       Q{"drift_spin_rate", "_rad_s", number, drift, "drift_spin_rate_rad_s", Bound::none, "drift_spin_rate_rad_s"});
-  visit_one([](auto& c) -> auto& { return c.state; },
-            Q{"contact_state", "", word, rotating, "contact_state", Bound::none, "", "slide|roll|mixed"});
+  visit_one(
+      [](auto& c) -> auto& { return c.state; },
+      Q{"contact_state", "", word, rotating, "contact_state", Bound::none, "", "slide|roll|mixed"});
 }
 
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
@@ -261,8 +263,7 @@ inline constexpr auto kDriftQuantities = [] {
   for_each_contact_quantity([&](auto member, const RowQuantity& quantity) {
     using Read = OfContact<decltype(member)>;
     all[i++] = {
-        quantity,
-        [](const DriftRow& row, std::size_t component) -> std::optional<double> { return Read{}(row, component); },
+        quantity, [](const DriftRow& row, std::size_t component) -> std::optional<double> { return Read{}(row, component); },
         [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
   });
   return all;

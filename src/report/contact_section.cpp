@@ -17,7 +17,7 @@ namespace {
 
 using compare::Row;
 
-constexpr double kShownTipDrift = 0.15;     // part of the path's extent to which the drift of the contact point is magnified
+constexpr double kShownTipDrift = 0.15;  // part of the path's extent to which the drift of the contact point is magnified
 constexpr double kDiscHeight = 0.58;     // of the top drawn, in stems: where its disc is
 constexpr double kShownPath = 1.5;       // largest extent of the path in the animation, in stems
 constexpr std::size_t kMostRows = 200;   // of a table
@@ -53,9 +53,7 @@ double tip_magnification(double path_m, double drift_m) {
 }
 
 /// The magnification in digits: 1,000 or 2e+09.
-std::string times_text(double factor) {
-  return factor < 1e6 ? fmt::format("{:.0f}", factor) : fmt::format("{:g}", factor);
-}
+std::string times_text(double factor) { return factor < 1e6 ? fmt::format("{:.0f}", factor) : fmt::format("{:g}", factor); }
 
 /// Toward where a displacement on the table points, in words.
 std::string toward(const Run& run, double x, double y) {
@@ -85,15 +83,16 @@ std::string path_html(const Run& run, Page& page) {
   const bool level = is_level(run);
   picture.right = level ? "East" : "the table's axis 1";
   picture.up = level ? "North" : "the table's axis 2";
-  const std::string scale = factor == 1 ? "Both predictions to scale"
-                                        : fmt::format("The prediction to scale; its drift drawn {} times as large", times_text(factor));
+  const std::string scale = factor == 1
+                                ? "Both predictions to scale"
+                                : fmt::format("The prediction to scale; its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
-  const std::string caption =
-      fmt::format("The table from above, the same scale in both directions. {}: in truth it is {} at most. Rings: start. Dots: end.",
-                  scale, length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
+  const std::string caption = fmt::format(
+      "The table from above, the same scale in both directions. {}: in truth it is {} at most. Rings: start. Dots: end.", scale,
+      length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
   return page.picture("path", path_svg(picture), caption,
-                      table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)", "drift x (m)",
-                                  "drift y (m)"},
+                      table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)",
+                                  "drift x (m)", "drift y (m)"},
                                  rows));
 }
 
@@ -169,10 +168,9 @@ std::string events_html(const Run& run) {
   for (std::size_t i = 0; const auto t_s = run.number(fmt::format("/contact/events/{}/t_s", i)); ++i) {
     const std::string at = fmt::format("/contact/events/{}/", i);
     const auto bound = run.number(at + "bound_s"), apart = run.number(at + "time_difference_s");
-    html += fmt::format("<p>At {}{}, in the {} prediction: {}.", number_html(*t_s, "s", 16),
-                        bound ? " ± " + number_html(*bound, "s", 2) : "",
-                        run.word(at + "prediction") == "rotating" ? "rotating" : "non-rotating",
-                        escaped(event_words(run.word(at + "event"))));
+    html += fmt::format(
+        "<p>At {}{}, in the {} prediction: {}.", number_html(*t_s, "s", 16), bound ? " ± " + number_html(*bound, "s", 2) : "",
+        run.word(at + "prediction") == "rotating" ? "rotating" : "non-rotating", escaped(event_words(run.word(at + "event"))));
     if (apart)
       html += fmt::format(" The Earth's rotation makes it {} {}.", number_html(std::abs(*apart), "s", 10),
                           *apart < 0 ? "earlier" : "later");
@@ -196,10 +194,11 @@ std::string changes_html(const Run& run) {
   return fmt::format("<p>How far the prediction itself moves by {}, with inputs that nobody knows well:</p>\n",
                      number_html(at_s, "s")) +
          table_html({"input", "changed by", "axis moves by", "tip moves by"}, rows) +
-         (of_friction ? "<p>Nobody knows a coefficient of friction to 1 %: the drift, with the same friction in both predictions, "
-                        "is well defined, the prediction is not.</p>\n"
-                      : "<p>Few tables are level to an arcsecond: the drift, on the same table in both predictions, is well "
-                        "defined, the prediction is not.</p>\n");
+         (of_friction
+              ? "<p>Nobody knows a coefficient of friction to 1 %: the drift, with the same friction in both predictions, "
+                "is well defined, the prediction is not.</p>\n"
+              : "<p>Few tables are level to an arcsecond: the drift, on the same table in both predictions, is well "
+                "defined, the prediction is not.</p>\n");
 }
 
 }  // namespace
@@ -224,8 +223,7 @@ void add_tip_motion(const Run& run, Page& page) {
   if (!(unit_m > 0)) return;
   Ends middle[2];
   for (int axis = 0; axis < 2; ++axis)
-    for (const double m : axis == 0 ? x : y)
-      middle[axis] = {std::fmin(middle[axis].first, m), std::fmax(middle[axis].last, m)};
+    for (const double m : axis == 0 ? x : y) middle[axis] = {std::fmin(middle[axis].first, m), std::fmax(middle[axis].last, m)};
   Json& data = page.data();
   const auto add = [&](const char* name, const std::vector<double>& east, const std::vector<double>& north) {
     data[name] = Json::array();

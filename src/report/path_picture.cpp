@@ -14,6 +14,8 @@ namespace earthtop::report {
 namespace {
 
 constexpr double kWidth = 860, kTop = 76, kSide = 480, kMargin = 40, kBelow = 56;  // px
+/// Colours and font of a picture that stands alone; on a page its style overrides them.
+constexpr const char* kAlone = "fill=\"#374151\" font-family=\"sans-serif\" font-size=\"12\"";
 constexpr double kSmallest = 1e-15;  // m; shorter paths are drawn as if they were as long
 
 /// Where the points of the plane are in the picture.
@@ -103,22 +105,24 @@ std::string path_svg(const PathPicture& picture) {
   const double bar = round_down(160 / map.per_m), bottom = kTop + kSide, bar_px = bar * map.per_m;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "role=\"img\">\n<title>{2}</title>\n<rect class=\"et-page\" width=\"{0}\" height=\"{1}\"/>\n"
+      "role=\"img\" {7}>\n<title>{2}</title>\n<rect class=\"et-page\" fill=\"#ffffff\" width=\"{0}\" height=\"{1}\"/>\n"
       "<text x=\"24\" y=\"30\" class=\"et-h\">{2}</text>\n<text x=\"24\" y=\"52\" class=\"et-s\">{3}</text>\n"
-      "<rect class=\"et-frame\" x=\"24\" y=\"{4}\" width=\"{5}\" height=\"{6}\" fill=\"none\"/>\n",
-      kWidth, bottom + kBelow, escape_xml(picture.title), escape_xml(picture.subtitle), kTop, kWidth - 48, kSide);
+      "<rect class=\"et-frame\" stroke=\"#6b7280\" x=\"24\" y=\"{4}\" width=\"{5}\" height=\"{6}\" fill=\"none\"/>\n",
+      kWidth, bottom + kBelow, escape_xml(picture.title), escape_xml(picture.subtitle), kTop, kWidth - 48, kSide, kAlone);
   // Start and end are seen even where both paths coincide: those of the prediction are larger.
-  out += fmt::format("<path id=\"{}-ref\" d=\"{}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3\" stroke-dasharray=\"7 4\"/>\n",
-                     escape_xml(picture.name), commands(picture.reference, map));
+  out += fmt::format(
+      "<path id=\"{}-ref\" d=\"{}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3\" stroke-dasharray=\"7 4\"/>\n",
+      escape_xml(picture.name), commands(picture.reference, map));
   out += fmt::format("<path id=\"{}-rot\" d=\"{}\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"1.5\"/>\n",
                      escape_xml(picture.name), commands(picture.rotating, map));
   out += marks(picture.reference, map, "#0072b2", 6) + marks(picture.rotating, map, "#d55e00", 3);
   out += fmt::format("<text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">{2} →</text>\n<text x=\"34\" y=\"{3}\">↑ {4}</text>\n",
                      kWidth - 34, bottom - 10, escape_xml(picture.right), kTop + 20, escape_xml(picture.up));
   const double line = bottom + 24;
-  out += fmt::format("<path d=\"M24 {0}v8h{1:.1f}v-8\" fill=\"none\" stroke=\"#808080\" stroke-width=\"2\"/>\n"
-                     "<text x=\"{2:.1f}\" y=\"{3}\">{4}</text>\n",
-                     line - 8, bar_px, 32 + bar_px, line, length_text(bar, 3));
+  out += fmt::format(
+      "<path d=\"M24 {0}v8h{1:.1f}v-8\" fill=\"none\" stroke=\"#808080\" stroke-width=\"2\"/>\n"
+      "<text x=\"{2:.1f}\" y=\"{3}\">{4}</text>\n",
+      line - 8, bar_px, 32 + bar_px, line, length_text(bar, 3));
   const auto entry = [&](double x, const char* stroke, const std::string& label) {
     return fmt::format("<path d=\"M{0} {1}h32\" {2}/><text x=\"{3}\" y=\"{4}\">{5}</text>\n", x, line - 4, stroke, x + 40, line,
                        escape_xml(label));

@@ -63,8 +63,7 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   for_each_drift_quantity([&](auto member, const RowQuantity&) { cast_to(member(cast), member(row)); });
   if (row.contact) {
     cast.contact.emplace();
-    for_each_contact_quantity(
-        [&](auto member, const RowQuantity&) { cast_to(member(*cast.contact), member(*row.contact)); });
+    for_each_contact_quantity([&](auto member, const RowQuantity&) { cast_to(member(*cast.contact), member(*row.contact)); });
   }
   return cast;
 }

@@ -145,6 +145,25 @@ TEST(SummaryTable, WithoutARowBeyondTheReleaseItHasNoNumbersOfRows) {
   EXPECT_TRUE(summary_part(result, "drift.axis_final_rad").is_null());
 }
 
+// What a study may collect of a run on a table, and a headline be about.
+TEST(SummaryTable, KnowsThePathsOfAContact) {
+  for (const char* path :
+       {"drift.tip_final_m", "drift.tip_max_m", "drift.tip_bound_m", "contact.events.0.t_s", "contact.events.3.event",
+        "contact.prediction_changes.1.tip_m", "scenario.contact.friction_coefficient", "scenario.contact.static_coefficient",
+        "scenario.contact.sliding_viscosity_s_m"})
+    EXPECT_FALSE(summary_path_fault(path)) << path;
+  EXPECT_TRUE(summary_path_fault("drift.tip_last_m"));
+  EXPECT_TRUE(summary_path_fault("contact.events.first.t_s"));
+  EXPECT_TRUE(is_known_at_the_end("drift.tip_final_m"));
+  EXPECT_FALSE(is_known_at_the_end("drift.tip_max_m"));
+  EXPECT_TRUE(is_known_at_the_end("contact.events.0.time_difference_s"));
+  const RunResult result = test::made_up_contact_run(11);
+  EXPECT_EQ(summary_part(result, "drift.tip_final_m"), Json(*result.drift.tip_final_m));
+  EXPECT_EQ(summary_part(result, "contact.events.1.time_difference_s"), Json(3e-6));
+  EXPECT_TRUE(summary_part(result, "contact.events.2.t_s").is_null());
+  EXPECT_TRUE(summary_part(test::made_up_run(), "drift.tip_final_m").is_null());
+}
+
 /// Both written to files and held against each other by their bits.
 PairReport compared_bitwise(const fs::path& before, const fs::path& now) {
   return compare_results(before, now, with_profile(Profile::bitwise)).pairs.at(0);
@@ -197,7 +216,8 @@ TEST(SummaryTable, TheComparisonOfAContactDoesWhatItSays) {
 }
 
 /// Changes a number in one cell of every column of both files. @returns the numbers of columns
-std::map<std::string, std::size_t> expect_every_column_is_compared(const RunResult& result, const std::vector<std::string>& files) {
+std::map<std::string, std::size_t> expect_every_column_is_compared(const RunResult& result,
+                                                                   const std::vector<std::string>& files) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
   write_results(result, before, false);

@@ -165,8 +165,8 @@ TEST(Report, OfAContactSaysOnlyWhatIsTrue) {
   const TemporaryDirectory dir;
   RunResult result = test::made_up_contact_run();
   const std::string slides = page_of_contact(dir, result);
-  for (const char* text : {"of where it started", "The Earth's rotation moves its end by 120 µm to the North.", "Its slip falls from",
-                           "the tip rolls on", "makes it <data value=\"8e-07\">", "earlier", "later",
+  for (const char* text : {"of where it started", "The Earth's rotation moves its end by 120 µm to the North.",
+                           "Its slip falls from", "the tip rolls on", "makes it <data value=\"8e-07\">", "earlier", "later",
                            "the top stands up on its other end", "table_tilt", "Nobody knows a coefficient of friction to 1 %"})
     EXPECT_NE(slides.find(text), slides.npos) << text;
   EXPECT_EQ(slides.find("It rolls all the time"), slides.npos);
@@ -198,8 +198,12 @@ TEST(Report, OfAFixedPivotHasNoTable) {
 TEST(Report, PathsWithoutExtentAreDrawn) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   report::PathPicture picture;
-  for (const auto& [x, y] : std::vector<std::pair<std::vector<double>, std::vector<double>>>{
-           {{0, 0}, {0, 0}}, {{}, {}}, {{none, 1, none, 2}, {0, 1, 3, none}}, {{1e-300, 2e-300}, {0, 0}}, {{-1e300, 1e300}, {0, 1}}}) {
+  for (const auto& [x, y] :
+       std::vector<std::pair<std::vector<double>, std::vector<double>>>{{{0, 0}, {0, 0}},
+                                                                        {{}, {}},
+                                                                        {{none, 1, none, 2}, {0, 1, 3, none}},
+                                                                        {{1e-300, 2e-300}, {0, 0}},
+                                                                        {{-1e300, 1e300}, {0, 1}}}) {
     picture.rotating = picture.reference = {"a path", x, y};
     const std::string svg = path_svg(picture);
     EXPECT_EQ(svg.find("nan"), svg.npos) << svg;

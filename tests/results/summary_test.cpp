@@ -88,8 +88,7 @@ TEST(Summary, HasTheContactOfATopOnATableOnly) {
   EXPECT_EQ(summary.at("/drift/tip_final_m"_json_pointer), *result.drift.tip_final_m);
   EXPECT_EQ(summary.at("/drift/tip_max_m"_json_pointer), 1.25e-4);
   EXPECT_EQ(summary.at("/drift/tip_bound_m"_json_pointer), 3.601e-12);
-  EXPECT_EQ(summary.at("contact"),
-            json::parse(R"({"events": [
+  EXPECT_EQ(summary.at("contact"), json::parse(R"({"events": [
     {"event": "slip_stopped", "t_s": 29.75, "bound_s": 1e-9, "prediction": "reference", "time_difference_s": -8e-7},
     {"event": "inverted", "t_s": 50.5, "bound_s": 1e-8, "prediction": "rotating", "time_difference_s": 3e-6}],
   "prediction_changes": [

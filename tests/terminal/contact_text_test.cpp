@@ -45,9 +45,11 @@ TEST(ContactText, OnATiltedTableTheDirectionsAreItsAxes) {
 TEST(ContactText, EventsSayWhichPredictionIsEarlier) {
   RunResult result = test::made_up_contact_run();
   const std::string text = joined(contact_event_lines(result));
-  EXPECT_NE(text.find("Contact|t = 29.7500000000 ± 1.0e-09 s, non-rotating prediction: friction has brought the slip to zero, and the "
-                      "tip rolls on; in the rotating one 8.000000e-07 s earlier"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(
+          "Contact|t = 29.7500000000 ± 1.0e-09 s, non-rotating prediction: friction has brought the slip to zero, and the "
+          "tip rolls on; in the rotating one 8.000000e-07 s earlier"),
+      std::string::npos)
       << text;
   EXPECT_NE(text.find("in the non-rotating one 3.000000e-06 s earlier"), std::string::npos) << text;
   result.contact->events = {{ContactEventKind::slip_started, Prediction::rotating, 1, {}, {}},
@@ -64,8 +66,10 @@ TEST(ContactText, TheMotionOfThePredictionItselfIsSaid) {
   RunResult result = test::made_up_contact_run();
   result.rows.back().drift_axis_rad = 4e-3;
   const std::string text = joined(prediction_change_lines(result));
-  EXPECT_NE(text.find("axis 8.00e-03 rad, tip 8.80e-04 m per 1 % of friction coefficient (the Earth's drift of the axis is 0.5 of that)"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(
+          "axis 8.00e-03 rad, tip 8.80e-04 m per 1 % of friction coefficient (the Earth's drift of the axis is 0.5 of that)"),
+      std::string::npos)
       << text;
   EXPECT_NE(text.find("per 1 arcsec of table tilt"), std::string::npos) << text;
   EXPECT_NE(text.find("nobody knows a coefficient of friction to 1 %"), std::string::npos) << text;

@@ -30,7 +30,8 @@ std::string other_time(const ContactEvent& event) {
   if (!event.time_difference_s) return "";
   // The difference is rotating less reference.
   const double later = event.prediction == Prediction::rotating ? -*event.time_difference_s : *event.time_difference_s;
-  const std::string_view other = name_of(event.prediction == Prediction::rotating ? Prediction::reference : Prediction::rotating);
+  const std::string_view other =
+      name_of(event.prediction == Prediction::rotating ? Prediction::reference : Prediction::rotating);
   if (later == 0) return fmt::format("; in the {} one at the same time", other);
   return fmt::format("; in the {} one {:.6e} s {}", other, std::abs(later), later > 0 ? "later" : "earlier");
 }
@@ -57,9 +58,10 @@ std::vector<LabelledLine> contact_event_lines(const RunResult& result) {
     lines.push_back({"Contact", fmt::format("t = {}, {} prediction: {}{}", time_with_bound(event.t_s, event.bound_s),
                                             name_of(event.prediction), in_words(event.kind), other_time(event))});
     if (!event.time_difference_s && !ends_run(event.kind))
-      lines.push_back({"", fmt::format("the {} one has no such event", event.prediction == Prediction::rotating ? "non-rotating"
-                                                                                                                 : "rotating"),
-                       true});
+      lines.push_back(
+          {"",
+           fmt::format("the {} one has no such event", event.prediction == Prediction::rotating ? "non-rotating" : "rotating"),
+           true});
   }
   return lines;
 }
@@ -69,7 +71,8 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
   if (!result.contact || result.contact->changes.empty()) return lines;
   const ContactReport& contact = *result.contact;
   const DriftRow* row = last_reliable_row(result);
-  lines.push_back({"Prediction", fmt::format("it moves itself, by t = {} s, with inputs that nobody knows well:", contact.at_s)});
+  lines.push_back(
+      {"Prediction", fmt::format("it moves itself, by t = {} s, with inputs that nobody knows well:", contact.at_s)});
   bool of_friction = false;
   for (const PredictionChange& change : contact.changes) {
     of_friction = of_friction || change.step.ends_with("%");

@@ -78,8 +78,8 @@ struct DriftSample {
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
-  T attitude_error = T(0);                      ///< bound on the error of both attitudes
-  T drift_error = T(0);                         ///< bound on the error of the drift
+  T attitude_error = T(0);                        ///< bound on the error of both attitudes
+  T drift_error = T(0);                           ///< bound on the error of the drift
   std::optional<ContactDriftState<T>> contact{};  ///< of a top on a table, in natural units
 };
 
