@@ -69,6 +69,8 @@ struct VerdictReport {
   Verdict verdict = Verdict::reliable;
   /// Time (s) from which on the drift cannot be trusted; empty where it can be trusted to the end of the run.
   std::optional<double> from_s;
+  /// Time (s) from which on it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
+  std::optional<double> until_s{};
   double reliable_until_s = 0;  ///< `from_s`, or the end of the run
   std::string reason;
   /// Finite-time Lyapunov exponent at late times (1/s), the larger one of the two motions (see GrowthReport); empty where

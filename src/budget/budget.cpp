@@ -255,14 +255,24 @@ struct Preparation {
         drift_seconds(earthtop::drift_seconds(scene, time_s)) {}
 };
 
+/// The variations that size the effects are those of a body on a fixed pivot.
+void require_fixed_pivot(const Scene& scene) {
+  if (scene.scenario().contact)
+    throw ScenarioError("/contact",
+                        "the effects are sized for a top on a fixed pivot only; run the scenario with and without an "
+                        "effect to see what it does on a table");
+}
+
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
+  require_fixed_pivot(scene);
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
+  require_fixed_pivot(scene);
   const NaturalUnits& units = scene.problem<double>().units;
   const Preparation prepared(scene);
   const std::vector<Candidate>& candidates = prepared.candidates;

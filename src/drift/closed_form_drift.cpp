@@ -172,7 +172,8 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
     const DriftState<T> state = pair.state(exact_t);
     const DriftMeasures<T> measures = measure_drift(state);
     angles.settle(drift_phases(state));
-    DriftSample<T> sample{state, measures};
+    DriftSample<T> sample;
+    sample.state = state, sample.measures = measures;
     sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
     sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
     sample.attitude_error = pair.attitude_error(exact_t);

@@ -20,6 +20,7 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
   using Equations = ContactGeneralEquations<T, O>;
   using Shape = ContactGeneralShape<O>;
   static constexpr std::size_t kSize = Shape::kSize;
+  static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table   @param change  see

@@ -19,6 +19,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
   using Equations = ContactReducedEquations<T, O>;
   using Shape = ContactReducedShape<O>;
   static constexpr std::size_t kSize = Shape::kSize;
+  static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table   @param change  see
@@ -36,6 +37,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_contact<T, O>(equations_, x, t); });
   }
   const Equations& equations() const { return equations_; }
+  /// Goes on under another law, as when slip stops.
+  void set_law(ContactLaw law) { equations_.set_law(law); }
 
   /// The state at release, where both motions have the same attitude, position, rates of the kind that the release names, and the
   /// velocity that the start names.

@@ -2,49 +2,17 @@
 /// The definition of integrate_drift; each of drift_integration_*.cpp instantiates it for one scalar.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "drift/closed_form_drift.hpp"
 #include "drift/compass_drift.hpp"
+#include "drift/contact_integration.hpp"
 #include "drift/drift_system.hpp"
 #include "drift/driven_reduced_drift.hpp"
+#include "drift/integrate_system.hpp"
 #include "drift/long_horizon_drift.hpp"
 #include "drift/reduced_drift_system.hpp"
-#include "drift/release_rates.hpp"
-#include "drift/step_watcher.hpp"
 
 namespace earthtop {
 namespace {
-
-template <class T, class System>
-DriftTrajectory<T> integrate_system(System& system, typename System::State x, const DriftProblem<T>& problem,
-                                    const IntegrationOptions& options, const Watch& watch, T largest_step) {
-  const std::vector<T> times = natural_times(problem);
-  DriveOptions<T> drive = drive_options(problem, options, watch);
-  drive.largest_step = largest_step;
-
-  DriftTrajectory<T> trajectory;
-  trajectory.samples.reserve(times.size());
-  StepWatcher<T, System> watcher(system, problem);
-  const auto on_row = [&](std::size_t row, const typename System::State& state) {
-    trajectory.samples.push_back(watcher.sample(state, times[row], problem.times_s[row]));
-    if (row == 0) set_release_rates(problem, trajectory.samples.front().state);
-  };
-  Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);
-  trajectory.status = driver.run(x, times);
-  trajectory.counters = driver.counters();
-  trajectory.threshold = watcher.threshold();
-  if constexpr (requires { system.stops(); }) {
-    for (const auto& [prediction, t, slowing] : system.stops())
-      trajectory.stops.push_back({prediction, static_cast<double>(real::scale(t, problem.units.time_exponent)),
-                                  static_cast<double>(real::scale(slowing, -2 * problem.units.time_exponent))});
-    std::ranges::sort(trajectory.stops, {}, &StopEvent::t_s);
-  }
-  if (driver.first_step_taken() > T(0))
-    trajectory.step_s = static_cast<double>(real::scale(driver.first_step_taken(), problem.units.time_exponent));
-  return trajectory;
-}
 
 template <class T, Observer O, SceneKind K, RotatingMotion R>
 DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
@@ -77,6 +45,7 @@ DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const Integ
 
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  if (problem.table) return integrate_contact(problem, options, watch);
   if (options.method == Method::closed_form) return closed_form_drift(problem, options, watch);
   if (options.method == Method::long_horizon) {
     if constexpr (std::is_same_v<T, double>)

@@ -64,8 +64,6 @@ DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_
     summary.axis_max_rad = std::max(summary.axis_max_rad, row.drift_axis_rad);
     summary.axis_bound_rad = std::max(summary.axis_bound_rad, row.drift_axis_bound_rad);
     summary.attitude_bound_rad = std::max(summary.attitude_bound_rad, row.drift_attitude_bound_rad);
-  }
-  for (const DriftRow& row : rows) {
     if (!row.contact) continue;
     summary.tip_final_m = row.contact->drift_tip_m;
     summary.tip_max_m = std::max(summary.tip_max_m.value_or(0), row.contact->drift_tip_m);

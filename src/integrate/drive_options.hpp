@@ -107,6 +107,15 @@ constexpr bool is_bound_only() {
     return false;
 }
 
+/// Whether a system is integrated by rkf78 as well.
+template <class System>
+constexpr bool has_runge_kutta() {
+  if constexpr (requires { System::kRungeKutta; })
+    return System::kRungeKutta;
+  else
+    return true;
+}
+
 /// Whether a system is integrated only by its Taylor series.
 template <class System>
 constexpr bool is_series_only() {

@@ -57,8 +57,10 @@ class Driver final : public StepLoops<T, typename System::Shape> {
 
   RunStatus run_by(Method method, State& x, std::span<const T> times) {
     using namespace boost::numeric::odeint;
-    if (method == Method::rkf78 || method == Method::automatic)
-      return this->template run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+    if constexpr (has_runge_kutta<System>()) {
+      if (method == Method::rkf78 || method == Method::automatic)
+        return this->template run_embedded<runge_kutta_fehlberg78<State, T>>(x, times);
+    }
     if (method == Method::extrapolation) return this->run_extrapolation(x, times);
     if constexpr (requires { typename System::Series; }) {
       if (method == Method::taylor) return run_series(x, times);

@@ -179,6 +179,8 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   const Scene given = parse_scene(source, overrides);
   if (given.scenario().effects.automatic)
     throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
+  if (given.scenario().contact)
+    throw ScenarioError("/contact", "a measurement is held against the motion of a top on a fixed pivot only");
   const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
   const Scene scene = parse_scene(source, longer);
   const EstimatedInputs inputs(source, longer, scene, estimates);

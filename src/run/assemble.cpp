@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "run/assessment.hpp"
+#include "run/contact_assessment.hpp"
+#include "run/contact_report.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
 #include "run/rows.hpp"
@@ -51,19 +53,29 @@ void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   }
 }
 
+/// What makes the contact's part of the rows; none for a fixed pivot.
+template <class T>
+std::optional<ContactRows<T>> contact_rows(const Scene& scene, const DriftTrajectory<T>& trajectory) {
+  if (!scene.scenario().contact) return std::nullopt;
+  return std::optional<ContactRows<T>>(std::in_place, scene.problem<T>(), trajectory.contact_events);
+}
+
 /// Keeps the rows of a complete solution whose error bounds have not been computed.
 template <class T>
 void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const DriftBound<T> none(0);
+  const std::optional<ContactRows<T>> table = contact_rows(result.scene, made.first);
   for (const DriftSample<T>& sample : made.first.samples) {
-    BasicDriftRow<T> row = make_row(sample, none);
+    BasicDriftRow<T> row = make_row(sample, none, table);
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
+    if (row.contact) row.contact->drift_tip_bound_m = T(kUnknown);
     add_row(row, result);
   }
   result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
   if (made.first.threshold) result.drift.threshold_time_s = made.first.threshold->time_s();
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
+  if (table) result.drift.tip_bound_m = kUnknown;
   result.stops = made.first.stops;
   result.verdict.verdict = Verdict::unassessed;
   result.verdict.from_s = 0;
@@ -165,6 +177,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 
   // The following work takes seconds for millions of rows.
   DriftBound<T> bound(kSafety);
+  const std::optional<ContactRows<T>> table = contact_rows(scene, made.first);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
   T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
@@ -172,12 +185,14 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     if (i % 64 == 0) rows.reach(static_cast<double>(i) / static_cast<double>(count));
     for (const std::size_t ahead = std::min(count, rows_compared(i)); compared < ahead; ++compared) {
       const DriftSample<T>& sample = made.first.samples[compared];
-      bound.include(sample.measures, made.second.samples[compared].measures, sample.state.epsilon);
+      const DriftSample<T>& second = made.second.samples[compared];
+      bound.include(sample.measures, second.measures, sample.state.epsilon);
+      if (sample.contact && second.contact) bound.include(*sample.contact, *second.contact, sample.state.epsilon);
       bound.include_stated(sample.drift_error);
     }
     const DriftSample<T>& sample = made.first.samples[i];
     const DriftSample<T>& other = made.second.samples[i];
-    add_row(make_row(sample, bound), result);
+    add_row(make_row(sample, bound, table), result);
     const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
                                              {sample.state.ref_q_LB, other.state.ref_q_LB}};
     // Where the method states no error, only an angle that may be the largest so far counts.
@@ -193,9 +208,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
+  if (table) result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
+  if (table) assess_prediction_changes(result, rows);
   // The two integrations can agree on a threshold crossing although rounding has moved it in both.
   if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s) {
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;
@@ -205,7 +222,8 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   if (has_drift(result)) {
     result.sensitivities = assess_sensitivities(result, parts.next(seconds.sensitivities, "sensitivities"));
     if (stop()) return stopped(scene, made, partial);
-    result.invariants = assess_invariants(result, rows);
+    result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
+                                         : assess_invariants(result, rows);
     if (stop()) return stopped(scene, made, partial);
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);

@@ -6,34 +6,10 @@
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/ledger.hpp"
+#include "run/invariant_follower.hpp"
 
 namespace earthtop {
 namespace {
-
-/// Records the change of one conserved quantity over the rows.
-template <class T>
-class InvariantFollower {
- public:
-  InvariantFollower(std::string name, std::string unit) { report_.name = std::move(name), report_.unit = std::move(unit); }
-  void include(T value, T scale) {
-    if (first_) initial_ = value;
-    first_ = false;
-    largest_change_ = std::max(largest_change_, real::abs(value - initial_));
-    scale_ = std::max(scale_, scale);
-  }
-  InvariantReport report() const {
-    InvariantReport report = report_;
-    report.initial = static_cast<double>(initial_);
-    report.largest_change = static_cast<double>(largest_change_);
-    report.scale = static_cast<double>(scale_);
-    return report;
-  }
-
- private:
-  InvariantReport report_;
-  T initial_ = T(0), largest_change_ = T(0), scale_ = T(0);
-  bool first_ = true;
-};
 
 template <class T>
 Quaternion<T> quaternion(const std::array<T, 4>& q) {
@@ -108,7 +84,7 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
   const Scenario& scenario = scene.scenario();
   const double Omega = scene.rotation_rate_rad_s();
-  if (scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
+  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() || scenario.effects.tide ||
       !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
     return {};
   const Body<double>& body = scene.body<double>();

@@ -9,6 +9,24 @@
 
 namespace earthtop {
 
+/// Changes the contact by some units in the last place, as `nudge` changes the model; the body stays symmetric if it is so.
+template <class T>
+void nudge_contact(Contact<T>& contact, T unit) {
+  Vec3<T> stretch(T(1) + unit, T(1) - unit, T(1) + unit / T(2));
+  if (is_symmetric(contact)) stretch[1] = stretch[0];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      contact.I_BC_B_inverse(i, j) *= stretch[i] * stretch[j];
+      contact.I_BC_B(i, j) /= stretch[i] * stretch[j];
+    }
+  contact.S_BC_B = (contact.I_BC_B.trace() / T(2)) * Mat3<T>::Identity() - contact.I_BC_B;
+  contact.I1 /= stretch[0] * stretch[0], contact.I3 /= stretch[2] * stretch[2];
+  contact.p_OC_B *= T(1) + unit, contact.height_of_center *= T(1) + unit;
+  contact.tip_radius *= T(1) - unit;
+  contact.mass *= T(1) + unit;
+  contact.viscosity *= T(1) + unit, contact.coefficient *= T(1) + unit, contact.patch_radius *= T(1) - unit;
+}
+
 /// Changes the attitude, rates and moments of a problem by some units in the last place, in no special direction. The change is
 /// well above the rounding of the scene to T, so that a nudged run does not share this error with a run that is not nudged.
 template <class T>
@@ -30,6 +48,10 @@ void nudge(DriftProblem<T>& problem, T units = T(8)) {
       model.I_BP_B_inverse(i, j) *= stretch[i] * stretch[j];
       model.I_BP_B(i, j) /= stretch[i] * stretch[j];
     }
+  if (problem.table) {
+    nudge_contact(problem.table->contact, kUnit);
+    problem.table->start.p_O[2] = problem.table->contact.tip_radius;
+  }
 }
 
 /// Bounds the error of the drift from two integrations, row by row. The bound is a multiple of the largest distance so far,
@@ -53,9 +75,19 @@ class DriftBound {
     axis_largest_ = std::max(axis_largest_, rows.axis);
     attitude_largest_ = std::max(attitude_largest_, rows.attitude);
   }
+  /// Includes the tips of a top on a table (m).
+  void include(const ContactDriftState<T>& rows, const ContactDriftState<T>& second, T epsilon) {
+    T apart[3], drift[3];
+    for (int i = 0; i < 3; ++i)
+      apart[i] = epsilon * (rows.tip_L[i].diff - second.tip_L[i].diff), drift[i] = epsilon * rows.tip_L[i].diff;
+    tip_distance_ = std::max(tip_distance_, T(real::hypot(apart[0], apart[1], apart[2])));
+    tip_largest_ = std::max(tip_largest_, T(real::hypot(drift[0], drift[1], drift[2])));
+  }
   /// Includes the error of a row that the method itself states.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
   T axis() const { return T(safety_) * axis_distance_ + round_off() * axis_largest_ + stated_; }
+  /// The bound on the error of the tip's drift (m).
+  T tip() const { return T(safety_) * tip_distance_ + round_off() * tip_largest_; }
   /// The bound is never below that of the axis, which is part of the attitude: in an unstable scene two runs can agree in
   /// one of the two by chance.
   T attitude() const {
@@ -66,6 +98,7 @@ class DriftBound {
   static constexpr T round_off() { return T(1024) * real::epsilon<T>(); }
 
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
+  T tip_distance_ = T(0), tip_largest_ = T(0);
   T stated_ = T(0);
   int safety_;
 };

@@ -5,6 +5,7 @@
 #include "drift/row_quantities.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "run/contact_rows.hpp"
 #include "run/drift_bound.hpp"
 
 namespace earthtop {
@@ -19,8 +20,10 @@ std::array<T, 4> to_array(const Quaternion<T>& q) {
   return {q.w + T(0), q.v[0] + T(0), q.v[1] + T(0), q.v[2] + T(0)};
 }
 
+/// @param table  makes the part of the contact; none for a fixed pivot
 template <class T>
-BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bound) {
+BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bound,
+                          const std::optional<ContactRows<T>>& table) {
   const DriftState<T>& s = sample.state;
   const DriftMeasures<T>& m = sample.measures;
   BasicDriftRow<T> row;
@@ -39,6 +42,7 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   row.drift_attitude_rad = m.attitude;
   row.drift_attitude_bound_rad = bound.attitude();
   row.drift_spin_rad = sample.spin;
+  if (table) row.contact = table->row(sample, bound.tip());
   return row;
 }
 
@@ -46,7 +50,6 @@ template <class To, class From>
 void cast_to(To& to, const From& from) {
   to = static_cast<To>(from);
 }
-inline void cast_to(ContactState& to, ContactState from) { to = from; }
 template <class To, class From>
 void cast_to(std::optional<To>& to, const std::optional<From>& from) {
   if (from) to = static_cast<To>(*from);
@@ -61,10 +64,7 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   BasicDriftRow<To> cast;
   cast_to(cast.t_s, row.t_s);
   for_each_drift_quantity([&](auto member, const RowQuantity&) { cast_to(member(cast), member(row)); });
-  if (row.contact) {
-    cast.contact.emplace();
-    for_each_contact_quantity([&](auto member, const RowQuantity&) { cast_to(member(*cast.contact), member(*row.contact)); });
-  }
+  if (row.contact) cast.contact = contact_cast<To>(*row.contact);
   return cast;
 }
 

@@ -95,7 +95,9 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   const Watch bound = parts.next(seconds.bound, "error bound");
   if (!beside.take(made.first, rows.times_s.size(), made.second, made.certificate)) {
     DriftProblem<T> problem = rows;
-    make_second(problem, made.first.samples.size());
+    // Where an event has ended the first integration, the second goes on until it finds the event as well.
+    const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });
+    make_second(problem, std::min(rows.times_s.size(), made.first.samples.size() + (ended ? 1 : 0)));
     if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
     made.other_options = within_estimate(scene, made.other_options);
     made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);

@@ -10,6 +10,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
+#include "run/contact_verdict.hpp"
 
 namespace earthtop {
 namespace {
@@ -170,6 +171,23 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
   }
 }
 
+/// Whether the tip slides in one prediction and rolls in the other.
+template <class Row>
+bool is_mixed(const Row& row) {
+  return row.contact && row.contact->state == ContactState::mixed;
+}
+
+/// Judges whether the drift stands out of its errors, and sets the time until which it is reliable.
+void judge_noise(const RunResult& result, VerdictReport& report) {
+  report.reliable_until_s = report.from_s.value_or(result.reached_s);
+  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
+    report.verdict = Verdict::noise_floor;
+    report.from_s = from_s;
+    report.reliable_until_s = *from_s;
+    report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
+  }
+}
+
 }  // namespace
 
 VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
@@ -180,6 +198,11 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
     return report;
   }
   const DriftProblem<double>& problem = result.modelled.problem<double>();
+  if (problem.table) {
+    report = contact_verdict(problem, result, watch);
+    judge_noise(result, report);
+    return report;
+  }
   if (const auto reason = marginal_reason(problem)) {
     report.verdict = Verdict::marginal;
     report.from_s = 0;
@@ -192,13 +215,7 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   else
     judge_growth(follow_growth(result, problem, *tolerance, watch), result.rows, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
-  report.reliable_until_s = report.from_s.value_or(result.reached_s);
-  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
-    report.verdict = Verdict::noise_floor;
-    report.from_s = from_s;
-    report.reliable_until_s = *from_s;
-    report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
-  }
+  judge_noise(result, report);
   return report;
 }
 
@@ -206,10 +223,13 @@ void mark_rows(RunResult& result) {
   // Between the stops of the two motions, their distance shows which one stopped first, not how the Earth turns them.
   const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
   const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
-  const double from_s = result.verdict.from_s.value_or(HUGE_VAL);
-  const auto reliable = [&](double t_s) { return t_s < from_s && !(t_s > one_rests_s && t_s < both_rest_s); };
-  for (DriftRow& row : result.rows) row.drift_reliable = reliable(row.t_s);
-  for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = reliable(static_cast<double>(row.t_s));
+  const double from_s = result.verdict.from_s.value_or(HUGE_VAL), until_s = result.verdict.until_s.value_or(HUGE_VAL);
+  const auto reliable = [&](double t_s) {
+    return (t_s < from_s || t_s >= until_s) && !(t_s > one_rests_s && t_s < both_rest_s);
+  };
+  for (DriftRow& row : result.rows) row.drift_reliable = reliable(row.t_s) && !is_mixed(row);
+  for (ExtendedDriftRow& row : result.extended_rows)
+    row.drift_reliable = reliable(static_cast<double>(row.t_s)) && !is_mixed(row);
 }
 
 bool has_drift(const RunResult& result) { return result.rows.size() > 1; }

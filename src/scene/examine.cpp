@@ -68,6 +68,17 @@ void check_effects(const Section& effects, const Scene& scene) {
     effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
 }
 
+/// Refuses what is made for a fixed pivot only.
+void check_beside_contact(const Section& root, const Scene& scene) {
+  if (!scene.scenario().contact) return;
+  if (scene.scenario().effects.automatic)
+    root.section("effects").refuse_key(
+        "select", "sizes the effects on a top on a fixed pivot, and is not available with /contact; name the effects instead");
+  if (scene.scenario().ledger)
+    root.section("numerics")
+        .refuse_key("ledger", "lists the torques about a fixed pivot, and is not available with /contact; leave it out");
+}
+
 void check_method(const Section& numerics, const Scene& scene) {
   if (const auto& reason = scene.method_refusal()) numerics.refuse("method", *reason);
 }
@@ -78,10 +89,12 @@ void check_cost(const Section& root, const Scene& scene) {
   try {
     scene.require_affordable();
   } catch (const ScenarioError& error) {
-    constexpr std::string_view kEffects = "/effects/";
+    constexpr std::string_view kEffects = "/effects/", kContact = "/contact/";
     for (const Diagnostic& diagnostic : error.diagnostics())
       if (diagnostic.pointer.starts_with(kEffects))
         root.section("effects").refuse_key(diagnostic.pointer.substr(kEffects.size()), diagnostic.message);
+      else if (diagnostic.pointer.starts_with(kContact))
+        root.section("contact").refuse_key(diagnostic.pointer.substr(kContact.size()), diagnostic.message);
       else
         root.section("motion").refuse("duration_s", diagnostic.message);
   }
@@ -91,6 +104,7 @@ void check_scene(const Section& root, const Scene& scene) {
   if (!check_start(root.section("release"), scene)) return;
   if (scene.scenario().contact) check_contact(root, scene);
   check_effects(root.section("effects"), scene);
+  check_beside_contact(root, scene);
   check_method(root.section("numerics"), scene);
 }
 

@@ -41,6 +41,7 @@ class Touchdown {
   }
 
   const ContactSpec& spec() const { return spec_; }
+  bool is_symmetric() const { return earthtop::is_symmetric(contact_); }
   Vec3<double> r_c() const { return R_HB_ * contact_.p_OC_B; }
   double tilt_deg() const { return real::atan2(real::hypot(R_HB_(0, 2), R_HB_(1, 2)), R_HB_(2, 2)) * 180 / std::numbers::pi; }
   /// The rate relative to the table (rad/s) on the Earth, or without its rotation.
@@ -221,6 +222,10 @@ void check_contact(const Section& root, const Scene& scene) {
                                      "/body/center_of_mass_m right, and the tilt at most 90 deg?",
                                      -height));
   if (!check_reaction(root, touchdown)) return;
+  if (spec.law == ContactLaw::coulomb && spec.regularisation_m_s == 0 && !touchdown.is_symmetric())
+    contact.refuse("regularisation_m_s",
+                   "the exact law, whose slip stops, is integrated for bodies that are symmetric about axis 3 only; give a "
+                   "regularisation above 0, or take \"contensou\"");
   check_relaxation(contact, touchdown);
 }
 

@@ -157,6 +157,7 @@ InputDerivatives input_derivatives(const Scene& scene) {
 
 std::optional<std::string> sensitivity_refusal(const Scene& scene, double time_s) {
   constexpr double kAffordablePhase = 2e6;  // rad, some minutes of computing; a minute of a toy top has 1.5e4 rad
+  if (scene.scenario().contact) return "they are those of a top on a fixed pivot";
   if (scene.scenario().effects.applied.coulomb_N_m != 0) return "dry friction has no derivative where a motion comes to rest";
   if (scene.rotation_rate_rad_s() == 0) return "the Earth does not turn: there is no drift";
   if (time_s == 0) return "no row of the drift is reliable";

@@ -29,9 +29,17 @@ double slowness(Precision precision) {
   return 1;
 }
 
+/// Returns the time (s) of one evaluation for a top on a table.
+double seconds_on_table(const Scene& scene, const IntegrationOptions& options) {
+  const bool reduced = scene.form(options) == ModelForm::reduced;
+  const double in_laboratory = reduced ? 1.2e-6 : 2.5e-6;
+  return options.observer == Observer::inertial ? 1.6 * in_laboratory : in_laboratory;
+}
+
 /// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
+  if (scene.scenario().contact) return slowness(scene.scenario().precision) * seconds_on_table(scene, options);
   constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
   const bool reduced = scene.form(options) == ModelForm::reduced;
   double seconds = reduced ? kReduced : general_evaluation_seconds(scene);

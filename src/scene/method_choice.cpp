@@ -44,10 +44,22 @@ bool has_long_horizon(const Scene& scene) {
   return kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));
 }
 
+/// Chooses for a top on a table, whose equations exist in laboratory and in inertial axes, without the spin if it is symmetric.
+MethodChoice choose_on_table(const Scene& scene) {
+  IntegrationOptions options = scene.scenario().numerics;
+  options.form = scene.form(options);
+  if (options.method != Method::automatic) return {options, "asked for"};
+  options.method = Method::taylor;
+  return {options, options.form == ModelForm::reduced
+                       ? "a symmetric top on a table, integrated without its spin: Taylor series take the fewest operations"
+                       : "a body on a table: Taylor series take the fewest operations"};
+}
+
 }  // namespace
 
 MethodChoice choose_method(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
+  if (scenario.contact) return choose_on_table(scene);
   IntegrationOptions asked = scenario.numerics;
   const bool series = !scene.method_refusal(Method::taylor);
   if (scenario.effects.applied.coulomb_N_m != 0 &&

@@ -34,8 +34,21 @@ std::optional<std::string> need_plain_scene(std::string_view word, const Scene& 
   return std::nullopt;
 }
 
+/// Refuses the methods for which the equations of a top on a table are not built.
+std::optional<std::string> need_fixed_pivot(const MethodRow& row, const Scene& scene) {
+  const bool runge_kutta = scene.scenario().precision == Precision::bits53;
+  const Method method = row.method;
+  if (!scene.scenario().contact || method == Method::automatic || method == Method::taylor || method == Method::extrapolation ||
+      (method == Method::rkf78 && runge_kutta))
+    return std::nullopt;
+  return fmt::format("{} is not built for a top on a table{}; take \"auto\", \"taylor\"{} \"extrapolation\"{}",
+                     quoted(row.word), method == Method::rkf78 ? " in extended precision" : "", runge_kutta ? "," : " or",
+                     runge_kutta ? " or \"rkf78\"" : "");
+}
+
 /// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
 std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
+  if (scene.scenario().contact) return std::nullopt;  // its equations weigh force and torque in every formulation
   if (auto reason = need_all_torques(word, scene)) return reason;
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
@@ -134,7 +147,7 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene) {
         "with dry friction a motion comes to rest within a step, which only {} find; take one of them, or \"auto\"", finders);
   }
   switch (row.fit) {
-    case MethodFit::any: break;
+    case MethodFit::any: return need_fixed_pivot(row, scene);
     case MethodFit::smooth: return need_smooth_scene(row.word, scene);
     case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
     case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);

@@ -227,6 +227,7 @@ PlatformDemand demand_of(const Scene& scene) {
 }
 
 double fastest_rate_of(const Scene& scene) {
+  if (scene.scenario().contact) return fastest_rate_on_table(scene);
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
@@ -238,6 +239,7 @@ double fastest_rate_of(const Scene& scene) {
 }
 
 Paced paced(const Scene& scene) {
+  if (scene.scenario().contact) return paced_on_table(scene);
   const Scenario& scenario = scene.scenario();
   const Driven driven(scene);
   const FrictionPace friction = driven.friction(scene);

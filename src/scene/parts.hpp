@@ -28,6 +28,10 @@ struct Paced {
   StiffFriction stiffest;
 };
 Paced paced(const Scene& scene);
+// contact_pace.cpp: the same for a top on a table, about its centre of mass; and the rate at which it falls from upright (rad/s).
+double falling_rate_on_table(const Scene& scene);
+double fastest_rate_on_table(const Scene& scene);
+Paced paced_on_table(const Scene& scene);
 
 // method_fit.cpp: which method fits the scene.
 ExactKind closed_form_of(const Scene& scene);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the input of a scene's integrations from its body and its release.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "scene/parts.hpp"
 
 namespace earthtop {
@@ -17,25 +21,52 @@ TideSeries<T> tide_series(const Scene& scene) {
                                  T(tide.phase_deg) * real::pi<T>() / T(180));
 }
 
+template <class T>
+TorqueWeights<T> weights_of(const EffectsSpec& effects) {
+  return {T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
+}
+
+template <class T>
+TableProblem<T> table_of(const Scene& scene, const NaturalUnits& units) {
+  const ContactSpec& spec = *scene.scenario().contact;
+  const EffectsSpec& effects = scene.scenario().effects;
+  const auto& gradient = effects.applied.gravity_gradient;
+  TableProblem<T> table;
+  table.contact =
+      make_contact<T>(spec, scene.body<T>(), scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
+  table.start = make_contact_release<T>(spec, units);
+  if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
+  table.static_coefficient = spec.static_coefficient;
+  return table;
+}
+
 }  // namespace
 
 NaturalUnits units_of(const Scene& scene) {
   const auto& platform = scene.scenario().platform;
   const Platform<double> made = platform ? make_platform<double>(*platform) : Platform<double>();
-  return natural_units(scene.body<double>(), scene.release<double>(), scene.site().gravity_m_s2, scene.rotation_rate_rad_s(),
-                       platform ? &made : nullptr);
+  NaturalUnits units = natural_units(scene.body<double>(), scene.release<double>(), scene.site().gravity_m_s2,
+                                     scene.rotation_rate_rad_s(), platform ? &made : nullptr);
+  if (scene.scenario().contact) {
+    // A ball has no pendulum: its tip may slide, and it falls off a tilted table, without a rate at release.
+    int rate_exponent = 0;
+    std::frexp(falling_rate_on_table(scene), &rate_exponent);
+    units.time_exponent = std::min(units.time_exponent, -rate_exponent);
+  }
+  return units;
 }
 
 template <class T>
 Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
   const Scenario& scenario = scene.scenario();
   const EffectsSpec& effects = scenario.effects;
-  const TorqueWeights<T> weights{T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
+  const TorqueWeights<T> weights = weights_of<T>(effects);
   const bool on_platform = scenario.platform.has_value();
   const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
   auto model = make_model<T>(scene.body<T>(), scene.site(), scene.rotation_rate_rad_s(), weights,
                              on_platform ? &platform : nullptr, units);
-  if (effects.applied.any()) {
+  // On a table the gradient of gravitation acts through the contact, with its force.
+  if (effects.applied.any() && !scenario.contact) {
     model.applied = make_applied_torques<T>(effects.applied, scene.site(), scene.release<double>().w_XB_B[2],
                                             units.mass_exponent, units.time_exponent);
     model.kind = SceneKind::full;
@@ -53,9 +84,6 @@ template Model<float128> model_of(const Scene&, const NaturalUnits&);
 template <class T>
 DriftProblem<T> problem_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  // CONTACT-REFUSAL: the only place where a scenario with a contact is refused as a whole; the integration of contacts replaces it.
-  if (scenario.contact)
-    throw ScenarioError("/contact", "motions on a table are not integrated; leave the block out for a fixed pivot");
   DriftProblem<T> problem;
   problem.release = scene.release<T>();
   problem.units = scene.units();
@@ -64,6 +92,7 @@ DriftProblem<T> problem_of(const Scene& scene) {
   if (scenario.numerics.stops_beyond_estimate) problem.pace = scene.pace();
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;
+  if (scenario.contact) problem.table = table_of<T>(scene, problem.units);
   return problem;
 }
 template DriftProblem<double> problem_of(const Scene&);

@@ -76,7 +76,7 @@ void refuse_unaffordable(const Scene& scene) {
   const double first = scene.costs()[0].work.steps, second = scene.costs()[1].work.steps;
   const auto limit = static_cast<double>(scenario.numerics.step_limit);
   const bool within = first <= limit && second <= std::max(limit, static_cast<double>(IntegrationOptions{}.step_limit));
-  const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal;
+  const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal || scenario.contact;
   const bool stiff = friction && !options.step_s && damping_steps(scene.pace(), options) > kNearlyAll * first;
   if (within && !stiff && scenario.precision == Precision::bits53) return;
 
@@ -84,6 +84,14 @@ void refuse_unaffordable(const Scene& scene) {
   const double days = std::min(scene.estimate().seconds.all(), 1e300) / 86400;
   if (stiff && !(within && days <= kStiffDays)) {
     const StiffFriction stiffest = scene.stiffest_friction();
+    if (scenario.contact)
+      throw ScenarioError(
+          std::string(stiffest.pointer),
+          fmt::format(
+              "this friction is too stiff: a slip dies out at about {:.1e} 1/s, and every step of an explicit method has "
+              "to follow it: about {:.1e} steps, some {:.1g} days of computing, at most an hour is allowed; take a softer "
+              "law, a shorter duration, or \"rolling\", its limit",
+              stiffest.damping / scenario.duration_s, steps, days));
     throw ScenarioError(
         std::string(stiffest.pointer),
         fmt::format(

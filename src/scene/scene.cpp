@@ -148,6 +148,8 @@ const MethodChoice& Scene::choice() const {
   return parts_->choice.get([this] { return choose_method(*this); });
 }
 ModelForm Scene::form(const IntegrationOptions& options) const {
+  if (scenario().contact)
+    return symmetry_axis() == 2 && options.form != ModelForm::general ? ModelForm::reduced : ModelForm::general;
   const bool reducible = is_reducible() || (options.method == Method::taylor && is_reducible_when_driven());
   return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }

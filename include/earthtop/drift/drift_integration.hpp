@@ -92,7 +92,8 @@ template <class T>
 struct TableProblem {
   Contact<T> contact;
   ContactRelease<T> start;
-  double max_tilt_rad = HUGE_VAL;  ///< tilt from the table's normal at which the rim touches
+  double max_tilt_rad = HUGE_VAL;              ///< tilt from the table's normal at which the rim touches
+  std::optional<double> static_coefficient{};  ///< friction over normal force above which a rolling tip would slip
 };
 
 /// A problem of which both motions and their deviation are sought.

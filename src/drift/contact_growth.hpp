@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// How far small disturbances of a top on a table grow. Friction takes them away in the end, and the precession shears them apart
+/// in proportion to the path of the axis; while a tippe top turns over, they grow far beyond that, and then come back.
+#pragma once
+
+#include <optional>
+
+#include "earthtop/drift/drift_integration.hpp"
+
+namespace earthtop {
+
+/// Growth of the change of axis and spin (over the spin at release), of three disturbances of attitude and rates that belong to no
+/// symmetry; the largest counts. Regular motions let it grow with the path s of the axis on the unit sphere: toy tops under every
+/// law to 2.5 (3 + s) at most, the 3 while slip and nutation settle.
+struct ContactGrowth {
+  std::optional<double> above_s;  ///< when it first exceeded kRegularContactGrowth (3 + s); none if it did not
+  std::optional<double> again_s;  ///< from when on it no longer did; none if it did so to the end
+  double largest = 0;             ///< growth at most
+  double largest_ratio = 0;       ///< the same over 3 + s
+  double end_s = 0;               ///< time reached
+  bool completed = false;
+  StepCounters counters;
+};
+
+inline constexpr double kRegularContactGrowth = 3;
+/// Growth matters to a few percent.
+inline constexpr double kContactGrowthTolerance = 1e-7;
+
+/// Along the non-rotating prediction, which the rotating motion stays next to.
+/// @param problem  has a table   @param watch  may end the integration early
+ContactGrowth contact_growth(const DriftProblem<double>& problem, double duration_s,
+                             double relative_tolerance = kContactGrowthTolerance, const Watch& watch = {});
+
+}  // namespace earthtop

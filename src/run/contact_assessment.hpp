@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a top on a table conserves, along both predictions of a run.
+#pragma once
+
+#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/run.hpp"
+
+namespace earthtop {
+
+/// Assesses the Jacobi integral and the inertial spin of the motion on the rotating Earth, and the energy, Jellett's and Routh's
+/// integrals of the reference motion: each only where the scene conserves it exactly, so the list may be empty.
+/// @param scene  must have a contact   @param rows  number of samples that are rows of the result
+template <class T>
+std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const std::vector<DriftSample<T>>& samples,
+                                                       std::size_t rows, const Watch& watch);
+
+}  // namespace earthtop

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/contact_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drift/contact_derivatives.hpp"
+#include "earthtop/vectors.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kCoefficientShare = 0.01;  // of a coefficient
+
+/// The coefficients that a contact uses. @returns name and change of each, for a change by its own size
+std::vector<std::pair<std::string_view, ContactChange<double>>> coefficient_changes(const Contact<double>& contact) {
+  std::vector<std::pair<std::string_view, ContactChange<double>>> made;
+  const auto add = [&](bool used, std::string_view name, double ContactChange<double>::*member, double value) {
+    if (!used) return;
+    ContactChange<double> change;
+    change.*member = value;
+    made.emplace_back(name, change);
+  };
+  using Change = ContactChange<double>;
+  const ContactLaw law = contact.law;
+  add(law == ContactLaw::coulomb || law == ContactLaw::contensou, "friction_coefficient", &Change::coefficient,
+      contact.coefficient);
+  add(law == ContactLaw::viscous, "sliding_viscosity_N_s_m", &Change::viscosity, contact.viscosity);
+  add(law == ContactLaw::viscous_load, "sliding_viscosity_s_m", &Change::viscosity, contact.viscosity);
+  add(law == ContactLaw::contensou, "patch_radius_m", &Change::patch_radius, contact.patch_radius);
+  add(contact.has_spinning_friction, "spinning_friction_m", &Change::spinning_length, contact.spinning_length);
+  add(contact.has_rolling_resistance, "rolling_resistance_m", &Change::rolling_length, contact.rolling_length);
+  return made;
+}
+
+/// The length of the longest of the vectors a cos(x) + b sin(x).
+double longest(const Vec3<double>& a, const Vec3<double>& b) {
+  const double aa = inner(a, a), bb = inner(b, b), ab = inner(a, b);
+  return real::sqrt((aa + bb) / 2 + real::hypot((aa - bb) / 2, ab));
+}
+
+bool is_exact_coulomb(const Contact<double>& contact) { return contact.law == ContactLaw::coulomb && contact.slip_floor == 0; }
+
+}  // namespace
+
+std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& problem, double at_s, const Watch& watch) {
+  if (!(at_s > 0)) return {};
+  const TableProblem<double>& table = *problem.table;
+  const auto coefficients = coefficient_changes(table.contact);
+  std::vector<ContactChange<double>> changes;
+  for (const auto& [name, change] : coefficients) changes.push_back(change);
+  const Vec3<double> gravity_H = in_table_axes(problem.model, table.start.q_LH).apparent_gravity_L;
+  changes.push_back(table_tilt_change(gravity_H, SinCos<double>{0, 1}));
+  changes.push_back(table_tilt_change(gravity_H, SinCos<double>{1, 0}));
+
+  const ContactDerivatives found = contact_derivatives(problem, changes, at_s, kContactDerivativeTolerance, watch);
+  if (!found.completed) return {};
+  std::vector<PredictionChange> moved;
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    moved.push_back({coefficients[i].first, "1 %", kCoefficientShare * norm(found.each[i].axis_L),
+                     kCoefficientShare * norm(found.each[i].tip_L_m)});
+  const double arcsecond = real::pi<double>() / 648'000;
+  const ContactDerivative &north = found.each[coefficients.size()], &east = found.each[coefficients.size() + 1];
+  moved.push_back({"table_tilt", "1 arcsec", arcsecond * longest(north.axis_L, east.axis_L),
+                   arcsecond * longest(north.tip_L_m, east.tip_L_m)});
+  return moved;
+}
+
+void assess_prediction_changes(RunResult& result, const Watch& watch) {
+  const DriftProblem<double>& problem = result.modelled.problem<double>();
+  ContactReport& report = *result.contact;
+  double before_s = HUGE_VAL;
+  for (const ContactEvent& event : report.events)
+    if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && is_exact_coulomb(problem.table->contact)))
+      before_s = std::min(before_s, event.t_s);
+  const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(),
+                                [&](const DriftRow& r) { return r.drift_reliable && r.t_s < before_s; });
+  if (row == result.rows.rend()) return;
+  report.at_s = row->t_s;
+  report.changes = prediction_changes(problem, report.at_s, watch);
+}
+
+}  // namespace earthtop

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/contact_verdict.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "drift/contact_growth.hpp"
+
+namespace earthtop {
+namespace {
+
+std::optional<double> first_event(const RunResult& result, ContactEventKind kind) {
+  if (!result.contact) return std::nullopt;
+  for (const ContactEvent& event : result.contact->events)
+    if (event.kind == kind) return event.t_s;
+  return std::nullopt;
+}
+
+/// Whether neighbouring motions of a symmetric top part in proportion to the time at most: it is integrable without friction,
+/// and where it rolls on a level table without moments.
+bool is_integrable_on_table(const DriftProblem<double>& problem) {
+  const Contact<double>& contact = problem.table->contact;
+  if (!is_symmetric(contact) || contact.has_spinning_friction || contact.has_rolling_resistance) return false;
+  const bool level = norm(problem.table->start.q_LH.v) == 0;
+  return contact.law == ContactLaw::frictionless || (contact.law == ContactLaw::rolling && level);
+}
+
+/// Whether a symmetric top stands well above its critical spin all along, with its centre of mass above that of the tip's sphere
+/// and the tip smaller than that height: it does not fall, and does not turn over as a tippe top.
+bool stands_fast(const DriftProblem<double>& problem, const std::vector<DriftRow>& rows) {
+  constexpr double kFast = 2;  // square of the spin over the critical one
+  const Contact<double>& c = problem.table->contact;
+  if (!is_symmetric(c) || !(c.height_of_center > c.tip_radius) || norm(problem.table->start.q_LH.v) > 0) return false;
+  const double arm = c.height_of_center + c.tip_radius;
+  const double falling = 4 * (c.I1 + c.mass * arm * arm) * c.mass * norm(problem.model.apparent_gravity_L) * arm;
+  return std::all_of(rows.begin(), rows.end(), [&](const DriftRow& row) {
+    const double momentum = c.I3 * problem.units.rate_from_rad_s(row.ref_w_LB_B[2]);
+    return row.ref_axis_L[2] > 0.5 && momentum * momentum > kFast * falling;
+  });
+}
+
+}  // namespace
+
+VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
+  VerdictReport report;
+  if (const auto onset_s = first_event(result, ContactEventKind::slip_started)) {
+    report.verdict = Verdict::marginal;
+    report.from_s = onset_s;
+    report.reason = fmt::format(
+        "from {:.6g} s on rolling takes more friction than the table gives: how the tip slips on is not computed", *onset_s);
+    return report;
+  }
+  if (is_integrable_on_table(problem)) {
+    report.reason = "the non-rotating prediction is integrable: no disturbance grows exponentially";
+    return report;
+  }
+  if (stands_fast(problem, result.rows)) {
+    report.reason = "a top that stands, well above its critical spin all along: no disturbance grows exponentially";
+    return report;
+  }
+  // Dry friction has no derivative where the slip stops, and the motion is not integrated beyond its last event.
+  double until_s = result.reached_s;
+  if (const auto stop_s = first_event(result, ContactEventKind::slip_stopped)) until_s = std::min(until_s, 0.99 * *stop_s);
+  const ContactGrowth growth = contact_growth(problem, until_s, kContactGrowthTolerance, watch);
+  if (!growth.above_s) {
+    report.reason = growth.completed
+                        ? "disturbances grow no faster than the axis moves"
+                        : fmt::format("no fast growth of disturbances, as far as it was followed, to {:.6g} s", growth.end_s);
+    return report;
+  }
+  report.verdict = Verdict::unstable;
+  report.from_s = growth.above_s;
+  report.until_s = growth.again_s;
+  report.reason =
+      fmt::format("from {:.4g} s on disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
+                  growth.largest, growth.again_s ? fmt::format("; from {:.4g} s on they no longer do", *growth.again_s) : "");
+  return report;
+}
+
+}  // namespace earthtop

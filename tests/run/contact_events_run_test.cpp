@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a run of a top on a table tells beside its rows: events, verdict, and how far the prediction moves with its inputs.
+#include <gtest/gtest.h>
+
+#include "run/contact_report.hpp"
+#include "support/contact_references.hpp"
+#include "support/contact_scenario.hpp"
+#include "support/contact_series.hpp"
+
+namespace earthtop::contact_events_run {
+namespace {
+
+using testing::ContactScene;
+using testing::scenario_of;
+
+ContactScene contensou_toy() {
+  return testing::toy_on_table(
+      {.tip_radius_m = 0.002, .law = ContactLaw::contensou, .friction_coefficient = 0.2, .patch_radius_m = 3e-5});
+}
+/// The first digits of a printed number.
+void expect_printed(double found, double printed) { EXPECT_NEAR(found / printed, 1, 0.5 / 10) << found; }
+
+/// The figures of the literature's toy top, to their printed digits.
+TEST(ContactChanges, OfToyTops) {
+  const auto changes = [](const ContactScene& scene, double at_s) {
+    const testing::ContactProblem<double> problem(scene);
+    return prediction_changes(testing::drift_problem(problem), at_s);
+  };
+  const auto contensou = changes(contensou_toy(), 5);
+  ASSERT_EQ(contensou.size(), 3U);
+  EXPECT_EQ(contensou[0].input, "friction_coefficient");
+  EXPECT_EQ(contensou[1].input, "patch_radius_m");
+  EXPECT_EQ(contensou[2].input, "table_tilt");
+  expect_printed(contensou[0].axis_rad, 6.6e-5), expect_printed(contensou[0].tip_m, 1.3e-5);
+  expect_printed(contensou[2].axis_rad, 9e-6), expect_printed(contensou[2].tip_m, 1.0e-5);
+
+  const auto frictionless = changes(testing::toy_on_table({.tip_radius_m = 0.002, .law = ContactLaw::frictionless}), 5);
+  ASSERT_EQ(frictionless.size(), 1U);
+  EXPECT_NEAR(frictionless[0].axis_rad, 0, 1e-15);
+  // It slides down: half of g t^2 times an arcsecond.
+  EXPECT_NEAR(frictionless[0].tip_m / (0.5 * 9.80665 * 25 * real::pi<double>() / 648'000), 1, 1e-6);
+  const auto rolling =
+      changes(testing::toy_on_table({.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling}), 5);
+  ASSERT_EQ(rolling.size(), 1U);
+  expect_printed(rolling[0].axis_rad, 9e-6), expect_printed(rolling[0].tip_m, 1.0e-5);
+}
+
+TEST(ContactVerdict, TippeTopIsUnstableWhileItTurnsOver) {
+  for (const auto& reference : testing::contact_references()) {
+    const std::string name = reference.name;
+    if (!name.starts_with("K6")) continue;
+    Scenario s = scenario_of(reference.scene);
+    s.duration_s = 2, s.output_step_s = 0.1;
+    const RunResult result = run(s);
+    EXPECT_EQ(result.verdict.verdict, Verdict::unstable) << result.verdict.reason;
+    ASSERT_TRUE(result.verdict.from_s && result.verdict.until_s);
+    for (const DriftRow& row : result.rows)
+      EXPECT_EQ(row.drift_reliable, row.t_s < *result.verdict.from_s || row.t_s >= *result.verdict.until_s) << row.t_s;
+    EXPECT_TRUE(result.rows[1].drift_reliable);
+    EXPECT_FALSE(result.rows[10].drift_reliable);
+    EXPECT_TRUE(result.rows[20].drift_reliable);
+    ASSERT_TRUE(result.contact);
+    EXPECT_EQ(result.contact->at_s, 2);
+    EXPECT_EQ(result.contact->changes.size(), 3U);
+    ASSERT_EQ(result.contact->events.size(), 2U);
+    for (const ContactEvent& event : result.contact->events) {
+      EXPECT_EQ(event.kind, ContactEventKind::inverted);
+      const double known = event.prediction == Prediction::reference ? 1.0152340906175009096 : 1.0152324042882726541;
+      ASSERT_TRUE(event.bound_s);
+      EXPECT_LE(std::abs(event.t_s - known), *event.bound_s);
+      EXPECT_LT(*event.bound_s, 1e-9);
+    }
+  }
+}
+
+TEST(ContactVerdict, ToyTopIsReliable) {
+  Scenario s = scenario_of(contensou_toy());
+  s.duration_s = 2, s.output_step_s = 0.5;
+  const RunResult result = run(s);
+  EXPECT_EQ(result.verdict.verdict, Verdict::reliable) << result.verdict.reason;
+  EXPECT_TRUE(result.contact && result.contact->events.empty());
+}
+
+TEST(ContactRunEvents, LiftOffEndsTheRunWithoutFailure) {
+  ContactScene scene = testing::toy_on_table(
+      {.tip_radius_m = 0.002, .law = ContactLaw::frictionless, .start = ContactStart::center_of_mass_at_rest});
+  scene.tilt_deg = 60, scene.spin_rad_s = 50, scene.transverse_rad_s = {-3, -15};
+  Scenario s = scenario_of(scene);
+  s.duration_s = 0.02, s.output_step_s = 0.001;
+  const RunResult result = run(s);
+  EXPECT_EQ(result.status, RunStatus::completed);
+  ASSERT_EQ(result.rows.size(), 8U);
+  EXPECT_EQ(result.rows.back().t_s, 0.007);
+  ASSERT_TRUE(result.contact && result.contact->events.size() == 2U);
+  EXPECT_LE(std::abs(result.contact->events[0].t_s - 0.0070863810694653000743), *result.contact->events[0].bound_s);
+  EXPECT_LE(std::abs(result.contact->events[1].t_s - 0.0070864527085555633182), *result.contact->events[1].bound_s);
+}
+
+TEST(ContactRunEvents, SlipStopsMarkTheRowsBetweenThem) {
+  Scenario s =
+      scenario_of(testing::leine_glocker_top({.tip_radius_m = 0.015, .law = ContactLaw::coulomb, .friction_coefficient = 0.3}));
+  s.duration_s = 0.1445778, s.output_step_s = 0.03614445;  // the second row is between the two stops
+  const RunResult result = run(s);
+  EXPECT_EQ(result.status, RunStatus::completed);
+  ASSERT_EQ(result.rows.size(), 5U);
+  const ContactState states[5] = {ContactState::slide, ContactState::mixed, ContactState::roll, ContactState::roll,
+                                  ContactState::roll};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(result.rows[i].contact->state, states[i]) << i;
+    EXPECT_EQ(result.rows[i].drift_reliable, i != 1) << i;
+  }
+  EXPECT_EQ(result.verdict.verdict, Verdict::reliable) << result.verdict.reason;
+  ASSERT_TRUE(result.contact && result.contact->events.size() == 2U);
+  EXPECT_EQ(result.contact->events[0].prediction, Prediction::rotating);
+  EXPECT_NEAR(*result.contact->events[0].time_difference_s / -7.9683137625358639e-7, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace earthtop::contact_events_run
