@@ -44,10 +44,12 @@ add_library(earthtop-workbench
   measure/scaled_problem.cpp
   measure/weighted_fit.cpp
   report/bars.cpp
+  report/contact_section.cpp
   report/content_policy.cpp
   report/document_pages.cpp
   report/html.cpp
   report/measurement_page.cpp
+  report/path_picture.cpp
   report/report.cpp
   report/run_page.cpp
   report/study_page.cpp

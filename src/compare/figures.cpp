@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -50,6 +51,10 @@ class FigureErrors {
     axis_ = sum("/drift/axis_bound_rad");
     attitude_drift_ = sum("/drift/attitude_bound_rad");
     attitude_ = sum("/attitude_bound_rad");
+    tip_ = sum("/drift/tip_bound_m");
+    tip_drift_m_ = a.number("/drift/tip_max_m").value_or(0);
+    for (std::size_t i = 0; a.number(fmt::format("/contact/events/{}/t_s", i)); ++i)
+      events_.push_back(sum(fmt::format("/contact/events/{}/bound_s", i)));
     axis_drift_rad_ = a.number("/drift/axis_max_rad").value_or(0);
     final_rad_ = a.number("/drift/axis_final_rad").value_or(0);
     azimuth_rad_ = a.number("/drift/azimuth_max_rad").value_or(0);
@@ -57,7 +62,8 @@ class FigureErrors {
     duration_s_ = a.number("/outcome/reached_s").value_or(0);
     ratio_ = a.number("/drift/axis_final_over_earth_angle").value_or(0);
   }
-  double axis_drift_rad() const { return axis_drift_rad_; }
+  /// Size of the Earth's effect, for a figure of this kind.
+  double effect(FigureKind kind) const { return kind == FigureKind::drift_tip ? tip_drift_m_ : axis_drift_rad_; }
 
   /// @param path  for an invariant's figure: tells which invariant's scale the error has
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
@@ -80,6 +86,8 @@ class FigureErrors {
       case FigureKind::conserved:
         return attitude_ ? std::optional((*attitude_ + kRounding) * scale_of(path, reference)) : std::nullopt;
       case FigureKind::threshold_time: return threshold_time_;
+      case FigureKind::drift_tip: return tip_;
+      case FigureKind::event_time: return event(path);
       default: return std::nullopt;
     }
   }
@@ -95,8 +103,17 @@ class FigureErrors {
     return 0;
   }
 
-  std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_;
-  double axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, duration_s_ = 0, ratio_ = 0;
+  /// Sum of the bounds on an event's time, from the path of one of its figures.
+  std::optional<double> event(std::string_view path) const {
+    path.remove_prefix(std::string_view("contact.events.").size());
+    std::size_t number = 0;
+    std::from_chars(path.data(), path.data() + path.size(), number);
+    return number < events_.size() ? events_[number] : std::nullopt;
+  }
+
+  std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_, tip_;
+  std::vector<std::optional<double>> events_;
+  double tip_drift_m_ = 0, axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, duration_s_ = 0, ratio_ = 0;
 };
 
 QuantityVerdict failed(const std::string& name, std::string reason) {
@@ -138,8 +155,9 @@ QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, c
   const double folded = folds ? std::abs(std::remainder(x, 2 * std::numbers::pi)) : std::abs(x);
   const double size = kind == FigureKind::attitude ? 1 : folded;
   const bool is_drift = kind == FigureKind::drift_tilt || kind == FigureKind::drift_azimuth || kind == FigureKind::attitude ||
-                        kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude || kind == FigureKind::drift_spin;
-  const double effect = is_drift ? std::max(folded, errors.axis_drift_rad()) : kAnySize;
+                        kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude ||
+                        kind == FigureKind::drift_spin || kind == FigureKind::drift_tip;
+  const double effect = is_drift ? std::max(folded, errors.effect(kind)) : kAnySize;
   Tolerance tolerance = tolerance_of(rule, size, effect, verdict.errors.value_or(0));
   if (rule.times > 0 && !are_of_one_size(x, y, rule.times, 0)) tolerance.value = 0;
   if (rule.times > 0 && tolerance.value > 0) tolerance.value = std::max(tolerance.value, verdict.largest);

@@ -108,6 +108,8 @@ Row interpolate(const std::array<const Row*, 4>& rows, double t_s) {
   for (const Motion& motion : {kRotating, kReference}) interpolate_motion(a, b, motion, t_s, between);
   const std::size_t reliable = *table.find("drift_reliable");
   between.value[reliable] = std::min(a.value[reliable], b.value[reliable]);
+  static const std::size_t kState = *table.find("contact_state");
+  between.value[kState] = a.value[kState];
   return between;
 }
 

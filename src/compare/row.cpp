@@ -19,7 +19,7 @@ Table table_of(std::string_view file, const Quantities& quantities) {
   Table table{file, {}, {}};
   for (const RowQuantity& quantity : quantities) {
     table.measures.push_back({quantity.measure, quantity.kind, quantity.part, quantity.bound, quantity.effect,
-                              table.columns.size(), quantity.width(), quantity.column(0)});
+                              table.columns.size(), quantity.width(), quantity.column(0), quantity.words, quantity.of_contact});
     for (std::size_t i = 0; i < quantity.width(); ++i) table.columns.push_back(quantity.column(i));
   }
   if (table.columns.size() > Row::kMostColumns) throw std::logic_error("more columns than a row has room for");
@@ -59,6 +59,12 @@ std::optional<std::size_t> Table::find(std::string_view column) const {
   return at == columns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - columns.begin()));
 }
 
+const Measure& Table::measure_of(std::size_t column) const {
+  return *std::find_if(measures.begin(), measures.end(), [&](const Measure& measure) {
+    return column >= measure.column && column < measure.column + measure.width;
+  });
+}
+
 const Table& trajectory_table() {
   static const Table table = table_of("trajectory.csv", kDriftQuantities);
   return table;
@@ -87,8 +93,13 @@ double difference(const Measure& measure, const Row& row_a, const Row& row_b) {
       const double d[] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
       return length(d, 3);
     }
+    case place: {
+      const double d[] = {a[0] - b[0], a[1] - b[1]};
+      return length(d, 2);
+    }
     case angle: return std::abs(std::remainder(*a - *b, 2 * std::numbers::pi));
     case number:
+    case word:
     case flag: return std::abs(*a - *b);
   }
   return 0;

@@ -18,7 +18,7 @@ using input::CellKind, input::CsvReader;
 
 /// A row: its time (s), and the cells of its table's columns in their order.
 struct Row {
-  static constexpr std::size_t kMostColumns = 32;
+  static constexpr std::size_t kMostColumns = 48;
   double t_s = 0;
   std::array<double, kMostColumns> value{};  // NaN where there is no number
   std::array<CellKind, kMostColumns> kind{};
@@ -35,6 +35,8 @@ struct Measure {
   std::size_t column;        ///< index of the first of its columns
   std::size_t width;         ///< number of its columns
   std::string first_column;  ///< name of the first column
+  std::string_view words;    ///< of a word: those it may be
+  bool of_contact;           ///< whether only the runs of a top on a table have it
 };
 
 /// The columns of a result file after the time, and the measures made of them.
@@ -43,6 +45,8 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<Measure> measures;
   std::optional<std::size_t> find(std::string_view column) const;
+  /// The measure that a column belongs to.
+  const Measure& measure_of(std::size_t column) const;
 };
 const Table& trajectory_table();
 const Table& torques_table();
@@ -55,7 +59,7 @@ Presence presence(const Measure& measure, const Row& row);
 /// 1. A difference of their lengths counts as well, so that a change along their direction does not stay unnoticed.
 double difference(const Measure& measure, const Row& a, const Row& b);
 
-/// Size of a measure: the absolute value of a number; the same for an angle, reduced to at most half a turn; the length of a
+/// Size of a measure: the absolute value of a number, or of a word's number; the same for an angle, reduced to at most half a turn; the length of a
 /// vector; 1 for an attitude or a direction.
 double size(const Measure& measure, const Row& row);
 

@@ -51,6 +51,9 @@ class OwnRows : public RowSource {
                                      "its columns mean",
                                      table.file));
     reader_.want(std::move(wanted));
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (const Measure& measure = table.measure_of(columns_[i]); measure.kind == MeasureKind::word)
+        reader_.take_words(i + 1, measure.words);
   }
 
   bool next(Row& row) override {

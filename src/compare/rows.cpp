@@ -139,10 +139,11 @@ struct BoundColumns {
   explicit BoundColumns(const Table& table)
       : axis(table.find("drift_axis_bound_rad")),
         attitude(table.find("drift_attitude_bound_rad")),
+        tip(table.find("drift_tip_bound_m")),
         axis_L(table.find("axis_L_x")),
         ref_axis_L(table.find("ref_axis_L_x")),
         drift(table.find("drift_axis_rad")) {}
-  std::optional<std::size_t> axis, attitude, axis_L, ref_axis_L, drift;
+  std::optional<std::size_t> axis, attitude, tip, axis_L, ref_axis_L, drift;
 };
 
 double sum_of(const std::optional<std::size_t>& column, const Row& a, const Row& b) {
@@ -157,6 +158,7 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
     case BoundKind::none: return -1;
     case BoundKind::drift_axis: return sum_of(columns.axis, a, b);
     case BoundKind::drift_attitude: return sum_of(columns.attitude, a, b);
+    case BoundKind::drift_tip: return sum_of(columns.tip, a, b);
     case BoundKind::drift_tilt:
     case BoundKind::drift_azimuth: {
       double sine = 1;

@@ -23,21 +23,27 @@ constexpr double kRounding = 1e-12;       // part of a quantity's size: thousand
 constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 10;  // largest ratio of two errors
 constexpr double kTorque = 1e-9;          // part of a torque's largest value: many times the state's error
-constexpr double kDerived = 1e-6;         // part of a number computed from several, for which no summary states bounds
-constexpr double kTime = 1e-3;            // part of a time at which disturbances have grown: growth is computed to some percent
-constexpr double kOfSize = 0.1;           // part of a quantity's size: upper limit of error bounds where there is no effect
-constexpr double kSmall = 0.01;           // part of the largest error; smaller errors count as equal in size
+constexpr double kContact = 1e-8;    // part of a quantity of the contact for which no row states bounds: as of a torque, but
+                                     // slip and tip lose a digit where a tippe top turns over
+constexpr double kDerived = 1e-6;    // part of a number computed from several, for which no summary states bounds
+constexpr double kTime = 1e-3;       // part of a time at which disturbances have grown: growth is computed to some percent
+constexpr double kEventTime = 1e-9;  // part of the time of a contact's event: far more than the last digit of a root found
+constexpr double kOfSize = 0.1;      // part of a quantity's size: upper limit of error bounds where there is no effect
+constexpr double kSmall = 0.01;      // part of the largest error; smaller errors count as equal in size
 // Tolerances for the same computation, rounded otherwise: parts of a quantity's size, and of the error bounds, which are larger
 // where rounding has more time to add up.
 constexpr double kSame = 1e-10, kSameOfBounds = 0.01, kSameOfRateBounds = 0.001, kSameTimes = 1e-6;
 
 bool is_error(const Measure& measure) { return measure.part == RowPart::error && measure.kind != MeasureKind::flag; }
+/// Whether two values are equal or not, and nothing between.
+bool is_exact(const Measure& measure) { return measure.kind == MeasureKind::flag || measure.kind == MeasureKind::word; }
 
 std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
   if (is_error(measure)) return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
-  if (measure.kind == MeasureKind::flag) return Rule{};
+  if (is_exact(measure)) return Rule{};
   if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRounding, 0, kSameOfRateBounds, ""};
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
+  if (measure.of_contact && measure.bound == BoundKind::none) return Rule{0, kContact, 0, 0, ""};
   switch (measure.kind) {
     case MeasureKind::attitude:
     case MeasureKind::direction: return Rule{kRoundingAngle, 0, 0, 1, ""};
@@ -47,10 +53,10 @@ std::optional<Rule> regression_rule(const Measure& measure, bool same_computatio
 }
 
 std::optional<Rule> physics_rule(const Measure& measure, double effect) {
-  if (is_error(measure) || measure.kind == MeasureKind::flag) return std::nullopt;
+  if (is_error(measure) || is_exact(measure)) return std::nullopt;
   if (measure.effect.empty()) return Rule{0, kOfEffect, 0, 0, ""};
   if (effect > 0) return Rule{0, 0, kOfEffect, 1, ""};
-  const bool is_angle = measure.kind != MeasureKind::vector;
+  const bool is_angle = measure.name.ends_with("_rad");
   return Rule{is_angle ? kNoEffect : 0, is_angle ? 0 : kNoEffect, 0, 1, ""};
 }
 
@@ -58,6 +64,7 @@ std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
   if (kind == FigureKind::word || kind == FigureKind::outcome) return Rule{};
   if (kind == FigureKind::time || kind == FigureKind::threshold_time)
     return Rule{0, same_computation ? kSameTimes : kTime, 0, 0, ""};
+  if (kind == FigureKind::event_time) return Rule{0, same_computation ? kSame : kEventTime, 0, 1, ""};
   if (kind == FigureKind::error)
     return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
@@ -76,6 +83,8 @@ std::optional<Rule> physics_rule(FigureKind kind) {
     case FigureKind::azimuth_rate:
     case FigureKind::drift_attitude:
     case FigureKind::drift_spin:
+    case FigureKind::drift_tip:
+    case FigureKind::event_time:
     case FigureKind::ratio: return Rule{0, kOfEffect, 0, 1, ""};
     case FigureKind::attitude: return Rule{0, 0, kOfEffect, 1, ""};
     case FigureKind::time:

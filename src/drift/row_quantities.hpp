@@ -5,6 +5,7 @@
 /// columns; the table of torques.csv is in results/columns.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ enum class MeasureKind {
   attitude,   ///< quaternion, w first, of either sign: two differ by the angle of the turn from one to the other
   vector,     ///< three components: two differ by the length of the difference
   direction,  ///< three components of a unit vector: two differ by the angle between them
+  place,      ///< two horizontal components: two differ by the length of the difference
+  word,       ///< one of several words, which are equal or not; as a number its place among them, from 0 on
 };
 
 /// The error bound that holds for a quantity.
@@ -31,6 +34,7 @@ enum class BoundKind {
   drift_tilt,      ///< the same, plus the effect of an error of both axes on the drift's direction
   drift_azimuth,   ///< the bound of drift_tilt divided by the sine of the tilt
   drift_attitude,  ///< drift_attitude_bound_rad of the row
+  drift_tip,       ///< drift_tip_bound_m of the row
   attitude,        ///< attitude_bound_rad of the summary
   rates            ///< attitude_bound_rad of the summary, times the motion's fastest rate
 };
@@ -53,10 +57,13 @@ struct RowQuantity {
   std::string_view measure;           ///< name, with its unit, of the difference of two rows in this quantity
   BoundKind bound = BoundKind::none;  ///< the error bound that applies to that difference
   std::string_view effect = "";       ///< the measure whose largest value is the Earth's effect on this quantity
+  std::string_view words = "";        ///< of a word: those it may be, separated by '|', in the order of their numbers
+  bool of_contact = false;            ///< whether only the runs of a top on a table have it
 
   /// The letters of its components; empty for a single number.
   constexpr std::string_view components() const {
     if (kind == MeasureKind::attitude) return "wxyz";
+    if (kind == MeasureKind::place) return "xy";
     return kind == MeasureKind::vector || kind == MeasureKind::direction ? "xyz" : "";
   }
   constexpr std::size_t width() const { return components().empty() ? 1 : components().size(); }
@@ -80,6 +87,13 @@ struct RowQuantity {
   }
 };
 
+/// The word with a number, of a quantity that is a word; empty where there is none.
+constexpr std::string_view word_of(const RowQuantity& quantity, std::size_t number) {
+  std::string_view rest = quantity.words;
+  for (; number > 0 && !rest.empty(); --number) rest.remove_prefix(std::min(rest.find('|'), rest.size() - 1) + 1);
+  return rest.substr(0, rest.find('|'));
+}
+
 /// A quantity with functions that read its numbers from a row of doubles and from a row of extended precision.
 template <class Row, class ExtendedRow>
 struct ValuedQuantity : RowQuantity {
@@ -101,6 +115,7 @@ template <class T>
 constexpr std::optional<T> component_of(const T& number, std::size_t) {
   return number;
 }
+constexpr std::optional<double> component_of(ContactState state, std::size_t) { return static_cast<double>(state); }
 
 }  // namespace row_quantities_detail
 
@@ -116,7 +131,7 @@ constexpr ValuedQuantity<Row, ExtendedRow> valued(const RowQuantity& quantity, M
           }};
 }
 
-/// The quantities of trajectory.csv after the time, in the file's order.
+/// The quantities of trajectory.csv after the time that every run has, in the file's order.
 /// @param visit  is called for each quantity with two arguments: a function that takes a row of any scalar and gives the
 /// quantity's number, numbers or flag, and the RowQuantity itself
 template <class Visit>
@@ -168,19 +183,89 @@ constexpr void for_each_drift_quantity(const Visit& visit) {
       [](auto& r) -> auto& { return r.drift_reliable; }, Q{"drift_reliable", "", flag, error, "drift_reliable"});
 }
 
+/// The quantities that follow them in the runs of a top on a table.
+/// @param visit  the same, but its function takes the part of a row on the contact (BasicContactRow of any scalar)
+template <class Visit>
+constexpr void for_each_contact_quantity(const Visit& visit) {
+  using enum MeasureKind;
+  using enum RowPart;
+  using Bound = BoundKind;
+  const auto visit_one = [&](auto member, RowQuantity quantity) {
+    quantity.of_contact = true;
+    visit(member, quantity);
+  };
+  using Q = RowQuantity;
+  visit_one(
+      [](auto& c) -> auto& { return c.tip_m; }, Q{"tip_L", "_m", place, rotating, "tip_m", Bound::none, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.ref_tip_m; },
+      Q{"ref_tip_L", "_m", place, reference, "ref_tip_m", Bound::none, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.slip_m_s; },
+      Q{"slip", "_m_s", number, rotating, "slip_m_s", Bound::none, "drift_slip_m_s"});
+  visit_one(
+      [](auto& c) -> auto& { return c.ref_slip_m_s; },
+      Q{"ref_slip", "_m_s", number, reference, "ref_slip_m_s", Bound::none, "drift_slip_m_s"});
+  visit_one(
+      [](auto& c) -> auto& { return c.normal_force_N; }, Q{"normal_force", "_N", number, rotating, "normal_force_N"});
+  visit_one(
+      [](auto& c) -> auto& { return c.ref_normal_force_N; },
+      Q{"ref_normal_force", "_N", number, reference, "ref_normal_force_N"});
+  // The components are quantities of their own, because the vector's name would be that of its length.
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_tip_xy_m[0]; },
+      Q{"drift_tip_x", "_m", number, drift, "drift_tip_x_m", Bound::drift_tip, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_tip_xy_m[1]; },
+      Q{"drift_tip_y", "_m", number, drift, "drift_tip_y_m", Bound::drift_tip, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_tip_m; },
+      Q{"drift_tip", "_m", number, drift, "drift_tip_m", Bound::drift_tip, "drift_tip_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_tip_bound_m; }, Q{"drift_tip_bound", "_m", number, error, "drift_tip_bound_m"});
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_slip_m_s; },
+      Q{"drift_slip", "_m_s", number, drift, "drift_slip_m_s", Bound::none, "drift_slip_m_s"});
+  visit_one(
+      [](auto& c) -> auto& { return c.drift_spin_rate_rad_s; },
+      Q{"drift_spin_rate", "_rad_s", number, drift, "drift_spin_rate_rad_s", Bound::none, "drift_spin_rate_rad_s"});
+  visit_one(
+      [](auto& c) -> auto& { return c.state; },
+      Q{"contact_state", "", word, rotating, "contact_state", Bound::none, "", "slide|roll|mixed"});
+}
+
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
 
-/// The quantities of trajectory.csv as an array, in the same order.
+/// A quantity's function for a row, from its function for the part on the contact. It gives none where the row has no such part.
+template <class Member>
+struct OfContact {
+  template <class Row>
+  constexpr auto operator()(const Row& row, std::size_t component) const
+      -> decltype(row_quantities_detail::component_of(Member{}(*row.contact), component)) {
+    if (!row.contact) return std::nullopt;
+    return row_quantities_detail::component_of(Member{}(*row.contact), component);
+  }
+};
+
+/// The quantities of trajectory.csv as an array, in the same order; those of the contact come last.
 inline constexpr auto kDriftQuantities = [] {
   constexpr std::size_t kCount = [] {
     std::size_t count = 0;
-    for_each_drift_quantity([&](auto, const RowQuantity&) { ++count; });
+    const auto one_more = [&](auto, const RowQuantity&) { ++count; };
+    for_each_drift_quantity(one_more);
+    for_each_contact_quantity(one_more);
     return count;
   }();
   std::array<DriftQuantity, kCount> all{};
   std::size_t i = 0;
   for_each_drift_quantity(
       [&](auto member, const RowQuantity& quantity) { all[i++] = valued<DriftRow, ExtendedDriftRow>(quantity, member); });
+  for_each_contact_quantity([&](auto member, const RowQuantity& quantity) {
+    using Read = OfContact<decltype(member)>;
+    all[i++] = {
+        quantity, [](const DriftRow& row, std::size_t component) -> std::optional<double> { return Read{}(row, component); },
+        [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
+  });
   return all;
 }();
 

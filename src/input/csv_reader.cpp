@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/csv_reader.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/csv_text.hpp"
+#include "input/fields.hpp"
 #include "input/node.hpp"
 
 namespace earthtop::input {
@@ -67,7 +69,10 @@ void CsvReader::want(std::vector<std::size_t> columns) {
   wanted_ = std::move(columns);
   numbers_.assign(wanted_.size(), 0);
   kinds_.assign(wanted_.size(), CellKind::empty);
+  words_.assign(wanted_.size(), {});
 }
+
+void CsvReader::take_words(std::size_t wanted, std::string_view words) { words_[wanted] = split_words(words); }
 
 bool CsvReader::next() {
   std::string_view line;
@@ -77,7 +82,14 @@ bool CsvReader::next() {
     refuse(fmt::format("{} cells, where the header names {} columns", cells_.size(), header_.size()));
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const std::string_view cell = cells_[wanted_[i]];
-    if (!parse(cell, numbers_[i], kinds_[i]))
+    if (!words_[i].empty() && !cell.empty()) {
+      const auto word = std::find(words_[i].begin(), words_[i].end(), cell);
+      if (word == words_[i].end())
+        refuse(fmt::format("column {}: \"{}\" is none of {}", header_[wanted_[i]], excerpt(cell), fmt::join(words_[i], ", ")),
+               static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
+      numbers_[i] = static_cast<double>(word - words_[i].begin());
+      kinds_[i] = CellKind::number;
+    } else if (!parse(cell, numbers_[i], kinds_[i]))
       refuse(fmt::format("column {}: \"{}\" is no number", header_[wanted_[i]], excerpt(cell)),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }

@@ -32,6 +32,9 @@ class CsvReader {
 
   /// Selects the columns whose numbers `next` reads, and their order.
   void want(std::vector<std::size_t> columns);
+  /// Takes the cells of a wanted column for words: the number of each is its place among the words, from 0 on.
+  /// @param words  separated by '|'
+  void take_words(std::size_t wanted, std::string_view words);
 
   /// Reads the numbers of the next line. @returns false at the end of the file
   /// @throws ScenarioError, with line and column, for a cell that is no number, a line with another number of cells than the
@@ -62,6 +65,7 @@ class CsvReader {
   std::vector<std::string_view> cells_;
   std::string_view whole_;  // the line that holds the cells
   std::vector<std::size_t> wanted_;
+  std::vector<std::vector<std::string_view>> words_;  // of each wanted column; empty for a column of numbers
   std::vector<double> numbers_;
   std::vector<CellKind> kinds_;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/comparand.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
@@ -12,50 +11,21 @@
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
 #include "report/bars.hpp"
+#include "report/contact_section.hpp"
 #include "report/pages.hpp"
+#include "report/path_picture.hpp"
+#include "report/run_data.hpp"
 #include "report/thinning.hpp"
-#include "results/time_unit.hpp"
 
 namespace earthtop::report {
 namespace {
 
-using compare::CellKind;
-using compare::Comparand;
 using compare::Row;
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kArcseconds = 648000 / std::numbers::pi;
 constexpr double kShownDrift = 0.3;       // size (rad) to which the drift is magnified on the sphere
 constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
-
-std::size_t column(std::string_view name) { return *compare::trajectory_table().find(name); }
-double value(const Row& row, std::size_t at) { return row.kind[at] == CellKind::number ? row.value[at] : kNoNumber; }
-
-/// The data of a run that the page needs.
-struct Run {
-  Comparand results;
-  std::optional<Scene> scene;  ///< none where the summary's text is not one that this version reads
-  std::vector<Row> rows;
-  TimeUnit time{"s", 1};
-  std::string word(const std::string& pointer) const { return results.word(pointer); }
-  std::optional<double> number(const std::string& pointer) const { return results.number(pointer); }
-};
-
-std::vector<double> values(const Run& run, std::string_view name, double factor) {
-  std::vector<double> list;
-  list.reserve(run.rows.size());
-  const std::size_t at = column(name);
-  for (const Row& row : run.rows) list.push_back(value(row, at) * factor);
-  return list;
-}
-
-std::vector<double> times(const Run& run) {
-  std::vector<double> list;
-  list.reserve(run.rows.size());
-  for (const Row& row : run.rows) list.push_back(row.t_s * run.time.per_s);
-  return list;
-}
 
 /// A sentence about the last drift that can be trusted.
 std::string headline_of(const Run& run) {
@@ -158,9 +128,7 @@ Json directions(const std::vector<Row>& rows, std::string_view first) {
 double magnification(const Run& run) {
   const double largest = run.number("/drift/axis_max_rad").value_or(0);
   if (!(largest > 0) || largest >= kShownDrift) return 1;
-  const double wanted = kShownDrift / largest, decade = real::power_of_ten(static_cast<int>(std::floor(real::log10(wanted))));
-  const double lead = wanted / decade;
-  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
+  return round_down(kShownDrift / largest);
 }
 
 void append(Json& list, const Vec3<double>& vector) {
@@ -201,10 +169,12 @@ void add_motion(const Run& run, Page& page) {
   data["earth_rate_L"] = {0, 0, 0};
   data["precession_axis_L"] = {0, 0, 1};
   data["torques"] = nullptr;
+  if (run.has_contact) add_tip_motion(run, page);
   if (!run.scene) return;
   const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
-  data["torques"] = torques_of(run, model);
+  // Of a top on a table the force of the table acts as well, and the tip moves: these torques would not add up.
+  if (!run.has_contact) data["torques"] = torques_of(run, model);
 }
 
 /// The largest torque of apparent gravity about the pivot over the displayed rows (N m).
@@ -220,7 +190,7 @@ double largest_gravity(const Run& run) {
   return largest;
 }
 
-std::string ledger_section(const Run& run, Page& page) {
+std::string torques_html(const Run& run, Page& page) {
   if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
     return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
   const Budget budget = effect_budget(*run.scene);
@@ -241,6 +211,14 @@ std::string ledger_section(const Run& run, Page& page) {
   if (bars.empty()) return table;
   return page.picture("torques", bars_svg("torques", "Largest torques", "N m", bars), "Solid: modelled. Hatched: left out.",
                       table);
+}
+
+std::string ledger_section(const Run& run, Page& page) {
+  try {
+    return torques_html(run, page);
+  } catch (const ScenarioError& error) {  // the results are there, but this version does not follow such a scene
+    return fmt::format("<p>Not computed: {}.</p>\n", escaped(error.what()));
+  }
 }
 
 std::string invariants_section(const Run& run) {
@@ -296,13 +274,16 @@ constexpr const char* kAnimation =
 )html";
 
 Run read_run(const std::filesystem::path& directory) {
-  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, {"s", 1}};
+  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, false, {"s", 1}};
   const ScenarioReport report = examine_scenario({"", run.results.summary->value("scenario", Json()).dump(), false});
   run.scene = report.scene;
   const auto rows = run.results.open_rows();
   for (const char* needed : {"axis_L_x", "ref_axis_L_x", "drift_axis_rad", "q_LB_w", "w_LB_B_x_rad_s"})
     if (!rows->has_column(column(needed)))
       compare::refuse_path(directory, fmt::format("its trajectory.csv has no {}; run the scenario again", needed));
+  const auto& measures = compare::trajectory_table().measures;
+  run.has_contact = std::all_of(measures.begin(), measures.end(),
+                                [&](const compare::Measure& measure) { return !measure.of_contact || rows->has(measure); });
   run.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0));
   if (!run.rows.empty()) run.time = time_unit(run.rows.back().t_s);
   return run;
@@ -326,6 +307,7 @@ Report run_page(const std::filesystem::path& directory) {
       page.chart("axis", axis_figure(run), "The angle between the two axes, and the bound on its error." + thinned) +
           page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line.") +
           events_of(run));
+  if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
   page.section("sphere", "Path of the axis", kSphere);
   page.section("motion", "The top in motion", kAnimation);
   page.section("torques", "Torques", ledger_section(run, page));

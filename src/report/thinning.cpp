@@ -2,8 +2,8 @@
 #include "report/thinning.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace earthtop::report {
 namespace {
@@ -16,13 +16,14 @@ using compare::Row;
 /// Selects the rows of one span that must be kept.
 class Span {
  public:
-  explicit Span(const std::array<std::size_t, 3>& watched) : watched_(watched) {}
+  explicit Span(std::vector<std::size_t> watched)
+      : watched_(std::move(watched)), least_(watched_.size()), largest_(watched_.size()) {}
 
   void add(const Row& row) {
     if (count_++ == 0) {
       first_ = row;
-      least_.fill(row);
-      largest_.fill(row);
+      std::fill(least_.begin(), least_.end(), row);
+      std::fill(largest_.begin(), largest_.end(), row);
     }
     last_ = row;
     for (std::size_t i = 0; i < watched_.size(); ++i) {
@@ -45,21 +46,24 @@ class Span {
   }
 
  private:
-  std::array<std::size_t, 3> watched_;
+  std::vector<std::size_t> watched_;
   std::uint64_t count_ = 0;
   Row first_, last_;
-  std::array<Row, 3> least_, largest_;
+  std::vector<Row> least_, largest_;
 };
 
 }  // namespace
 
 std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count) {
   const compare::Table& table = compare::trajectory_table();
-  const std::array<std::size_t, 3> watched = {*table.find("drift_axis_rad"), *table.find("drift_azimuth_rad"),
-                                              *table.find("drift_tilt_rad")};
+  std::vector<std::size_t> watched;
+  for (const std::string_view name : {"drift_axis_rad", "drift_azimuth_rad", "drift_tilt_rad", "drift_tip_m", "slip_m_s"}) {
+    const std::size_t column = *table.find(name);
+    if (rows.has_column(column) || !table.measure_of(column).of_contact) watched.push_back(column);
+  }
   const std::uint64_t rows_a_span = count <= kAllUpTo ? 1 : (count + kSpans - 1) / kSpans;
   std::vector<Row> kept;
-  Span span(watched);
+  Span span(std::move(watched));
   Row row;
   for (std::uint64_t i = 0; rows.next(row); ++i) {
     if (!std::isfinite(row.t_s)) continue;

@@ -27,7 +27,8 @@ struct Column {
   std::optional<double> value(const DriftRow& row) const { return quantity->value(row, component); }
 };
 
-/// All columns of trajectory.csv after the time, in the file's order.
+/// All columns of trajectory.csv after the time, in the file's order. Those of the contact come last, and only the files of a top
+/// on a table have them.
 const std::vector<Column>& trajectory_columns();
 
 /// A torque of the ledger, in the axes of the ledger's observer (N m).

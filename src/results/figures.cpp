@@ -64,6 +64,14 @@ std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
 
+/// A value that only a top on a table has; left out for others.
+Json of_contact(R r, const std::optional<double>& value) {
+  return r.scene.scenario().contact || r.contact ? json_from(value) : kLeftOut;
+}
+std::string_view to_event_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "reference"; }
+const ContactEvent& event(R r, I i) { return r.contact->events[i]; }
+const PredictionChange& change(R r, I i) { return r.contact->changes[i]; }
+
 Json relative_tolerance(const IntegrationReport& report) {
   return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
 }
@@ -195,6 +203,9 @@ constexpr auto kMembers = [] {
       compared("drift.azimuth_max_rad", drift_azimuth, rows, kFromRows,
                [](R r) { return largest(r, &DriftRow::drift_azimuth_rad); }),
       compared("drift.tilt_max_rad", drift_tilt, rows, kFromRows, [](R r) { return largest(r, &DriftRow::drift_tilt_rad); }),
+      compared("drift.tip_final_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_final_m); }),
+      compared("drift.tip_max_m", drift_tip, rows, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
+      compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
                [](R r) { return r.drift.axis_final_over_earth_angle; }),
       compared("drift.verdict", outcome, any, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
@@ -251,6 +262,22 @@ constexpr auto kMembers = [] {
       compared("stops.*.prediction", word, any, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); }),
       compared("stops.*.t_s", time, any, kFromRows, [](R r, I i) { return r.stops[i].t_s; }),
       compared("stops.*.bound_s", error, any, kFromRows, [](R r, I i) { return r.stops[i].bound_s; }),
+      // What happened to the contact of a top with its table, and how far the prediction itself moves with its inputs.
+      object_or_nothing("contact", [](R r) { return r.contact.has_value(); }),
+      list("contact.events", [](R r) { return r.contact->events.size(); }),
+      compared("contact.events.*.event", outcome, any, kAtEnd, [](R r, I i) { return to_string(event(r, i).kind); }),
+      compared("contact.events.*.t_s", event_time, any, kAtEnd, [](R r, I i) { return event(r, i).t_s; }),
+      compared("contact.events.*.bound_s", error, any, kAtEnd, [](R r, I i) { return event(r, i).bound_s; }),
+      compared("contact.events.*.prediction", word, any, kAtEnd,
+               [](R r, I i) { return to_event_word(event(r, i).prediction); }),
+      compared("contact.events.*.time_difference_s", derived, any, kAtEnd,
+               [](R r, I i) { return event(r, i).time_difference_s; }),
+      list("contact.prediction_changes", [](R r) { return r.contact->changes.size(); }),
+      compared("contact.prediction_changes.*.input", word, end, kAtEnd, [](R r, I i) { return change(r, i).input; }),
+      compared("contact.prediction_changes.*.step", word, end, kAtEnd, [](R r, I i) { return change(r, i).step; }),
+      compared("contact.prediction_changes.*.axis_rad", derived, end, kAtEnd, [](R r, I i) { return change(r, i).axis_rad; }),
+      compared("contact.prediction_changes.*.tip_m", derived, end, kAtEnd, [](R r, I i) { return change(r, i).tip_m; }),
+      compared("contact.prediction_changes.*.at_s", input, end, kAtEnd, [](R r, I) { return r.contact->at_s; }),
       object_or_null("headline", [](R r) { return r.scene.scenario().headline.has_value(); }),
       told("headline.quantity", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->quantity; }),
       told("headline.at_s", kFromRows, kHeadline, [](R r) { return check_headline(r)->at_s; }),
@@ -388,6 +415,17 @@ constexpr bool each_is_compared_or_says_why_not() {
 }
 static_assert(each_is_compared_or_says_why_not(), "a figure is compared, or says why it is not");
 
+/// Whether a path is a member's, in which a star stands for the number of an element.
+constexpr bool is_of(std::string_view member, std::string_view path) {
+  while (!member.empty() && !path.empty()) {
+    const std::string_view wanted = member.substr(0, member.find('.')), step = path.substr(0, path.find('.'));
+    if (wanted != step && wanted != "*") return false;
+    member.remove_prefix(std::min(wanted.size() + 1, member.size()));
+    path.remove_prefix(std::min(step.size() + 1, path.size()));
+  }
+  return member.empty() && path.empty();
+}
+
 constexpr bool headlines_are_figures() {
   std::string_view names = scenario::kSummaryFigures;
   while (!names.empty()) {
@@ -395,7 +433,7 @@ constexpr bool headlines_are_figures() {
     names.remove_prefix(std::min(name.size() + 1, names.size()));
     bool found = false;
     for (const SummaryMember& member : kMembers)
-      found = found || (member.path == name && member.form == MemberForm::value && member.kind > FigureKind::outcome);
+      found = found || (is_of(member.path, name) && member.form == MemberForm::value && member.kind > FigureKind::outcome);
     if (!found) return false;
   }
   return true;

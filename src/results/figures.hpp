@@ -27,6 +27,7 @@ enum class FigureKind {
   azimuth_rate,    ///< the bound of the azimuth drift, divided by the duration
   drift_attitude,  ///< has the error bound of the attitude drift
   drift_spin,      ///< has the error bound of the attitude drift; an angle modulo 2 pi
+  drift_tip,       ///< has the error bound of the drift of the contact point
   attitude,        ///< has the error bound of the attitudes
   ratio,           ///< relative error of the axis drift
   error,           ///< an error or its bound: only its order of magnitude is compared
@@ -34,7 +35,8 @@ enum class FigureKind {
   input,           ///< known to rounding
   derived,         ///< computed from several numbers, known to some digits
   time,            ///< time of an event, or of a growth
-  threshold_time   ///< time of passing the threshold, which has a bound of its own
+  threshold_time,  ///< time of passing the threshold, which has a bound of its own
+  event_time       ///< time of an event of the contact, which has a bound of its own
 };
 
 /// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it.

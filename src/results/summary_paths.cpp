@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The number of made-up scenarios. A scenario has one of several alternatives in some places; among so many, each occurs.
-constexpr int kKinds = 4;
+constexpr int kKinds = 5;
 
 BodySpec any_body(int kind) {
   BodySpec body;
@@ -32,6 +32,19 @@ ReleaseSpec any_release(int kind) {
   if (kind > 1) release.quaternion_LB = {1, 0, 0, 0};
   if (kind > 2) release.angular_velocity_body_rad_s = {0, 0, 1};
   return release;
+}
+
+/// With each of the laws that have keys of their own, and both ways to start.
+ContactSpec any_contact(int kind) {
+  constexpr ContactLaw kLaws[kKinds] = {ContactLaw::viscous, ContactLaw::viscous_load, ContactLaw::coulomb,
+                                        ContactLaw::contensou, ContactLaw::rolling};
+  ContactSpec contact;
+  contact.law = kLaws[kind];
+  contact.sliding_viscosity_N_s_m = contact.sliding_viscosity_s_m = contact.friction_coefficient = contact.patch_radius_m = 1;
+  contact.spinning_friction_m = contact.rolling_resistance_m = contact.regularisation_rad_s = 1;
+  contact.static_coefficient = contact.max_tilt_deg = 1;
+  if (kind == 0) contact.start = ContactStart::tip_velocity;
+  return contact;
 }
 
 /// A scenario with every optional key; where only one of several alternatives is possible, `kind` decides which one.
@@ -49,7 +62,7 @@ Scenario any_scenario(int kind) {
   scenario.site.deflection = {1, 1};
   scenario.start_utc = "2026-01-01T00:00:00Z";
   scenario.platform = PlatformSpec{};
-  scenario.platform->motion = static_cast<PlatformMotion>(kind);
+  scenario.platform->motion = static_cast<PlatformMotion>(kind % 4);
   const bool first = kind == 0;
   scenario.effects.tide.emplace().given = first;
   scenario.effects.automatic = true;
@@ -58,6 +71,7 @@ Scenario any_scenario(int kind) {
   if (first) scenario.numerics.step_s = 1;
   scenario.numerics.composition = Composition::rkn6;
   scenario.precision = Precision::bits113;
+  scenario.contact = any_contact(kind);
   scenario.ledger = LedgerObserver::laboratory;
   scenario.threshold_rad = scenario.accuracy_rad = 1;
   scenario.sensitivities = true;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,9 +13,15 @@
 namespace earthtop {
 namespace {
 
-std::string header() {
+/// Whether the file has the columns of the contact.
+bool has_contact(const RunResult& result) {
+  return result.rows.empty() ? result.scene.scenario().contact.has_value() : result.rows.front().contact.has_value();
+}
+
+std::string header(bool with_contact) {
   std::string text(kTimeColumn);
-  for (const Column& column : trajectory_columns()) text += ',' + column.name;
+  for (const Column& column : trajectory_columns())
+    if (with_contact || !column.quantity->of_contact) text += ',' + column.name;
   return text + '\n';
 }
 
@@ -28,6 +35,7 @@ class Line {
     if (value) add(*value);
   }
   void add(bool flag) { add(flag ? 1.0 : 0.0); }
+  void add(ContactState state) { end_ = std::ranges::copy(to_string(state), end_).out; }
   void add_char(char c) { *end_++ = c; }
   std::string_view text() const { return {begin_.data(), end_}; }
 
@@ -49,13 +57,14 @@ void append_row(std::string& text, const DriftRow& row) {
     line.add_char(',');
     line.add(number);
   };
-  for_each_drift_quantity([&](auto member, const RowQuantity&) {
-    const auto& value = member(row);
+  const auto add_all = [&](const auto& value) {
     if constexpr (requires { value.size(); })
       for (const double component : value) add(component);
     else
       add(value);
-  });
+  };
+  for_each_drift_quantity([&](auto member, const RowQuantity&) { add_all(member(row)); });
+  if (row.contact) for_each_contact_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.contact)); });
   line.add_char('\n');
   text += line.text();
 }
@@ -63,11 +72,18 @@ void append_row(std::string& text, const DriftRow& row) {
 /// Appends the line of a row of extended precision. The time is a double in every precision, and is written as one.
 void append_row(std::string& text, const ExtendedDriftRow& row, Precision precision) {
   append_number(text, static_cast<double>(row.t_s));
-  for (const DriftQuantity& quantity : kDriftQuantities)
+  for (const DriftQuantity& quantity : kDriftQuantities) {
+    if (quantity.of_contact && !row.contact) continue;
     for (std::size_t i = 0; i < quantity.width(); ++i) {
       text += ',';
-      if (const auto value = quantity.extended_value(row, i)) text += digits(*value, precision);
+      const auto value = quantity.extended_value(row, i);
+      if (!value) continue;
+      if (quantity.kind == MeasureKind::word)
+        text += word_of(quantity, static_cast<std::size_t>(*value));
+      else
+        text += digits(*value, precision);
     }
+  }
   text += '\n';
 }
 
@@ -80,7 +96,7 @@ void write_trajectory_csv(const RunResult& result, const std::function<void(std:
     else
       append_row(text, result.extended_rows[i], result.scene.scenario().precision);
   };
-  write_csv(header(), result.rows.size(), append, sink, watch);
+  write_csv(header(has_contact(result)), result.rows.size(), append, sink, watch);
 }
 
 std::string trajectory_csv(const RunResult& result) {

@@ -41,11 +41,16 @@ using Joined = Spelled<[](const auto& add) {
   (add_list(lists), ...);
 }>;
 
-/// The columns of trajectory.csv except those that state errors.
+/// Whether a headline or a criterion may be about a quantity of the rows.
+constexpr bool is_figure(const RowQuantity& quantity) {
+  return quantity.part != RowPart::error && quantity.kind != MeasureKind::word;
+}
+
+/// The columns of trajectory.csv except those that state errors and those of words.
 inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
   bool first = true;
   for (const RowQuantity& quantity : kDriftQuantities)
-    for (std::size_t i = 0; quantity.part != RowPart::error && i < quantity.width(); ++i) {
+    for (std::size_t i = 0; is_figure(quantity) && i < quantity.width(); ++i) {
       if (!first) add("|");
       first = false;
       quantity.spell_column(i, add);
@@ -54,14 +59,15 @@ inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
 
 /// The figures of summary.json that a headline may use. The table of figures checks at compile time that each of them exists.
 inline constexpr std::string_view kSummaryFigures =
-    "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s";
+    "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s|drift.tip_max_m|contact.events.0.t_s|"
+    "contact.events.0.time_difference_s";
 
 inline constexpr std::string_view kFigures = Joined<kColumns, kSummaryFigures>::text;
 
 /// Vectors that consist of several columns (the error of an attitude is an angle).
 inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
   bool first = true;
-  for (const MeasureKind kind : {MeasureKind::attitude, MeasureKind::vector, MeasureKind::direction})
+  for (const MeasureKind kind : {MeasureKind::attitude, MeasureKind::vector, MeasureKind::direction, MeasureKind::place})
     for (const RowQuantity& quantity : kDriftQuantities) {
       if (quantity.kind != kind) continue;
       if (!first) add("|");

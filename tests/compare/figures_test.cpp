@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "compare/compact_reference.hpp"
 #include "compare/results_copy.hpp"
 #include "results/columns.hpp"
 #include "results/made_up_run.hpp"
@@ -77,6 +78,7 @@ TEST(SummaryTable, CoversEverySummary) {
   EXPECT_GT(files, 60);
   expect_table_covers(test::made_up_run());
   expect_table_covers(test::made_up_full_run());
+  expect_table_covers(test::made_up_contact_run());
 }
 
 TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
@@ -86,7 +88,7 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   other.sensitivities->unavailable = "a reason";
   other.scene = testing::changed(other.scene, [](Scenario& s) { s.precision = Precision::bits113; });
   other.extended_rows.resize(other.rows.size());
-  for (const RunResult& result : {full, other}) {
+  for (const RunResult& result : {full, other, test::made_up_contact_run()}) {
     Json summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
   }
@@ -143,6 +145,25 @@ TEST(SummaryTable, WithoutARowBeyondTheReleaseItHasNoNumbersOfRows) {
   EXPECT_TRUE(summary_part(result, "drift.axis_final_rad").is_null());
 }
 
+// What a study may collect of a run on a table, and a headline be about.
+TEST(SummaryTable, KnowsThePathsOfAContact) {
+  for (const char* path :
+       {"drift.tip_final_m", "drift.tip_max_m", "drift.tip_bound_m", "contact.events.0.t_s", "contact.events.3.event",
+        "contact.prediction_changes.1.tip_m", "scenario.contact.friction_coefficient", "scenario.contact.static_coefficient",
+        "scenario.contact.sliding_viscosity_s_m"})
+    EXPECT_FALSE(summary_path_fault(path)) << path;
+  EXPECT_TRUE(summary_path_fault("drift.tip_last_m"));
+  EXPECT_TRUE(summary_path_fault("contact.events.first.t_s"));
+  EXPECT_TRUE(is_known_at_the_end("drift.tip_final_m"));
+  EXPECT_FALSE(is_known_at_the_end("drift.tip_max_m"));
+  EXPECT_TRUE(is_known_at_the_end("contact.events.0.time_difference_s"));
+  const RunResult result = test::made_up_contact_run(11);
+  EXPECT_EQ(summary_part(result, "drift.tip_final_m"), Json(*result.drift.tip_final_m));
+  EXPECT_EQ(summary_part(result, "contact.events.1.time_difference_s"), Json(3e-6));
+  EXPECT_TRUE(summary_part(result, "contact.events.2.t_s").is_null());
+  EXPECT_TRUE(summary_part(test::made_up_run(), "drift.tip_final_m").is_null());
+}
+
 /// Both written to files and held against each other by their bits.
 PairReport compared_bitwise(const fs::path& before, const fs::path& now) {
   return compare_results(before, now, with_profile(Profile::bitwise)).pairs.at(0);
@@ -150,10 +171,9 @@ PairReport compared_bitwise(const fs::path& before, const fs::path& now) {
 
 // Every number that the table says is compared is changed in a copy, and the comparison must complain of each by its name, and
 // of nothing else.
-TEST(SummaryTable, TheComparisonDoesWhatItSays) {
+void expect_every_change_is_found(const RunResult& result, std::size_t at_least) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
-  const RunResult result = test::made_up_full_run();
   write_results(result, before, false);
   write_results(result, now, false);
   ASSERT_TRUE(compared_bitwise(before, now).passed());
@@ -172,7 +192,7 @@ TEST(SummaryTable, TheComparisonDoesWhatItSays) {
       in_words.insert(path);
     }
   });
-  EXPECT_GT(changed.size(), 90u);
+  EXPECT_GE(changed.size(), at_least);
   EXPECT_EQ(in_words.size(), 2u);
   write_text(now / "summary.json", text_of(summary));
   std::set<std::string> found;
@@ -187,21 +207,32 @@ TEST(SummaryTable, TheComparisonDoesWhatItSays) {
   }
 }
 
-// A number in one cell of every column of both files.
-TEST(Columns, EachIsCompared) {
+TEST(SummaryTable, TheComparisonDoesWhatItSays) { expect_every_change_is_found(test::made_up_full_run(), 91); }
+
+TEST(SummaryTable, TheComparisonOfAContactDoesWhatItSays) {
+  const RunResult result = test::made_up_contact_run(11);
+  ASSERT_NE(summary_json(result).find("\"tip_bound_m\""), std::string::npos);
+  expect_every_change_is_found(result, 50);
+}
+
+/// Changes a number in one cell of every column of both files. @returns the numbers of columns
+std::map<std::string, std::size_t> expect_every_column_is_compared(const RunResult& result,
+                                                                   const std::vector<std::string>& files) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
-  const RunResult result = test::made_up_full_run();
   write_results(result, before, false);
   write_results(result, now, false);
   std::map<std::string, std::size_t> columns;
-  for (const std::string file : {"trajectory.csv", "torques.csv"}) {
+  for (const std::string& file : files) {
     const Csv original(before / file);
     for (const std::string& column : original.header) {
       if (column == "t_s") continue;
       ++columns[file];
       Csv csv = original;
-      csv.set(5, column, column == "drift_reliable" ? 0 : 1.5 * csv.get(5, column) + 0.25);
+      if (column == "contact_state")
+        csv.rows[5][csv.column(column)] = "mixed";
+      else
+        csv.set(5, column, column == "drift_reliable" ? 0 : 1.5 * csv.get(5, column) + 0.25);
       write_text(now / file, csv.text());
       const PairReport pair = compared_bitwise(before, now);
       EXPECT_TRUE(std::any_of(pair.quantities.begin(), pair.quantities.end(),
@@ -210,8 +241,78 @@ TEST(Columns, EachIsCompared) {
     }
     write_text(now / file, original.text());
   }
-  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size());
+  return columns;
+}
+
+constexpr std::size_t kContactColumns = 15;
+
+TEST(Columns, EachIsCompared) {
+  auto columns = expect_every_column_is_compared(test::made_up_full_run(), {"trajectory.csv", "torques.csv"});
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns);
   EXPECT_EQ(columns["torques.csv"], 3 * torque_quantities().size());
+}
+
+TEST(Columns, EachOfAContactIsCompared) {
+  auto columns = expect_every_column_is_compared(test::made_up_contact_run(11), {"trajectory.csv"});
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size());
+}
+
+// The bounds of the tip's drift decide whether a change of it is within the errors.
+TEST(Columns, TheTipsDriftHasItsBound) {
+  const TemporaryDirectory directory;
+  const RunResult result = test::made_up_contact_run(11);
+  write_results(result, directory.path() / "before", false);
+  const auto change_of = [&](double by_bounds) {
+    RunResult moved = result;
+    BasicContactRow<double>& contact = *moved.rows[5].contact;
+    contact.drift_tip_m += by_bounds * contact.drift_tip_bound_m;
+    write_results(moved, directory.path() / "now", true);
+    const PairReport pair = compared_bitwise(directory.path() / "before", directory.path() / "now");
+    for (const QuantityVerdict& verdict : pair.quantities)
+      if (verdict.name == "drift_tip_m") return verdict.change;
+    return Change::unknown;
+  };
+  EXPECT_EQ(change_of(0), Change::none);
+  EXPECT_EQ(change_of(1.5), Change::within_errors);
+  EXPECT_EQ(change_of(2.5), Change::above_errors);
+}
+
+TEST(Columns, AWordThatNoContactHasIsRefused) {
+  const TemporaryDirectory directory;
+  const fs::path before = directory.path() / "before", now = directory.path() / "now";
+  for (const fs::path& path : {before, now}) write_results(test::made_up_contact_run(11), path, false);
+  Csv csv(now / "trajectory.csv");
+  csv.rows[3][csv.column("contact_state")] = "hop";
+  write_text(now / "trajectory.csv", csv.text());
+  try {
+    const PairReport pair = compared_bitwise(before, now);
+    EXPECT_NE(pair.refusal.find("\"hop\" is none of slide, roll, mixed"), std::string::npos) << pair.refusal;
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"hop\" is none of slide, roll, mixed"), std::string::npos) << error.what();
+  }
+}
+
+// Results with a contact against results without: columns are missing, on either side.
+TEST(Columns, OneSideAloneOnATableIsADifference) {
+  const TemporaryDirectory directory;
+  const fs::path table = directory.path() / "table", pivot = directory.path() / "pivot";
+  write_results(test::made_up_contact_run(11), table, false);
+  write_results(test::made_up_run(11), pivot, false);
+  EXPECT_FALSE(compared_bitwise(table, pivot).passed());
+  EXPECT_FALSE(compared_bitwise(pivot, table).passed());
+}
+
+// A reference that keeps a few rows of a run on a table is as good as its results.
+TEST(Columns, ACompactReferenceKeepsTheContact) {
+  const TemporaryDirectory directory;
+  const fs::path results = directory.path() / "results", reference = directory.path() / "reference.json";
+  write_results(test::made_up_contact_run(11), results, false);
+  write_text(reference, compare::compact_reference(compare::open_comparand(results, nullptr), Json::array(), "made up"));
+  EXPECT_TRUE(compared_bitwise(reference, results).passed());
+  Csv csv(results / "trajectory.csv");
+  csv.rows[10][csv.column("contact_state")] = "mixed";
+  write_text(results / "trajectory.csv", csv.text());
+  EXPECT_FALSE(compared_bitwise(reference, results).passed());
 }
 
 }  // namespace

@@ -7,12 +7,16 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
 #include "report/bars.hpp"
+#include "report/path_picture.hpp"
 #include "report/thinning.hpp"
+#include "results/made_up_run.hpp"
 #include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -110,6 +114,101 @@ TEST(Report, AComparisonShowsEveryVerdict) {
   for (const char* text : {"<strong>differs</strong>", "other scenario", "attitude_rad", "invariants.jacobi_integral.initial",
                            "data-chart=\"p0q0\""})
     EXPECT_NE(html.find(text), html.npos) << text;
+}
+
+/// Results of a made-up run on a table, written to a directory, as a page.
+std::string page_of_contact(const TemporaryDirectory& dir, const RunResult& result) {
+  write_results(result, dir.path() / "table", true);
+  return page_of(dir.path() / "table");
+}
+
+/// The smallest and the largest coordinate of a path's points, in the picture.
+struct Box {
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+};
+Box box_of(const std::string& html, const std::string& id) {
+  std::string commands = between(html, "<path id=\"" + id + "\" d=\"", "\"");
+  for (char& c : commands)
+    if (c == 'M' || c == 'L') c = ' ';
+  std::istringstream numbers(commands);
+  Box box;
+  for (double x = 0, y = 0; numbers >> x >> y;) {
+    box.left = std::min(box.left, x);
+    box.right = std::max(box.right, x);
+    box.top = std::min(box.top, y);
+    box.bottom = std::max(box.bottom, y);
+  }
+  return box;
+}
+
+// The prediction's tip runs in a circle, which is one in the picture, too. The drift is up to 0.12 mm beside a circle of 40 mm, so
+// that it is drawn 20 times larger: at the end 2.4 mm, to the North, which is up.
+TEST(Report, ThePathOfTheContactPointIsToScale) {
+  const TemporaryDirectory dir;
+  const std::string html = page_of_contact(dir, test::made_up_contact_run());
+  const Box prediction = box_of(html, "path-ref"), motion = box_of(html, "path-rot");
+  const double across = prediction.right - prediction.left;
+  EXPECT_GT(across, 250);
+  EXPECT_NEAR(across, prediction.bottom - prediction.top, 0.01 * across);
+  EXPECT_NE(html.find("drift drawn 20 times as large"), html.npos);
+  // The circle's highest point is reached last at t = 51 s, where the drift is 0.102 mm.
+  EXPECT_NEAR(prediction.top - motion.top, 20 * 1.02e-4 / 0.04 * across, 0.01 * across);
+  EXPECT_NEAR(motion.left, prediction.left, 0.01 * across);
+  const auto data = data_of(html);
+  EXPECT_EQ(data.at("tip").size(), 3 * 201u);
+  EXPECT_EQ(data.at("ref_tip").size(), 3 * 201u);
+  EXPECT_TRUE(data.at("charts").contains("tip"));
+  EXPECT_TRUE(data.at("charts").contains("force"));
+}
+
+TEST(Report, OfAContactSaysOnlyWhatIsTrue) {
+  const TemporaryDirectory dir;
+  RunResult result = test::made_up_contact_run();
+  const std::string slides = page_of_contact(dir, result);
+  for (const char* text : {"of where it started", "The Earth's rotation moves its end by 120 µm to the North.",
+                           "Its slip falls from", "the tip rolls on", "makes it <data value=\"8e-07\">", "earlier", "later",
+                           "the top stands up on its other end", "table_tilt", "Nobody knows a coefficient of friction to 1 %"})
+    EXPECT_NE(slides.find(text), slides.npos) << text;
+  EXPECT_EQ(slides.find("It rolls all the time"), slides.npos);
+  for (DriftRow& row : result.rows) {
+    row.contact->state = ContactState::roll;
+    row.contact->drift_tip_xy_m = {0, 0};
+    row.contact->drift_tip_m = 0;
+    row.contact->tip_m = row.contact->ref_tip_m;
+  }
+  result.contact->changes.erase(result.contact->changes.begin());
+  result.contact->events.clear();
+  const std::string rolls = page_of_contact(dir, result);
+  EXPECT_NE(rolls.find("It rolls all the time"), rolls.npos);
+  EXPECT_NE(rolls.find("Both predictions to scale"), rolls.npos);
+  for (const char* text : {"moves its end by", "Nobody knows a coefficient", "rotation makes it", "Its slip falls"})
+    EXPECT_EQ(rolls.find(text), rolls.npos) << text;
+}
+
+TEST(Report, OfAFixedPivotHasNoTable) {
+  const TemporaryDirectory dir;
+  write_results(test::made_up_run(), dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run");
+  EXPECT_EQ(html.find("section-table"), html.npos);
+  EXPECT_EQ(html.find("path-rot"), html.npos);
+  EXPECT_FALSE(data_of(html).contains("tip"));
+}
+
+// A path that is a point, and one with holes, make a picture of finite numbers.
+TEST(Report, PathsWithoutExtentAreDrawn) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  report::PathPicture picture;
+  for (const auto& [x, y] :
+       std::vector<std::pair<std::vector<double>, std::vector<double>>>{{{0, 0}, {0, 0}},
+                                                                        {{}, {}},
+                                                                        {{none, 1, none, 2}, {0, 1, 3, none}},
+                                                                        {{1e-300, 2e-300}, {0, 0}},
+                                                                        {{-1e300, 1e300}, {0, 1}}}) {
+    picture.rotating = picture.reference = {"a path", x, y};
+    const std::string svg = path_svg(picture);
+    EXPECT_EQ(svg.find("nan"), svg.npos) << svg;
+    EXPECT_EQ(svg.find("inf"), svg.npos) << svg;
+  }
 }
 
 /// Rows with a single outlier (the needle) in one of the columns.

@@ -79,6 +79,45 @@ inline RunResult made_up_run_with_ledger(std::size_t rows = 201) {
   return result;
 }
 
+/// The same of a top on a table: its tip runs in circles and its drift to the North; with all that a result tells about the
+/// contact.
+inline RunResult made_up_contact_run(std::size_t rows = 201) {
+  RunResult result = made_up_run(rows);
+  result.scene = testing::changed(result.scene, [](Scenario& s) {
+    ContactSpec& contact = s.contact.emplace();
+    contact.tip_radius_m = 0.002;
+    contact.law = ContactLaw::contensou;
+    contact.friction_coefficient = 0.2;
+    contact.patch_radius_m = 3e-5;
+  });
+  result.modelled = result.scene;
+  for (DriftRow& row : result.rows) {
+    const double t = row.t_s;
+    BasicContactRow<double>& contact = row.contact.emplace();
+    contact.drift_tip_xy_m = {1e-7 * std::sin(0.4 * t), 2e-6 * t};
+    contact.drift_tip_m = std::hypot(contact.drift_tip_xy_m[0], contact.drift_tip_xy_m[1]);
+    contact.drift_tip_bound_m = 1e-15 * (1 + t * t);
+    contact.ref_tip_m = {0.02 * std::cos(0.4 * t), 0.02 * std::sin(0.4 * t)};
+    for (std::size_t i = 0; i < 2; ++i) contact.tip_m[i] = contact.ref_tip_m[i] + contact.drift_tip_xy_m[i];
+    contact.ref_slip_m_s = 0.01 * std::exp(-0.1 * t);
+    contact.drift_slip_m_s = -1e-7 * t;
+    contact.slip_m_s = contact.ref_slip_m_s + contact.drift_slip_m_s;
+    contact.ref_normal_force_N = 0.98 + 1e-3 * std::cos(t);
+    contact.normal_force_N = contact.ref_normal_force_N - 1e-6;
+    contact.drift_spin_rate_rad_s = 4e-5;
+    contact.state = t < 30 ? ContactState::slide : ContactState::roll;
+  }
+  result.drift.tip_final_m = result.rows.back().contact->drift_tip_m;
+  result.drift.tip_max_m = 1.25e-4;
+  result.drift.tip_bound_m = 3.601e-12;
+  ContactReport& contact = result.contact.emplace();
+  contact.events = {{ContactEventKind::slip_stopped, Prediction::reference, 29.75, -8e-7, 1e-9},
+                    {ContactEventKind::inverted, Prediction::rotating, 50.5, 3e-6, 1e-8}};
+  contact.at_s = 60;
+  contact.changes = {{"friction_coefficient", "1 %", 8e-3, 8.8e-4}, {"table_tilt", "1 arcsec", 8e-6, 4e-5}};
+  return result;
+}
+
 /// The same with everything that a result may have, and no number of its summary null.
 inline RunResult made_up_full_run() {
   RunResult result = made_up_run_with_ledger(11);

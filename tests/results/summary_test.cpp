@@ -82,6 +82,31 @@ TEST(Summary, TimesOfEventsHaveTheirBounds) {
   EXPECT_EQ(summary_of(result).at("/drift/threshold_crossing"_json_pointer), "tangential");
 }
 
+TEST(Summary, HasTheContactOfATopOnATableOnly) {
+  const RunResult result = test::made_up_contact_run();
+  const json summary = summary_of(result), without = summary_of(made_up_run());
+  EXPECT_EQ(summary.at("/drift/tip_final_m"_json_pointer), *result.drift.tip_final_m);
+  EXPECT_EQ(summary.at("/drift/tip_max_m"_json_pointer), 1.25e-4);
+  EXPECT_EQ(summary.at("/drift/tip_bound_m"_json_pointer), 3.601e-12);
+  EXPECT_EQ(summary.at("contact"), json::parse(R"({"events": [
+    {"event": "slip_stopped", "t_s": 29.75, "bound_s": 1e-9, "prediction": "reference", "time_difference_s": -8e-7},
+    {"event": "inverted", "t_s": 50.5, "bound_s": 1e-8, "prediction": "rotating", "time_difference_s": 3e-6}],
+  "prediction_changes": [
+    {"input": "friction_coefficient", "step": "1 %", "axis_rad": 8e-3, "tip_m": 8.8e-4, "at_s": 60.0},
+    {"input": "table_tilt", "step": "1 arcsec", "axis_rad": 8e-6, "tip_m": 4e-5, "at_s": 60.0}]})"));
+  EXPECT_FALSE(without.contains("contact"));
+  for (const char* key : {"tip_final_m", "tip_max_m", "tip_bound_m"}) EXPECT_FALSE(without.at("drift").contains(key)) << key;
+}
+
+TEST(Summary, OfRowsWithAContactHasTheTipsDrift) {
+  const RunResult result = test::made_up_contact_run();
+  const DriftSummary drift = summarize_drift(result.rows, kEarthRateWgs84);
+  EXPECT_EQ(drift.tip_final_m, result.rows.back().contact->drift_tip_m);
+  EXPECT_EQ(drift.tip_bound_m, result.rows.back().contact->drift_tip_bound_m);
+  EXPECT_GE(*drift.tip_max_m, *drift.tip_final_m);
+  EXPECT_FALSE(summarize_drift(made_up_run().rows, kEarthRateWgs84).tip_final_m);
+}
+
 TEST(Summary, AbsentValuesAreNull) {
   RunResult result = made_up_run();
   result.drift.secular.reset();

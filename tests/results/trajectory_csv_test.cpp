@@ -8,6 +8,7 @@
 
 #include "earthtop/results/results.hpp"
 #include "results/made_up_run.hpp"
+#include "run/rows.hpp"
 
 namespace earthtop {
 namespace {
@@ -80,6 +81,73 @@ TEST(TrajectoryCsv, EveryColumnHoldsItsOwnNumber) {
             "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,1");
   row.drift_reliable = false;
   EXPECT_TRUE(lines_of(trajectory_csv(result)).at(1).ends_with(",27,0"));
+}
+
+constexpr std::string_view kContactColumns =
+    ",tip_L_x_m,tip_L_y_m,ref_tip_L_x_m,ref_tip_L_y_m,slip_m_s,ref_slip_m_s,normal_force_N,ref_normal_force_N,"
+    "drift_tip_x_m,drift_tip_y_m,drift_tip_m,drift_tip_bound_m,drift_slip_m_s,drift_spin_rate_rad_s,contact_state";
+
+/// A row whose number in each column of the contact, counted from 1, is that column's.
+template <class T>
+BasicContactRow<T> numbered_contact() {
+  BasicContactRow<T> contact;
+  contact.tip_m = {T(1), T(2)};
+  contact.ref_tip_m = {T(3), T(4)};
+  contact.slip_m_s = 5;
+  contact.ref_slip_m_s = 6;
+  contact.normal_force_N = 7;
+  contact.ref_normal_force_N = 8;
+  contact.drift_tip_xy_m = {T(9), T(10)};
+  contact.drift_tip_m = 11;
+  contact.drift_tip_bound_m = 12;
+  contact.drift_slip_m_s = 13;
+  contact.drift_spin_rate_rad_s = 14;
+  return contact;
+}
+
+TEST(TrajectoryCsv, TheContactsColumnsFollowTheOthers) {
+  RunResult result = test::made_up_contact_run(2);
+  const std::string without = trajectory_csv(made_up_run(2));
+  for (const ContactState state : {ContactState::slide, ContactState::roll, ContactState::mixed}) {
+    for (DriftRow& row : result.rows) {
+      row.contact = numbered_contact<double>();
+      row.contact->state = state;
+    }
+    const auto lines = lines_of(trajectory_csv(result)), others = lines_of(without);
+    ASSERT_EQ(lines.size(), others.size());
+    EXPECT_EQ(lines[0], others[0] + std::string(kContactColumns));
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      EXPECT_EQ(lines[i], others[i] + ",1,2,3,4,5,6,7,8,9,10,11,12,13,14," + std::string(to_string(state)));
+  }
+}
+
+TEST(TrajectoryCsv, RowsOfMoreDigitsHaveTheContactToo) {
+  for (const Precision precision : {Precision::bits64, Precision::bits113}) {
+    RunResult result = test::made_up_contact_run(2);
+    result.scene = testing::changed(result.scene, [&](Scenario& s) { s.precision = precision; });
+    result.extended_rows.resize(2);
+    for (ExtendedDriftRow& row : result.extended_rows) row.contact = numbered_contact<float128>();
+    result.extended_rows[1].contact->state = ContactState::mixed;
+    result.extended_rows[1].contact->drift_tip_m = static_cast<float128>(1.0L / 3);
+    const auto lines = lines_of(trajectory_csv(result));
+    EXPECT_TRUE(lines.at(0).ends_with(kContactColumns));
+    EXPECT_TRUE(lines.at(1).ends_with(",1,2,3,4,5,6,7,8,9,10,11,12,13,14,slide"));
+    EXPECT_TRUE(lines.at(2).ends_with(",12,13,14,mixed"));
+    const std::string third = fields_of(lines.at(2)).at(29 + 10);
+    EXPECT_GT(third.size(), 20u) << third;
+    EXPECT_TRUE(third.starts_with("0.3333333333333333333")) << third;
+  }
+}
+
+// Rows of every scalar are the same row: nothing of the contact is lost on the way from one to the other.
+TEST(TrajectoryCsv, RowsOfAnotherScalarKeepTheContact) {
+  ExtendedDriftRow row;
+  EXPECT_FALSE(row_cast<double>(row).contact);
+  row.contact = numbered_contact<float128>();
+  row.contact->state = ContactState::mixed;
+  RunResult result = test::made_up_contact_run(2);
+  result.rows[1] = row_cast<double>(row);
+  EXPECT_TRUE(lines_of(trajectory_csv(result)).at(2).ends_with(",1,2,3,4,5,6,7,8,9,10,11,12,13,14,mixed"));
 }
 
 TEST(TrajectoryCsv, NumbersReadBackToTheSameBits) {

@@ -8,25 +8,16 @@
 #include <numbers>
 #include <string_view>
 
-#include "earthtop/elementary.hpp"
+#include "contact_text.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
+#include "number_text.hpp"
 
 namespace earthtop::tool {
 namespace {
 
 constexpr double kArcsecond = std::numbers::pi / (180 * 3600.0);
-
-/// The value with one digit more than its bound leaves certain, or with seven digits if the bound is zero.
-std::string with_bound(double value, double bound) {
-  if (!std::isfinite(value) || !std::isfinite(bound)) return fmt::format("{:.6e} rad, bound not known", value);
-  int decimals = 6;
-  if (value != 0 && bound > 0)
-    decimals =
-        static_cast<int>(std::clamp(std::floor(real::log10(std::abs(value))) - std::floor(real::log10(bound)) + 1, 1.0, 16.0));
-  return fmt::format("{:.{}e} ± {:.1e} rad", value, decimals, bound);
-}
 
 /// The same angle in a handy unit, from degrees to microarcseconds.
 std::string pictured(double rad) {
@@ -126,7 +117,7 @@ void write_drift(Page& page, const RunResult& result) {
   page.heading(fmt::format("Drift after {} s", last->t_s));
   std::string share;
   if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
-  page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad)),
+  page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad, "rad")),
             page.strong(pictured(drift.axis_final_rad)), share);
   if (const auto digits = drift_digits(result); digits && !result.verdict.from_s)
     page.line("  in full     {} rad", digits->axis_final_rad);
@@ -140,15 +131,13 @@ void write_drift(Page& page, const RunResult& result) {
             pictured(drift.tilt_final_rad));
   page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
   page.line("  attitude    {} (the whole turn between the two)",
-            with_bound(drift.attitude_final_rad, drift.attitude_bound_rad));
+            with_bound(drift.attitude_final_rad, drift.attitude_bound_rad, "rad"));
+  const char* label = "tip";
+  for (const std::string& line : tip_drift_lines(result, *last, drift.tip_bound_m.value_or(0))) {
+    page.line("  {:<11} {}", label, line);
+    label = "";
+  }
   if (last != &result.rows.back()) page.line("  later rows are written, marked as not reliable");
-}
-
-/// The time with one digit more than its bound leaves certain.
-std::string time_with_bound(double t_s, const std::optional<double>& bound_s) {
-  if (!bound_s || !(*bound_s > 0)) return fmt::format("{:.9g} s", t_s);
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-real::log10(*bound_s))) + 1, 0, 17);
-  return fmt::format("{:.{}f} ± {:.1e} s", t_s, decimals, *bound_s);
 }
 
 void write_stops(Page& page, const RunResult& result) {
@@ -157,6 +146,10 @@ void write_stops(Page& page, const RunResult& result) {
                                       stop.prediction == Prediction::rotating ? "rotating" : "non-rotating",
                                       time_with_bound(stop.t_s, stop.bound_s)));
   if (result.stops.size() == 1) page.entry("", page.warning("the other one moves on: later rows are marked as not reliable"));
+}
+
+void write_lines(Page& page, const std::vector<LabelledLine>& lines) {
+  for (const LabelledLine& line : lines) page.entry(line.label, line.is_warning ? page.warning(line.text) : line.text);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -290,8 +283,10 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   page.line("");
   write_verdict(page, result);
   write_stops(page, result);
+  write_lines(page, contact_event_lines(result));
   write_choice(page, result);
   write_trend(page, result);
+  write_lines(page, prediction_change_lines(result));
   if (result.sensitivities) write_sensitivities(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
   page.entry("Computed", described(result.solution));

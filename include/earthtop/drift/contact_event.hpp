@@ -18,6 +18,8 @@ enum class ContactEventKind {
   no_unique_force  ///< Painleve's paradox: no force, or several, keep the tip on the table: the run ends
 };
 std::string_view to_string(ContactEventKind kind);
+/// What happens, in a sentence without its end.
+std::string_view in_words(ContactEventKind kind);
 /// Whether nothing is computed after such an event.
 bool ends_run(ContactEventKind kind);
 

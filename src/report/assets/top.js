@@ -37,12 +37,39 @@ function readTorques(torques) {
   return all;
 }
 
+/** A place on the table over time, in lengths of the stem, with straight lines between the rows; always the origin for a
+ *  fixed pivot. */
+function makePlace(moments, numbers) {
+  const count = Math.min(moments?.length ?? 0, Math.floor((numbers?.length ?? 0) / 3)), origin = [0, 0, 0];
+  const rows = Array.from({ length: count }, (_, i) => {
+    const place = numbers.slice(3 * i, 3 * i + 3);
+    return place.every(isNumber) ? place : null;
+  });
+  const at = (time) => {
+    if (count < 2) return rows[0] ?? origin;
+    const i = rowBefore(moments, time, count), step = moments[i + 1] - moments[i], p = rows[i], q = rows[i + 1];
+    const u = step > 0 ? clamp((time - moments[i]) / step, 0, 1) : 0;
+    return p && q ? combine(1 - u, p, u, q) : p ?? q ?? origin;
+  };
+  /** The places of all rows up to a time, and that of the time itself. */
+  const until = (time) => {
+    const path = [];
+    for (let i = 0; i < count && moments[i] <= time; ++i) if (rows[i]) path.push(rows[i]);
+    if (count) path.push(at(time));
+    return path;
+  };
+  return { count, at, until };
+}
+
 function torqueLabel({ name, largest, decade }) {
   if (largest === 0) return `${kTorques[name]} torque: zero`;
   return `${kTorques[name]} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
 }
 
-function paintTop(pen, put, eye, scene) {
+function paintTop(pen, project, eye, scene) {
+  const origin = [0, 0, 0];
+  let place = origin;  // of what is drawn: the tip of a top on a table moves
+  const put = (p) => project(combine(1, place, 1, p));
   const line = (from, to, name, width) => {
     pen.strokeStyle = kPalette[name];
     pen.lineWidth = width;
@@ -84,7 +111,6 @@ function paintTop(pen, put, eye, scene) {
     pen.closePath();
   };
 
-  const origin = [0, 0, 0];
   ring(origin, [1, 0, 0], [0, 1, 0], 0.75);
   pen.strokeStyle = kPalette.line;
   pen.lineWidth = 1;
@@ -97,7 +123,15 @@ function paintTop(pen, put, eye, scene) {
   if (scene.earth) arrow(origin, scene.earth, "earth", "Earth's rate");
   if (scene.precession) arrow(origin, times(1.1, scene.precession), "precession", "precession axis");
   const { axis, ref } = scene;
+  if (scene.path.length > 1) {
+    pen.strokeStyle = kPalette.axis;
+    pen.lineWidth = 1;
+    trace(pen, scene.path.map(put));
+    pen.stroke();
+  }
+  place = scene.refTip;
   if (ref) line(origin, ref, "ref", 2);
+  place = scene.tip;
   if (axis) {
     const [p, q] = across(axis), faceUp = dot(axis, eye) >= 0;
     const low = times(kDisc.height - kDisc.thickness / 2, axis);
@@ -128,7 +162,9 @@ function paintTop(pen, put, eye, scene) {
     if (faceUp) stem(high, axis); else stem(origin, low);
     spot(pen, put(axis), 4.5, kPalette.axis);
   }
+  place = scene.refTip;
   if (ref) spot(pen, put(ref), 8, kPalette.ref, 2);
+  place = scene.tip;
   const centre = times(kDisc.height, axis ?? ref ?? origin);
   for (const { name, vector } of scene.torques) arrow(centre, times(0.6, vector), name, kTorques[name]);
 }
@@ -141,6 +177,7 @@ function startTop(data) {
   const play = control("play", "button"), slider = control("time", "input"), clock = control("clock", "output");
   const arrows = byId("arrows") ?? { checked: true };
   const axis = makeTrack(data.t_s, data.axis_L), ref = makeTrack(data.t_s, data.ref_axis_L);
+  const tip = makePlace(data.t_s, data.tip), refTip = makePlace(data.t_s, data.ref_tip);
   const torques = readTorques(data.torques);
   const earth = normalise(data.earth_rate_L), precession = normalise(data.precession_axis_L);
   const first = axis.first, last = axis.last, span = last - first;
@@ -164,7 +201,7 @@ function startTop(data) {
     const put = (p) => [x0 + scale * dot(right, p), y0 - scale * dot(up, p)];
     const shown = arrows.checked;
     paintTop(page.pen, put, eye, {
-      axis: axis.at(time), ref: ref.at(time), turned: ((spin / slowed) * (time - first)) % (2 * Math.PI),
+      axis: axis.at(time), ref: ref.at(time), tip: tip.at(time), refTip: refTip.at(time), path: tip.until(time), turned: ((spin / slowed) * (time - first)) % (2 * Math.PI),
       earth: shown ? earth : null, precession: shown ? precession : null,
       torques: shown ? torques.map((t) => ({ name: t.name, vector: times(t.scale, t.at(time)) })) : [],
     });
@@ -219,8 +256,11 @@ function startTop(data) {
 
   const paceText = pace === 1 ? "in real time" :
     `${format(Math.max(pace, 1 / pace), 3)} times ${pace > 1 ? "faster" : "slower"} than it happens`;
+  const shrunk = data.path_shrunk;
+  const pathText = !tip.count ? "" : !isNumber(shrunk) || shrunk <= 0 ? " The line on the table is the path of the tip." :
+    ` The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}.`;
   const note = element("p", "note", `Shown ${paceText}; the spin of ${format(spin)} rad/s drawn at 1/${format(slowed)} ` +
-    "of its rate. The axes are drawn as they are, not magnified.");
+    "of its rate. The axes are drawn as they are, not magnified." + pathText);
   const entries = [["ref", "prediction, without Earth rotation"], ...torques.map((t) => [t.name, torqueLabel(t)])];
   if (earth) entries.push(["earth", `Earth's rate, its direction (${format(size(data.earth_rate_L), 4)} rad/s)`]);
   if (precession) entries.push(["precession", "precession axis"]);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/contact_section.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "earthtop/drift/contact_event.hpp"
+#include "earthtop/elementary.hpp"
+#include "earthtop/results/compass_point.hpp"
+#include "report/path_picture.hpp"
+
+namespace earthtop::report {
+namespace {
+
+using compare::Row;
+
+constexpr double kShownTipDrift = 0.15;  // part of the path's extent to which the drift of the contact point is magnified
+constexpr double kDiscHeight = 0.58;     // of the top drawn, in stems: where its disc is
+constexpr double kShownPath = 1.5;       // largest extent of the path in the animation, in stems
+constexpr std::size_t kMostRows = 200;   // of a table
+constexpr double kMicrometres = 1e6;     // in a metre
+
+bool is_level(const Run& run) { return run.number("/scenario/contact/table/tilt_deg").value_or(0) == 0; }
+
+/// The larger side of the smallest rectangle along the axes around all finite points.
+double extent(const std::vector<double>& x, const std::vector<double>& y) {
+  double most = 0;
+  for (const auto* list : {&x, &y}) {
+    double low = kNoNumber, high = kNoNumber;
+    for (const double m : *list) {
+      low = std::fmin(low, m);
+      high = std::fmax(high, m);
+    }
+    most = std::fmax(most, high - low);
+  }
+  return most;
+}
+
+double largest(const std::vector<double>& list) {
+  double most = 0;
+  for (const double number : list) most = std::fmax(most, std::abs(number));
+  return most;
+}
+
+/// By how much the drift is magnified in the picture of the path; 1 where it is not small beside the path.
+double tip_magnification(double path_m, double drift_m) {
+  if (!(drift_m > 0) || !(path_m * kShownTipDrift > drift_m)) return 1;
+  const double most = kShownTipDrift * path_m / drift_m;
+  return std::isfinite(most) ? round_down(most) : 1;
+}
+
+/// The magnification in digits: 1,000 or 2e+09.
+std::string times_text(double factor) { return factor < 1e6 ? fmt::format("{:.0f}", factor) : fmt::format("{:g}", factor); }
+
+/// Toward where a displacement on the table points, in words.
+std::string toward(const Run& run, double x, double y) {
+  if (is_level(run)) return fmt::format("to the {}", compass_point(x, y));
+  return fmt::format("({:+.3g} m and {:+.3g} m along the table's axes)", x, y);
+}
+
+std::string path_html(const Run& run, Page& page) {
+  PathPicture picture;
+  picture.name = "path";
+  picture.title = "Path of the contact point";
+  picture.reference = {"prediction", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m")};
+  const std::vector<double> x = values(run, "drift_tip_x_m"), y = values(run, "drift_tip_y_m"), t = times(run);
+  const double path_m = extent(picture.reference.x, picture.reference.y), drift_m = std::fmax(largest(x), largest(y));
+  const double factor = tip_magnification(path_m, drift_m);
+  picture.rotating = {factor == 1 ? "with Earth rotation" : fmt::format("with Earth rotation, drift ×{}", times_text(factor)),
+                      picture.reference.x, picture.reference.y};
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t stride = std::max<std::size_t>(1, (run.rows.size() + kMostRows - 1) / kMostRows);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    picture.rotating.x[i] += factor * x[i];
+    picture.rotating.y[i] += factor * y[i];
+    if (i % stride == 0)
+      rows.push_back({fmt::format("{:.7g}", t[i]), fmt::format("{:.7g}", picture.reference.x[i]),
+                      fmt::format("{:.7g}", picture.reference.y[i]), fmt::format("{:.7g}", x[i]), fmt::format("{:.7g}", y[i])});
+  }
+  const bool level = is_level(run);
+  picture.right = level ? "East" : "the table's axis 1";
+  picture.up = level ? "North" : "the table's axis 2";
+  const std::string scale = factor == 1
+                                ? "Both predictions to scale"
+                                : fmt::format("The prediction to scale; its drift drawn {} times as large", times_text(factor));
+  picture.subtitle = "Seen from above. " + scale;
+  const std::string caption = fmt::format(
+      "The table from above, the same scale in both directions. {}: in truth it is {} at most. Rings: start. Dots: end.", scale,
+      length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
+  return page.picture("path", path_svg(picture), caption,
+                      table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)",
+                                  "drift x (m)", "drift y (m)"},
+                                 rows));
+}
+
+Figure tip_figure(const Run& run) {
+  return {"Distance of the two contact points",
+          "Rotating against non-rotating Earth",
+          {"Time", run.time.name},
+          {{{"Tip drift", "µm", AxisScale::logarithmic},
+            {{"bound on its error", times(run), values(run, "drift_tip_bound_m", kMicrometres), LineColor::vermillion,
+              LineStyle::filled},
+             {"drift", times(run), values(run, "drift_tip_m", kMicrometres)}}}}};
+}
+
+Figure force_figure(const Run& run) {
+  const std::vector<double> t = times(run);
+  return {"Slip and normal force",
+          "Both predictions",
+          {"Time", run.time.name},
+          {{{"Slip of the tip", "m/s"},
+            {{"prediction", t, values(run, "ref_slip_m_s"), LineColor::blue, LineStyle::broad},
+             {"with Earth rotation", t, values(run, "slip_m_s"), LineColor::vermillion}}},
+           {{"Normal force", "N"},
+            {{"prediction", t, values(run, "ref_normal_force_N"), LineColor::blue, LineStyle::broad},
+             {"with Earth rotation", t, values(run, "normal_force_N"), LineColor::vermillion}}}}};
+}
+
+/// The first and the last of the numbers that are finite; none where there are none.
+struct Ends {
+  double first = kNoNumber, last = kNoNumber;
+};
+Ends ends(const std::vector<double>& list) {
+  Ends found;
+  for (const double number : list) {
+    if (!std::isfinite(number)) continue;
+    if (!std::isfinite(found.first)) found.first = number;
+    found.last = number;
+  }
+  return found;
+}
+
+/// What can be seen in the pictures. A sentence is written only where it is true of the rows.
+std::string seen_html(const Run& run) {
+  std::string html = "<p>";
+  const Ends x = ends(values(run, "tip_L_x_m")), y = ends(values(run, "tip_L_y_m")), slip = ends(values(run, "slip_m_s"));
+  const double far = real::hypot(x.last - x.first, y.last - y.first);
+  if (far > 0)
+    html += fmt::format("The tip ends {} {} of where it started. ", length_text(far, 3),
+                        is_level(run) ? compass_point(x.last - x.first, y.last - y.first) : "away, on the tilted table,");
+  const Ends dx = ends(values(run, "drift_tip_x_m")), dy = ends(values(run, "drift_tip_y_m"));
+  const double drift = real::hypot(dx.last, dy.last);
+  if (drift > 0)
+    html += fmt::format("The Earth's rotation moves its end by {} {}. ", length_text(drift, 3), toward(run, dx.last, dy.last));
+  const std::vector<double> state = values(run, "contact_state"), force = values(run, "normal_force_N");
+  if (std::all_of(state.begin(), state.end(), [](double s) { return s == static_cast<double>(ContactState::roll); }))
+    html += "It rolls all the time. ";
+  else if (slip.first > 0 && slip.last < 0.1 * slip.first)
+    html += fmt::format("Its slip falls from {:.3g} m/s to {:.3g} m/s. ", slip.first, slip.last);
+  double least = kNoNumber, most = kNoNumber;
+  for (const double newtons : force) least = std::fmin(least, newtons), most = std::fmax(most, newtons);
+  if (least <= most) html += fmt::format("The table carries it with {:.4g} N to {:.4g} N.", least, most);
+  return html + "</p>\n";
+}
+
+std::string event_words(const std::string& word) {
+  using enum ContactEventKind;
+  for (const ContactEventKind kind : {slip_stopped, slip_started, lifted_off, rim_touched, inverted, no_unique_force})
+    if (to_string(kind) == word) return std::string(in_words(kind));
+  return word;
+}
+
+std::string events_html(const Run& run) {
+  std::string html;
+  for (std::size_t i = 0; const auto t_s = run.number(fmt::format("/contact/events/{}/t_s", i)); ++i) {
+    const std::string at = fmt::format("/contact/events/{}/", i);
+    const auto bound = run.number(at + "bound_s"), apart = run.number(at + "time_difference_s");
+    html += fmt::format(
+        "<p>At {}{}, in the {} prediction: {}.", number_html(*t_s, "s", 16), bound ? " ± " + number_html(*bound, "s", 2) : "",
+        run.word(at + "prediction") == "rotating" ? "rotating" : "non-rotating", escaped(event_words(run.word(at + "event"))));
+    if (apart)
+      html += fmt::format(" The Earth's rotation makes it {} {}.", number_html(std::abs(*apart), "s", 10),
+                          *apart < 0 ? "earlier" : "later");
+    html += "</p>\n";
+  }
+  return html;
+}
+
+/// How far the prediction itself moves with what nobody knows well.
+std::string changes_html(const Run& run) {
+  std::vector<std::vector<std::string>> rows;
+  bool of_friction = false;
+  for (std::size_t i = 0; const auto axis = run.number(fmt::format("/contact/prediction_changes/{}/axis_rad", i)); ++i) {
+    const std::string at = fmt::format("/contact/prediction_changes/{}/", i), step = run.word(at + "step");
+    of_friction = of_friction || step.ends_with("%");
+    rows.push_back({escaped(run.word(at + "input")), escaped(step), number_html(*axis, "rad", 3),
+                    number_html(run.number(at + "tip_m").value_or(kNoNumber), "m", 3)});
+  }
+  if (rows.empty()) return "";
+  const double at_s = run.number("/contact/prediction_changes/0/at_s").value_or(kNoNumber);
+  return fmt::format("<p>How far the prediction itself moves by {}, with inputs that nobody knows well:</p>\n",
+                     number_html(at_s, "s")) +
+         table_html({"input", "changed by", "axis moves by", "tip moves by"}, rows) +
+         (of_friction
+              ? "<p>Nobody knows a coefficient of friction to 1 %: the drift, with the same friction in both predictions, "
+                "is well defined, the prediction is not.</p>\n"
+              : "<p>Few tables are level to an arcsecond: the drift, on the same table in both predictions, is well "
+                "defined, the prediction is not.</p>\n");
+}
+
+}  // namespace
+
+std::string contact_section(const Run& run, Page& page) {
+  return seen_html(run) + path_html(run, page) +
+         page.chart("tip", tip_figure(run), "The distance of the two contact points, and the bound on its error.") +
+         page.chart("force", force_figure(run), "Slip of the contact point over the table, and the force of the table on it.") +
+         events_html(run) + changes_html(run);
+}
+
+void add_tip_motion(const Run& run, Page& page) {
+  const std::vector<double> x = values(run, "tip_L_x_m"), y = values(run, "tip_L_y_m");
+  double stem_m = 0;
+  if (run.scene) {
+    const Scenario& scenario = run.scene->scenario();
+    stem_m = std::abs(scenario.body.center_of_mass_m[2]) / kDiscHeight;
+    if (scenario.contact) stem_m = std::max(stem_m, 2 * scenario.contact->tip_radius_m);
+  }
+  // A path much longer than the top is drawn smaller, so that it stays in the picture.
+  const double path_m = extent(x, y), unit_m = std::max(stem_m, path_m / kShownPath);
+  if (!(unit_m > 0)) return;
+  Ends middle[2];
+  for (int axis = 0; axis < 2; ++axis)
+    for (const double m : axis == 0 ? x : y) middle[axis] = {std::fmin(middle[axis].first, m), std::fmax(middle[axis].last, m)};
+  Json& data = page.data();
+  const auto add = [&](const char* name, const std::vector<double>& east, const std::vector<double>& north) {
+    data[name] = Json::array();
+    for (std::size_t i = 0; i < east.size(); ++i) {
+      const double place[] = {(east[i] - (middle[0].first + middle[0].last) / 2) / unit_m,
+                              (north[i] - (middle[1].first + middle[1].last) / 2) / unit_m, 0};
+      for (const double m : place) data[name].push_back(std::isfinite(m) ? Json::parse(fmt::format("{:.5g}", m)) : Json());
+    }
+  };
+  add("tip", x, y);
+  add("ref_tip", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m"));
+  data["path_shrunk"] = stem_m > 0 ? unit_m / stem_m : 0.0;
+}
+
+}  // namespace earthtop::report

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The part of a run's page about the contact of a top with its table.
+#pragma once
+
+#include "report/html.hpp"
+#include "report/run_data.hpp"
+
+namespace earthtop::report {
+
+/// Path of the contact point, slip, normal force, events, and how far the prediction itself moves with its inputs.
+std::string contact_section(const Run& run, Page& page);
+
+/// Adds the places of both contact points to the data of the animation, in lengths of its stem.
+void add_tip_motion(const Run& run, Page& page);
+
+}  // namespace earthtop::report

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/path_picture.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "earthtop/elementary.hpp"
+#include "plot/svg_text.hpp"
+
+namespace earthtop::report {
+namespace {
+
+constexpr double kWidth = 860, kTop = 76, kSide = 480, kMargin = 40, kBelow = 56;  // px
+/// Colours and font of a picture that stands alone; on a page its style overrides them.
+constexpr const char* kAlone = "fill=\"#374151\" font-family=\"sans-serif\" font-size=\"12\"";
+constexpr double kSmallest = 1e-15;  // m; shorter paths are drawn as if they were as long
+
+/// Where the points of the plane are in the picture.
+struct Map {
+  double x0, y0, per_m;  ///< the plane's point in the middle of the picture (m), and px per metre
+  double x(double m) const { return kWidth / 2 + (m - x0) * per_m; }
+  double y(double m) const { return kTop + kSide / 2 - (m - y0) * per_m; }
+};
+
+Map map_of(const PathPicture& picture) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double low[2] = {kInfinity, kInfinity}, high[2] = {-kInfinity, -kInfinity};
+  for (const Path* path : {&picture.rotating, &picture.reference})
+    for (int axis = 0; axis < 2; ++axis)
+      for (const double m : axis == 0 ? path->x : path->y)
+        if (std::isfinite(m)) low[axis] = std::min(low[axis], m), high[axis] = std::max(high[axis], m);
+  if (!(low[0] <= high[0]) || !(low[1] <= high[1])) return {0, 0, 1};
+  const double width = std::max(high[0] - low[0], kSmallest), height = std::max(high[1] - low[1], kSmallest);
+  return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2,
+          std::min((kWidth - 2 * kMargin) / width, (kSide - 2 * kMargin) / height)};
+}
+
+/// The commands of a path element; points less than half a pixel from the one before are left out.
+std::string commands(const Path& path, const Map& map) {
+  std::string text;
+  double last_x = 0, last_y = 0;
+  bool is_open = false;
+  for (std::size_t i = 0; i < path.x.size(); ++i) {
+    const double x = map.x(path.x[i]), y = map.y(path.y[i]);
+    if (!std::isfinite(x) || !std::isfinite(y)) {
+      is_open = false;
+      continue;
+    }
+    if (is_open && i + 1 < path.x.size() && std::abs(x - last_x) + std::abs(y - last_y) < 0.5) continue;
+    text += fmt::format("{}{:.1f} {:.1f}", is_open ? "L" : "M", x, y);
+    last_x = x;
+    last_y = y;
+    is_open = true;
+  }
+  return text;
+}
+
+/// The first or the last finite point of a path; none where there is none.
+bool find_point(const Path& path, bool last, double& x, double& y) {
+  for (std::size_t k = 0; k < path.x.size(); ++k) {
+    const std::size_t i = last ? path.x.size() - 1 - k : k;
+    if (!std::isfinite(path.x[i]) || !std::isfinite(path.y[i])) continue;
+    x = path.x[i];
+    y = path.y[i];
+    return true;
+  }
+  return false;
+}
+
+/// A ring at the start of a path and a dot at its end.
+std::string marks(const Path& path, const Map& map, std::string_view color, double radius) {
+  std::string text;
+  double x = 0, y = 0;
+  if (find_point(path, false, x, y))
+    text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
+                        map.x(x), map.y(y), radius + 2, color);
+  if (find_point(path, true, x, y))
+    text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", map.x(x), map.y(y), radius, color);
+  return text;
+}
+
+}  // namespace
+
+double round_down(double number) {
+  const double decade = real::power_of_ten(static_cast<int>(std::floor(real::log10(number)))), lead = number / decade;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * decade;
+}
+
+std::string length_text(double m, int digits) {
+  struct Unit {
+    const char* name;
+    double m;
+  };
+  constexpr Unit kUnits[] = {{"km", 1e3}, {"m", 1}, {"mm", 1e-3}, {"µm", 1e-6}, {"nm", 1e-9}};
+  for (const Unit& unit : kUnits)
+    if (std::abs(m) >= 0.999 * unit.m) return fmt::format("{:.{}g} {}", m / unit.m, digits, unit.name);
+  return fmt::format("{:.{}g} m", m, digits);
+}
+
+std::string path_svg(const PathPicture& picture) {
+  const Map map = map_of(picture);
+  const double bar = round_down(160 / map.per_m), bottom = kTop + kSide, bar_px = bar * map.per_m;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "role=\"img\" {7}>\n<title>{2}</title>\n<rect class=\"et-page\" fill=\"#ffffff\" width=\"{0}\" height=\"{1}\"/>\n"
+      "<text x=\"24\" y=\"30\" class=\"et-h\">{2}</text>\n<text x=\"24\" y=\"52\" class=\"et-s\">{3}</text>\n"
+      "<rect class=\"et-frame\" stroke=\"#6b7280\" x=\"24\" y=\"{4}\" width=\"{5}\" height=\"{6}\" fill=\"none\"/>\n",
+      kWidth, bottom + kBelow, escape_xml(picture.title), escape_xml(picture.subtitle), kTop, kWidth - 48, kSide, kAlone);
+  // Start and end are seen even where both paths coincide: those of the prediction are larger.
+  out += fmt::format(
+      "<path id=\"{}-ref\" d=\"{}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3\" stroke-dasharray=\"7 4\"/>\n",
+      escape_xml(picture.name), commands(picture.reference, map));
+  out += fmt::format("<path id=\"{}-rot\" d=\"{}\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"1.5\"/>\n",
+                     escape_xml(picture.name), commands(picture.rotating, map));
+  out += marks(picture.reference, map, "#0072b2", 6) + marks(picture.rotating, map, "#d55e00", 3);
+  out += fmt::format("<text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">{2} →</text>\n<text x=\"34\" y=\"{3}\">↑ {4}</text>\n",
+                     kWidth - 34, bottom - 10, escape_xml(picture.right), kTop + 20, escape_xml(picture.up));
+  const double line = bottom + 24;
+  out += fmt::format(
+      "<path d=\"M24 {0}v8h{1:.1f}v-8\" fill=\"none\" stroke=\"#808080\" stroke-width=\"2\"/>\n"
+      "<text x=\"{2:.1f}\" y=\"{3}\">{4}</text>\n",
+      line - 8, bar_px, 32 + bar_px, line, length_text(bar, 3));
+  const auto entry = [&](double x, const char* stroke, const std::string& label) {
+    return fmt::format("<path d=\"M{0} {1}h32\" {2}/><text x=\"{3}\" y=\"{4}\">{5}</text>\n", x, line - 4, stroke, x + 40, line,
+                       escape_xml(label));
+  };
+  out += entry(300, "stroke=\"#d55e00\" stroke-width=\"1.5\"", picture.rotating.label);
+  out += entry(540, "stroke=\"#0072b2\" stroke-width=\"3\" stroke-dasharray=\"7 4\"", picture.reference.label);
+  return out + "</svg>\n";
+}
+
+}  // namespace earthtop::report
