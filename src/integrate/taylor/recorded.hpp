@@ -32,12 +32,11 @@ class Recording {
  public:
   /// Adds an operation, unless the same one is in the list. @returns its place
   int add(const Operation<T>& operation, T value) {
-    const Key key{operation.kind,          operation.a, operation.b, bits(operation.number), bits(operation.factor_a),
-                  bits(operation.factor_b)};
-    const auto [found, is_new] = places_.try_emplace(key, static_cast<int>(operations_.list.size()));
+    const auto [found, is_new] = places_.try_emplace(key_of(operation), static_cast<int>(operations_.list.size()));
     if (is_new) operations_.list.push_back(operation), values_.push_back(value);
     return found->second;
   }
+  bool has(const Operation<T>& operation) const { return places_.contains(key_of(operation)); }
   int constant(T number) { return add({.kind = Kind::constant, .number = number}, number); }
   /// Adds sine and cosine of a result. @returns the place of the sine; the cosine has the next one
   int sine_and_cosine(int argument) {
@@ -82,6 +81,7 @@ class Recording {
  private:
   using Bits = std::pair<std::uint64_t, std::uint64_t>;
   using Key = std::tuple<Kind, int, int, Bits, Bits, Bits>;
+  static Key key_of(const Operation<T>& o) { return {o.kind, o.a, o.b, bits(o.number), bits(o.factor_a), bits(o.factor_b)}; }
   /// A number as an ordered key; -0 and 0 are different numbers.
   static Bits bits(T number) {
     const auto high = static_cast<double>(number);
@@ -130,11 +130,13 @@ class Recorded {
   friend Recorded operator*(const Recorded& x, const Recorded& y) {
     if (x.is_number()) return scaled(y, x.number_);
     if (y.is_number()) return scaled(x, y.number_);
-    // Factors come out of the product, and the smaller place comes first, so that x y, y x and (2 x) y share one operation.
+    // Factors come out of the product, so that x y, y x and (2 x) y share one operation. A product's series is summed from its
+    // first factor on: which one comes first must not hang on the order in which a compiler has arguments computed.
     Recording& recording = *x.recording_;
     const auto [u, f] = recording.unscaled(x.place_);
     const auto [v, g] = recording.unscaled(y.place_);
-    const auto [a, b] = std::minmax(u, v);
+    const bool is_there_reversed = recording.has({.kind = Kind::product, .a = v, .b = u});
+    const auto [a, b] = is_there_reversed ? std::pair(v, u) : std::pair(u, v);
     return scaled(x.made({.kind = Kind::product, .a = a, .b = b}, recording.value(a) * recording.value(b)), f * g);
   }
   friend Recorded operator/(const Recorded& x, const Recorded& y) {
