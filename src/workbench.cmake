@@ -100,7 +100,6 @@ set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sun
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;report;study;verify")
-earthtop_precompile_headers(earthtop-workbench REUSE_FROM earthtop_documents)
 
 # The scripts and styles of a report for the browser.
 file(GLOB report_assets CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/assets/*)
@@ -148,3 +147,5 @@ if(EARTHTOP_SUNDIALS)
     message(STATUS "SUNDIALS: not found, no peer of earthtop bench (libsundials-dev)")
   endif()
 endif()
+
+earthtop_precompile_headers(earthtop-workbench REUSE_FROM earthtop_documents)

@@ -11,6 +11,7 @@
 
 #include "drift/compass_variations.hpp"
 #include "drift/driven_reduced_variations.hpp"
+#include "drift/growth_work.hpp"
 #include "drift/stability.hpp"
 #include "drift/variations.hpp"
 #include "earthtop/drift/growth.hpp"
@@ -22,7 +23,6 @@ namespace {
 constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
-constexpr double kFewestSteps = 100;         // of a series, for a slope over the second half
 constexpr double kSignificantEFoldings = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
 constexpr double kTurning = 1e-10;           // rad, a step: dry friction turns round with the motion, and disturbances jump
 
@@ -126,7 +126,7 @@ class SeriesSteps {
     look(t, x);
   }
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
-    stepper_.limit_step(std::min(end / kFewestSteps, end - t));
+    stepper_.limit_step(std::min(end / kFewestGrowthSteps, end - t));
     stepper_.do_step(series_);
     evaluations += stepper_.evaluations();
     const double step = stepper_.current_time_step();
@@ -228,16 +228,6 @@ class Departure {
   Vec3<double> up_B_, w_B_;
 };
 
-/// Whether a motion is that of a driven symmetric top or of a compass, with equations that have a Taylor series all along.
-bool has_spinless_series(const MotionProblem<double>& problem, double duration_s) {
-  if (!is_reducible_when_driven(problem.model) && !is_compass(problem.model)) return false;
-  const int axis = symmetry_axis(problem.model.I_BP_B, problem.model.mass_moment_B);
-  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[axis]), I3 = problem.model.I_BP_B(axis, axis);
-  const double end = problem.units.time_from_s(duration_s);
-  const double carrier_rate = problem.model.platform.turn.largest_rate(end) + norm(problem.model.W_IL_L);
-  return friction_stays_smooth(problem.model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
-}
-
 /// @tparam kEarth  whether to follow the motion on the rotating Earth, or the non-rotating prediction
 template <bool kEarth, class System, class Steps>
 GrowthReport follow(System system, const MotionProblem<double>& problem, double duration_s, double tolerance,
@@ -321,19 +311,6 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
 }
 
 }  // namespace
-
-Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance) {
-  if (problem.model.kind == SceneKind::plain || !has_spinless_series(problem, duration_s))
-    return variational_work(problem.pace, duration_s, relative_tolerance);
-  IntegrationOptions series;
-  series.method = Method::taylor, series.relative_tolerance = relative_tolerance;
-  Pace pace = problem.pace;
-  pace.rows = 0;
-  const Work whole = estimated_work(pace, series, true);
-  const double share = pace.known() ? duration_s / pace.duration_s : 0;
-  const double steps = std::max(kFewestSteps, share * whole.steps);
-  return {steps, steps * whole.evaluations / whole.steps};
-}
 
 std::optional<double> GrowthReport::passes_s(double log_growth) const {
   const auto point = std::lower_bound(rises.begin(), rises.end(), log_growth,

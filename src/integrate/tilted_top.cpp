@@ -125,8 +125,8 @@ template <class T>
 void TiltedTop<T>::keep_momentum_along_G(TiltedTopState<T>& x) const {
   const Mat3<T> R_GF = rotation_matrix(x.q_GF);
   const T square = R_GF(2, 0) * R_GF(2, 0) + R_GF(2, 1) * R_GF(2, 1);
-  constexpr double kLeastSquare = 1e-4, kLargest = 1e-13;
-  if (kappa_ == T(0) || !(square > T(kLeastSquare))) return;
+  constexpr double kLeastSine2 = 1e-4, kLargest = 1e-13;
+  if (kappa_ == T(0) || !(square > T(kLeastSine2))) return;
   const T excess = (momentum_along_G(R_GF, x.across) - x.M_G) - x.M_G_rest;
   const T by = -excess / (kappa_ * square);
   if (!(real::abs(by) < T(kLargest))) return;  // not round-off: the weight is no large part of a slow top's momentum

@@ -239,6 +239,24 @@ TEST(Recorded, WhatIsConstantOrRepeatedIsNotListed) {
   EXPECT_EQ(program.products(), 1u);
 }
 
+TEST(Recorded, NeitherTheOrderOfRecordingNorOfFactorsChangesTheDigits) {
+  using R = real::Recorded<double>;
+  const auto series = [](bool swap) {
+    return series_of<double>(
+        [&](const R& t) {
+          // As a compiler may compute the arguments of a sum from the right or from the left.
+          R u, v;
+          const auto make_u = [&] { u = sin(R(0.7) * t) / (R(1.0) + t * t); };
+          const auto make_v = [&] { v = sqrt(R(3.0) + t) - cos(t); };
+          swap ? (make_v(), make_u()) : (make_u(), make_v());
+          const R product = swap ? v * u : u * v;
+          return std::vector<R>{product, R(2.0) * (u * v) + t};
+        },
+        0.3, 20);
+  };
+  EXPECT_EQ(series(false), series(true));
+}
+
 /// x' = 1, y' = |x|: the right-hand side has a corner that no series sees coming.
 struct Corner {
   using Shape = Corner;

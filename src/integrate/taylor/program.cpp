@@ -32,7 +32,9 @@ EARTHTOP_PACK_INLINE void gather(const T* numbers, const std::uint32_t*& places,
   gathered = made;
   places += 4;
 }
-/// A sum of terms.   @tparam kTerms  their number, `terms`; 0: any number of 4 or more
+/// A sum of terms, the first, third, .. and the others apart, so that the two sums do not have to wait for each other. A shorter
+/// sum that is filled up to the length of its pack is so added up as in a pack of its own length.
+/// @tparam kTerms  their number, `terms`; 0: any number of 3 or more
 template <int kTerms, class T>
 EARTHTOP_PACK_INLINE void add_terms(const T* numbers, const std::uint32_t*& places, const T*& factors, int terms,
                                     Pack<T, 4>& sum) {
@@ -48,7 +50,6 @@ EARTHTOP_PACK_INLINE void add_terms(const T* numbers, const std::uint32_t*& plac
   if constexpr (kTerms > 0) {
     each<kTerms - 1>([&](int) __attribute__((always_inline)) { add(sum); });
   } else {
-    // Two sums do not have to wait for each other.
     Pack<T, 4> other{};
     int j = 1;
     for (; j + 1 < terms; j += 2) add(other), add(sum);
@@ -275,7 +276,6 @@ EARTHTOP_PACK_INLINE void Program<T>::run_order(int k) {
         break;
       case ProgramCode<T>::kSums + 1: add_terms<1>(now, operands, factors, 1, found); break;
       case ProgramCode<T>::kSums + 2: add_terms<2>(now, operands, factors, 2, found); break;
-      case ProgramCode<T>::kSums + 3: add_terms<3>(now, operands, factors, 3, found); break;
       default: add_terms<0>(now, operands, factors, *step - ProgramCode<T>::kSums, found);
     }
     pack_at<4>(out) = found;

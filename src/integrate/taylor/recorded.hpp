@@ -32,12 +32,12 @@ class Recording {
  public:
   /// Adds an operation, unless the same one is in the list. @returns its place
   int add(const Operation<T>& operation, T value) {
-    const Key key{operation.kind,          operation.a, operation.b, bits(operation.number), bits(operation.factor_a),
-                  bits(operation.factor_b)};
-    const auto [found, is_new] = places_.try_emplace(key, static_cast<int>(operations_.list.size()));
-    if (is_new) operations_.list.push_back(operation), values_.push_back(value);
+    const auto [found, is_new] = places_.try_emplace(key_of(operation), static_cast<int>(operations_.list.size()));
+    if (is_new) operations_.list.push_back(operation), values_.push_back(value), marks_.push_back(mark_of(operation, value));
     return found->second;
   }
+  /// A number that follows from what an operation computes, and not from its place in the list.
+  std::uint64_t mark(int place) const { return marks_[static_cast<std::size_t>(place)]; }
   int constant(T number) { return add({.kind = Kind::constant, .number = number}, number); }
   /// Adds sine and cosine of a result. @returns the place of the sine; the cosine has the next one
   int sine_and_cosine(int argument) {
@@ -82,6 +82,21 @@ class Recording {
  private:
   using Bits = std::pair<std::uint64_t, std::uint64_t>;
   using Key = std::tuple<Kind, int, int, Bits, Bits, Bits>;
+  static Key key_of(const Operation<T>& o) { return {o.kind, o.a, o.b, bits(o.number), bits(o.factor_a), bits(o.factor_b)}; }
+  std::uint64_t mark_of(const Operation<T>& o, T value) const {
+    std::uint64_t mark = static_cast<std::uint64_t>(o.kind);
+    const auto mix = [&](std::uint64_t bits) {
+      mark = (mark ^ bits) * 0x9e3779b97f4a7c15U;
+      mark ^= mark >> 32U;
+    };
+    for (const T number : {o.number, o.factor_a, o.factor_b}) mix(bits(number).first), mix(bits(number).second);
+    const bool has_operands = o.kind >= Kind::held;
+    mix(has_operands && o.a >= 0 ? this->mark(o.a) : o.kind == Kind::state ? static_cast<std::uint64_t>(o.a) : 0U);
+    mix(has_operands && o.b >= 0 ? this->mark(o.b) : 0U);
+    // Functions of time are numbered as they are met.
+    if (o.kind == Kind::given) mix(bits(value).first), mix(bits(value).second);
+    return mark;
+  }
   /// A number as an ordered key; -0 and 0 are different numbers.
   static Bits bits(T number) {
     const auto high = static_cast<double>(number);
@@ -91,6 +106,7 @@ class Recording {
 
   Operations<T> operations_;
   std::vector<T> values_;
+  std::vector<std::uint64_t> marks_;
   std::map<Key, int> places_;
   std::map<int, int> sines_;
 };
@@ -130,11 +146,12 @@ class Recorded {
   friend Recorded operator*(const Recorded& x, const Recorded& y) {
     if (x.is_number()) return scaled(y, x.number_);
     if (y.is_number()) return scaled(x, y.number_);
-    // Factors come out of the product, and the smaller place comes first, so that x y, y x and (2 x) y share one operation.
+    // Factors come out of the product, so that x y, y x and (2 x) y share one operation. A product's series is summed from its
+    // first factor on: which one comes first must not hang on the order in which a compiler has x y and y x computed.
     Recording& recording = *x.recording_;
     const auto [u, f] = recording.unscaled(x.place_);
     const auto [v, g] = recording.unscaled(y.place_);
-    const auto [a, b] = std::minmax(u, v);
+    const auto [a, b] = recording.mark(u) <= recording.mark(v) ? std::pair(u, v) : std::pair(v, u);
     return scaled(x.made({.kind = Kind::product, .a = a, .b = b}, recording.value(a) * recording.value(b)), f * g);
   }
   friend Recorded operator/(const Recorded& x, const Recorded& y) {
