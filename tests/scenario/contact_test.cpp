@@ -309,6 +309,8 @@ TEST(ContactKeys, WhatATableCanHaveIsTaken) {
   for (const std::string& contact : {kContensou, kExact})
     for (const Overrides& overrides : taken) {
       SCOPED_TRACE(overrides[0].first);
+      // The exact law is for symmetric bodies only.
+      if (contact == kExact && overrides[0].first == "/body/inertia/principal_kg_m2") continue;
       for (const Diagnostic& error : report_of(contact, overrides).errors)
         ADD_FAILURE() << error.pointer << " " << error.message;
     }
