@@ -242,11 +242,11 @@ class ContactWatch {
   }
 
   /// The time from the reference's event to the rotating motion's, over epsilon, from the pair near one of them; none where the
-  /// two are so far apart that a parabola does not tell.
+  /// two are too far apart for a polynomial.
   /// @param t  time of one of the events   @param from_reference  whether it is the reference's
   std::optional<T> time_difference(std::size_t k, const Look& p, T t, bool from_reference) const {
     const T epsilon = system_.equations().model().epsilon;
-    // Rates from values around the event, by formulas of order 4.
+    // The values around the event have an error of order h^4 in the slope, as large as that by rounding.
     const T h = T(real::pow(static_cast<double>(real::epsilon<T>()), 0.2)) / motion_rate_;
     Paired<T> g[5];
     for (int i = 0; i < 5; ++i) {
@@ -257,16 +257,26 @@ class ContactWatch {
     // The other motion's function at the one's event is +-epsilon times the difference.
     T Paired<T>::*other = from_reference ? &Paired<T>::rot : &Paired<T>::ref;
     const T here = from_reference ? g[2].diff : -g[2].diff;
-    const T slope = (T(8) * (g[3].*other - g[1].*other) - (g[4].*other - g[0].*other)) / (T(12) * h);
-    const T curvature =
-        (-(g[4].*other + g[0].*other) + T(16) * (g[3].*other + g[1].*other) - T(30) * (g[2].*other)) / (T(12) * h * h);
+    // The other's function around there, less its value, is a polynomial through the five values; its argument is time over h.
+    const T odd = (g[3].*other - g[1].*other) / T(2), odd_far = (g[4].*other - g[0].*other) / T(2);
+    const T even = (g[3].*other + g[1].*other) / T(2) - g[2].*other,
+            even_far = (g[4].*other + g[0].*other) / T(2) - g[2].*other;
+    const T cubic = (odd_far - T(2) * odd) / T(6), slope = odd - cubic;
+    const T quartic = (even_far - T(4) * even) / T(12), parabola = even - quartic;
     if (!(slope < T(0))) return std::nullopt;
     const T linear = -here / slope;
-    const T bend = epsilon * curvature * linear / slope;
-    constexpr double kParabola = 1e-3;  // the cubic term is neglected
-    if (!(real::abs(bend) < T(kParabola)) || !(real::abs(epsilon * linear) * motion_rate_ < T(kParabola))) return std::nullopt;
-    // here + slope D + epsilon curvature/2 D^2 = 0 for the root near `linear`.
-    const T D = T(2) * linear / (T(1) + real::sqrt(T(1) + T(2) * bend));
+    constexpr double kNear = 1e-3;  // then the polynomial's next term is below 1e-15 of the first
+    if (!(real::abs(T(2) * epsilon * parabola * linear / slope) < T(kNear)) ||
+        !(real::abs(epsilon * linear * h) * motion_rate_ < T(kNear)))
+      return std::nullopt;
+    // here + D (slope + parabola (epsilon D) + ...) = 0: each repetition gains three digits.
+    T steps = linear;
+    for (int i = 0; i < 16; ++i) {
+      const T x = epsilon * steps, before = steps;
+      steps = -here / (slope + x * (parabola + x * (cubic + x * quartic)));
+      if (real::abs(steps - before) <= real::epsilon<T>() * real::abs(steps)) break;
+    }
+    const T D = steps * h;
     return from_reference ? D : -D;
   }
 
