@@ -68,6 +68,11 @@ std::string_view to_word(Prediction prediction) { return prediction == Predictio
 Json of_contact(R r, const std::optional<double>& value) {
   return r.scene.scenario().contact || r.contact ? json_from(value) : kLeftOut;
 }
+/// A component of the tip's drift at the end.
+std::optional<double> tip_final(R r, std::size_t component) {
+  if (r.rows.empty() || !r.rows.back().contact) return std::nullopt;
+  return r.rows.back().contact->drift_tip_xy_m[component];
+}
 std::string_view to_event_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "reference"; }
 const ContactEvent& event(R r, I i) { return r.contact->events[i]; }
 const PredictionChange& change(R r, I i) { return r.contact->changes[i]; }
@@ -204,6 +209,8 @@ constexpr auto kMembers = [] {
                [](R r) { return largest(r, &DriftRow::drift_azimuth_rad); }),
       compared("drift.tilt_max_rad", drift_tilt, rows, kFromRows, [](R r) { return largest(r, &DriftRow::drift_tilt_rad); }),
       compared("drift.tip_final_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_final_m); }),
+      compared("drift.tip_final_x_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 0)); }),
+      compared("drift.tip_final_y_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 1)); }),
       compared("drift.tip_max_m", drift_tip, rows, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
       compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,

@@ -95,7 +95,9 @@ TEST(Summary, HasTheContactOfATopOnATableOnly) {
     {"input": "friction_coefficient", "step": "1 %", "axis_rad": 8e-3, "tip_m": 8.8e-4, "at_s": 60.0},
     {"input": "table_tilt", "step": "1 arcsec", "axis_rad": 8e-6, "tip_m": 4e-5, "at_s": 60.0}]})"));
   EXPECT_FALSE(without.contains("contact"));
-  for (const char* key : {"tip_final_m", "tip_max_m", "tip_bound_m"}) EXPECT_FALSE(without.at("drift").contains(key)) << key;
+  EXPECT_EQ(summary.at("/drift/tip_final_x_m"_json_pointer), result.rows.back().contact->drift_tip_xy_m[0]);
+  EXPECT_EQ(summary.at("/drift/tip_final_y_m"_json_pointer), result.rows.back().contact->drift_tip_xy_m[1]);
+  for (const char* key : {"tip_final_m", "tip_final_x_m", "tip_max_m", "tip_bound_m"}) EXPECT_FALSE(without.at("drift").contains(key)) << key;
 }
 
 TEST(Summary, OfRowsWithAContactHasTheTipsDrift) {
