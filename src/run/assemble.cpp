@@ -228,7 +228,9 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);
   }
-  result.ledger = assess_ledger(result, parts.next(seconds.ledger, "ledger"));
+  const Watch ledger = parts.next(seconds.ledger, "ledger");
+  result.ledger = scenario.contact ? assess_contact_ledger(scene, made.first.samples, result.rows.size(), ledger)
+                                   : assess_ledger(result, ledger);
   if (stop()) return stopped(scene, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);

@@ -2,7 +2,9 @@
 #include "run/contact_assessment.hpp"
 
 #include "earthtop/model/contact_invariants.hpp"
+#include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
+#include "run/ledger_report.hpp"
 
 namespace earthtop {
 namespace {
@@ -129,9 +131,39 @@ std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const
   if (conserved.routh) reports.push_back(routh.report());
   return reports;
 }
-#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                              \
-  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&, \
-                                                                  std::size_t, const Watch&);
+
+template <class T>
+std::optional<LedgerReport> assess_contact_ledger(const Scene& scene, const std::vector<DriftSample<T>>& samples,
+                                                  std::size_t rows, const Watch& watch) {
+  const std::optional<LedgerObserver>& observer = scene.scenario().ledger;
+  if (!observer) return std::nullopt;
+  const DriftProblem<T>& problem = scene.problem<T>();
+  const NaturalUnits& units = problem.units;
+  const int newtons = units.mass_exponent - 2 * units.time_exponent;  // lengths are metres in both units
+  std::vector<LedgerRow<T>> ledger;
+  ledger.reserve(rows);
+  for (std::size_t i = 0; i < std::min(rows, samples.size()); ++i) {
+    if (watch.asks_to_stop()) break;
+    if (i % 64 == 0) watch.reach(static_cast<double>(i) / static_cast<double>(rows));
+    const DriftSample<T>& sample = samples[i];
+    const StateOnTable<T> state{sample.state.q_LB.normalized(), units.rate_from_rad_s(sample.state.w_LB_B),
+                                one_of(sample.contact->slip_L, &Paired<T>::rot),
+                                one_of(sample.contact->tip_L, &Paired<T>::rot)};
+    LedgerRow<T> row = ledger_row(ledger_entry_on_table(*observer, problem.model, problem.table->contact, problem.table->start,
+                                                        units.time_from_s(sample.state.t_s), state));
+    for (std::array<T, 3>* column : {&row.tau_phys_A, &row.tau_cor_A, &row.tau_trans_A, &row.tau_cent_A, &row.dL_dt_A,
+                                     &row.residual_A, &row.share_A[0], &row.share_A[1], &row.share_A[2], &row.force_table_A})
+      for (T& component : *column) component = real::scale(component, newtons);
+    ledger.push_back(row);
+  }
+  return ledger_report(*observer, std::move(ledger));
+}
+
+#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                                      \
+  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&,         \
+                                                                  std::size_t, const Watch&);                               \
+  template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<T>>&, std::size_t, \
+                                                             const Watch&);
 EARTHTOP_CONTACT_INVARIANTS(double)
 EARTHTOP_CONTACT_INVARIANTS(long double)
 EARTHTOP_CONTACT_INVARIANTS(float128)
