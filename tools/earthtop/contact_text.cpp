@@ -12,18 +12,6 @@
 namespace earthtop::tool {
 namespace {
 
-/// The name of an input in words, without its unit.
-std::string spoken(std::string_view name) {
-  std::string words(name);
-  for (const std::string_view unit : {"_N_s_m", "_s_m", "_m"})
-    if (name.ends_with(unit)) {
-      words.resize(name.size() - unit.size());
-      break;
-    }
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 bool is_level(const RunResult& result) {
   const auto& contact = result.scene.scenario().contact;
   return !contact || contact->table_tilt_deg == 0;
@@ -43,6 +31,17 @@ std::string other_time(const ContactEvent& event) {
 }
 
 }  // namespace
+
+std::string spoken(std::string_view name) {
+  std::string words(name);
+  for (const std::string_view unit : {"_N_s_m", "_s_m", "_m"})
+    if (name.ends_with(unit)) {
+      words.resize(name.size() - unit.size());
+      break;
+    }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow& last, double bound_m) {
   if (!last.contact) return {};

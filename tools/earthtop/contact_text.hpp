@@ -17,6 +17,9 @@ struct LabelledLine {
   bool is_warning = false;
 };
 
+/// The name of an input or a force in words, without its unit.
+std::string spoken(std::string_view name);
+
 /// The lines on the drift of the contact point, without labels; none for a fixed pivot.
 /// @param last  the row they are about   @param bound_m  largest bound on the rows' errors
 std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow& last, double bound_m);
