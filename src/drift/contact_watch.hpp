@@ -22,9 +22,9 @@ namespace earthtop {
 /// The functions of a motion that fall through 0 at its events; not all of them in every scene.
 template <class T>
 struct ContactEventFunctions {
-  static constexpr std::array<ContactEventKind, 5> kKinds = {ContactEventKind::lifted_off, ContactEventKind::rim_touched,
-                                                             ContactEventKind::no_unique_force, ContactEventKind::inverted,
-                                                             ContactEventKind::slip_started};
+  static constexpr std::array<ContactEventKind, 6> kKinds = {
+      ContactEventKind::lifted_off, ContactEventKind::rim_touched,  ContactEventKind::no_unique_force,
+      ContactEventKind::inverted,   ContactEventKind::slip_started, ContactEventKind::patch_stopped};
   static constexpr std::size_t kCount = kKinds.size();
   using Values = std::array<Paired<T>, kCount>;
 
@@ -32,6 +32,17 @@ struct ContactEventFunctions {
   T weight = T(1);                 ///< m g
   T least_cosine = T(-2);          ///< of the tilt at which the rim touches; below -1: it never does
   std::optional<T> most_friction;  ///< per normal force, of a tip that rolls
+  /// For `contensou`, the slip that is worth as much as a unit of turning (contact_forces.hpp); 0 for other laws.
+  T slip_per_turning = T(0);
+  T patch_at_release = T(0);  ///< slip and turning of the patch together at release
+
+  /// Slip and turning of a patch together.
+  Paired<T> patch_speed(const ContactDriftState<T>& state) const {
+    const Paired<T> turning = Paired<T>(slip_per_turning) * state.turning;
+    return real::sqrt(inner(state.slip_L, state.slip_L) + turning * turning);
+  }
+  /// A patch that moves at less than this share of its speed at release has stopped: steps become as short as what is left.
+  static constexpr T kPatchStopped() { return T(1e-5); }
 
   /// Each of the order of 1.
   Values operator()(const ContactDriftState<T>& state) const {
@@ -44,6 +55,10 @@ struct ContactEventFunctions {
     g[2] = reaction.denominator;
     g[3] = height;
     g[4] = P(T(1));
+    g[5] = P(T(1));
+    // Where this is 0, friction has no derivative; it is approached like dry friction's stop, within a finite time.
+    if (slip_per_turning > T(0))
+      g[5] = patch_at_release > T(0) ? patch_speed(state) / P(patch_at_release) - P(kPatchStopped()) : P(T(0));
     if (most_friction) {
       const P square = inner(reaction.friction, reaction.friction), most = P(*most_friction) * reaction.normal_force;
       // Both sides are squared: friction may be 0, where its size has no derivative.
@@ -60,6 +75,8 @@ ContactEventFunctions<T> contact_event_functions(const Model<T>& model, const Co
   ContactEventFunctions<T> functions;
   functions.normal_L = rotation_matrix(start.q_LH).col(2);
   functions.weight = contact.mass * norm(model.apparent_gravity_L);
+  if (contact.law == ContactLaw::contensou && contact.coefficient > T(0))
+    functions.slip_per_turning = contact.slip_of_spin * contact.patch_radius;
   return functions;
 }
 
@@ -77,7 +94,10 @@ class ContactWatch {
 
   /// Goes on to the next state of the integration. @returns whether an event has ended the run
   bool follow(T t, const State& x) {
+    if (!started_ && functions_.slip_per_turning > T(0))
+      functions_.patch_at_release = functions_.patch_speed(system_.contact_state(x, t)).ref;
     Look next{t, x, values(t, x), {}, false};
+    if (!started_) see_start(next);
     if (started_) {
       if (may_fall(next)) {
         if (!last_.has_rates) find_rates(last_);
@@ -85,7 +105,6 @@ class ContactWatch {
         search(last_, next);
       }
     }
-    if (!started_) see_start(next);
     started_ = true;
     last_ = next;
     return end_.has_value();
