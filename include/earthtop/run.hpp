@@ -72,6 +72,8 @@ struct VerdictReport {
   /// Time (s) from which on it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
   std::optional<double> until_s{};
   double reliable_until_s = 0;  ///< `from_s`, or the end of the run
+  /// Whether the drift at this time can be trusted: it is before `from_s`, or not before `until_s`.
+  bool trusts(double t_s) const { return !from_s || t_s < *from_s || (until_s && t_s >= *until_s); }
   std::string reason;
   /// Finite-time Lyapunov exponent at late times (1/s), the larger one of the two motions (see GrowthReport); empty where
   /// closed forms show that nothing grows exponentially, or where the growth could not be followed.

@@ -103,6 +103,7 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
     row.tip_L = in_L(Vec3<P>(body.p_O[0], body.p_O[1], P(T(0))));
     row.slip_L = in_L(body.v_P);
     row.slip = real::sqrt(inner(body.v_P, body.v_P));
+    row.turning = body.w_LB[2];
     row.relative_spin = inner(body.w_LB, body.n);
     row.spin = row.relative_spin + inner(body.n, pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon));
     row.reaction = {body.reaction.normal_force, body.reaction.denominator, in_L(body.reaction.friction),

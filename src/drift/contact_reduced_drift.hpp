@@ -110,7 +110,9 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     row.slip_L = in_L(s.v_P);
     row.slip = real::sqrt(inner(s.v_P, s.v_P));
     row.spin = s.w3;
-    row.relative_spin = s.w3 - inner(s.n, pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon));
+    const Vec3<P> W = pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon);
+    row.relative_spin = s.w3 - inner(s.n, W);
+    row.turning = s.u[2] + s.w3 * s.n[2] - W[2];
     const ContactReaction<P> reaction = equations_.reaction(x, t);
     row.reaction = {reaction.normal_force, reaction.denominator, in_L(reaction.friction), in_L(reaction.moment)};
     if constexpr (Shape::kHasIntegrals)

@@ -143,11 +143,11 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units) {
+void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<double> nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
   problem.times_s.resize(std::max<std::size_t>(1, rows));
-  nudge(problem, nudge_units);
+  nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)));
 }
 
 template <class T>
@@ -176,7 +176,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
 
   // The following work takes seconds for millions of rows.
-  DriftBound<T> bound(kSafety);
+  DriftBound<T> bound(kSafety, scenario.contact ? kOnTable : kOnPivot);
   const std::optional<ContactRows<T>> table = contact_rows(scene, made.first);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
@@ -243,7 +243,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, std::size_t, T);                                                    \
+  template void make_second(DriftProblem<T>&, std::size_t, std::optional<double>);                                \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
   template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);

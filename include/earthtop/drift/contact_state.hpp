@@ -25,6 +25,7 @@ struct ContactDriftState {
   Paired<T> slip;                       ///< its size
   Paired<T> spin;                       ///< inertial rate about axis 3
   Paired<T> relative_spin;              ///< rate about axis 3 relative to the laboratory
+  Paired<T> turning;                    ///< rate about the table's normal relative to the laboratory
   ContactReaction<Paired<T>> reaction;  ///< vectors in L
   /// Of the reference and of the rotating motion; none where the integration was in inertial axes.
   std::optional<std::array<ContactIntegrals<T>, 2>> integrals{};
