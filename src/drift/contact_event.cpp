@@ -13,6 +13,7 @@ std::string_view to_string(ContactEventKind kind) {
     case ContactEventKind::rim_touched: return "rim_touched";
     case ContactEventKind::inverted: return "inverted";
     case ContactEventKind::no_unique_force: return "no_unique_force";
+    case ContactEventKind::patch_stopped: return "patch_stopped";
   }
   throw std::logic_error("unknown event of a contact");
 }
@@ -27,13 +28,15 @@ std::string_view in_words(ContactEventKind kind) {
     case ContactEventKind::inverted: return "the axis passes the table's plane upward: the top stands up on its other end";
     case ContactEventKind::no_unique_force:
       return "no force, or several, keep the tip on the table (Painlevé's paradox): the run ends";
+    case ContactEventKind::patch_stopped:
+      return "slip and turning of the contact patch have ended together, and dry friction holds it: the run ends";
   }
   throw std::logic_error("unknown event of a contact");
 }
 
 bool ends_run(ContactEventKind kind) {
   return kind == ContactEventKind::lifted_off || kind == ContactEventKind::rim_touched ||
-         kind == ContactEventKind::no_unique_force;
+         kind == ContactEventKind::no_unique_force || kind == ContactEventKind::patch_stopped;
 }
 
 }  // namespace earthtop

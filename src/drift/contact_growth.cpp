@@ -9,9 +9,7 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kFollowed = 3;
-constexpr double kDirectionsFollowed[kFollowed][6] = {
-    {0.6, -0.8, 0, 0.8, 0.6, 0}, {0.8, 0.6, 0, -0.6, 0.8, 0.6}, {0.5, 0.5, 0, 0.5, -0.5, -1}};
+constexpr std::size_t kFollowed = kContactDisturbances.size();
 constexpr double kSettlingPath = 3;  // growth while the axis settles, as if it had gone so far
 
 Vec3<double> difference(const Vec3<Paired<double>>& v) { return {v[0].diff, v[1].diff, v[2].diff}; }
@@ -66,9 +64,8 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   const double rate = spin > 0 ? spin : problem.fastest_rate;
   typename Bundle::State x = bundle.initial_state();
   for (std::size_t d = 0; d < kFollowed; ++d) {
-    const double(&c)[6] = kDirectionsFollowed[d];
     auto pair = Pairs::pair(x, d);
-    disturb(bundle.drift(d), Vec3<double>(c[0], c[1], c[2]), Vec3<double>(c[3], c[4], c[5]) * rate, pair);
+    disturb(bundle.drift(d), kContactDisturbances[d].turn(), kContactDisturbances[d].rate() * rate, pair);
     Pairs::put_pair(pair, x, d);
   }
   GroupScales<double, typename Bundle::Shape> scales;

@@ -3,6 +3,7 @@
 /// in proportion to the path of the axis; while a tippe top turns over, they grow far beyond that, and then come back.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "earthtop/drift/drift_integration.hpp"
@@ -23,6 +24,16 @@ struct ContactGrowth {
 };
 
 inline constexpr double kRegularContactGrowth = 3;
+
+/// A unit turn of the attitude and a unit change of the rate, in the table's axes; the rate's is relative to its size at release.
+struct ContactDisturbance {
+  std::array<double, 3> attitude, velocity;
+  Vec3<double> turn() const { return {attitude[0], attitude[1], attitude[2]}; }
+  Vec3<double> rate() const { return {velocity[0], velocity[1], velocity[2]}; }
+};
+inline constexpr std::array kContactDisturbances{ContactDisturbance{{0.6, -0.8, 0}, {0.8, 0.6, 0}},
+                                                 ContactDisturbance{{0.8, 0.6, 0}, {-0.6, 0.8, 0.6}},
+                                                 ContactDisturbance{{0.5, 0.5, 0}, {0.5, -0.5, -1}}};
 /// Growth matters to a few percent.
 inline constexpr double kContactGrowthTolerance = 1e-7;
 

@@ -28,13 +28,17 @@ std::optional<SlipStop<T>> slide_to_stop(const ContactReducedDrift<T, Observer::
                                          T relative_tolerance, const Watch& watch) {
   using Clock = ContactSlipClock<T>;
   using Shape = typename Clock::Shape;
+  using Slide = typename Clock::SlideShape;
   constexpr int kMostSteps = 200'000;
   const Clock clock(drift.equations());
   auto x = clock.started(start, T(0));
   std::int64_t evaluations = 0;
   const RightHandSide<T, Shape::kSize> equations(clock, evaluations);
   const T at_start = clock.slip(start).ref;
-  if (!(at_start > T(0))) return SlipStop<T>{{}, clock.stopped(x)};
+  // A slip of the size of its terms' rounding is none.
+  const auto typical = drift.typical_state();
+  const T rounding = T(64) * real::epsilon<T>() * typical[Slide::kSpin] * typical[Slide::kPosition];
+  if (!(at_start > rounding)) return SlipStop<T>{{}, clock.stopped(x)};
   // What is left of the slip decays at its present rate, to first order: it may be the root of the round-off for the last
   // digits of the stop, and is taken much smaller as the direction converges like a power of what is left.
   const T gone = T(0.1) * real::epsilon<T>() * at_start;

@@ -22,9 +22,9 @@ namespace earthtop {
 /// The functions of a motion that fall through 0 at its events; not all of them in every scene.
 template <class T>
 struct ContactEventFunctions {
-  static constexpr std::array<ContactEventKind, 5> kKinds = {ContactEventKind::lifted_off, ContactEventKind::rim_touched,
-                                                             ContactEventKind::no_unique_force, ContactEventKind::inverted,
-                                                             ContactEventKind::slip_started};
+  static constexpr std::array<ContactEventKind, 6> kKinds = {
+      ContactEventKind::lifted_off, ContactEventKind::rim_touched,  ContactEventKind::no_unique_force,
+      ContactEventKind::inverted,   ContactEventKind::slip_started, ContactEventKind::patch_stopped};
   static constexpr std::size_t kCount = kKinds.size();
   using Values = std::array<Paired<T>, kCount>;
 
@@ -32,6 +32,17 @@ struct ContactEventFunctions {
   T weight = T(1);                 ///< m g
   T least_cosine = T(-2);          ///< of the tilt at which the rim touches; below -1: it never does
   std::optional<T> most_friction;  ///< per normal force, of a tip that rolls
+  /// For `contensou`, the slip that is worth as much as a unit of turning (contact_forces.hpp); 0 for other laws.
+  T slip_per_turning = T(0);
+  T patch_at_release = T(0);  ///< slip and turning of the patch together at release
+
+  /// Slip and turning of a patch together.
+  Paired<T> patch_speed(const ContactDriftState<T>& state) const {
+    const Paired<T> turning = Paired<T>(slip_per_turning) * state.turning;
+    return real::sqrt(inner(state.slip_L, state.slip_L) + turning * turning);
+  }
+  /// A patch that moves at less than this share of its speed at release has stopped: steps become as short as what is left.
+  static constexpr T kPatchStopped() { return T(1e-5); }
 
   /// Each of the order of 1.
   Values operator()(const ContactDriftState<T>& state) const {
@@ -44,6 +55,10 @@ struct ContactEventFunctions {
     g[2] = reaction.denominator;
     g[3] = height;
     g[4] = P(T(1));
+    g[5] = P(T(1));
+    // Where this is 0, friction has no derivative; it is approached like dry friction's stop, within a finite time.
+    if (slip_per_turning > T(0))
+      g[5] = patch_at_release > T(0) ? patch_speed(state) / P(patch_at_release) - P(kPatchStopped()) : P(T(0));
     if (most_friction) {
       const P square = inner(reaction.friction, reaction.friction), most = P(*most_friction) * reaction.normal_force;
       // Both sides are squared: friction may be 0, where its size has no derivative.
@@ -60,6 +75,8 @@ ContactEventFunctions<T> contact_event_functions(const Model<T>& model, const Co
   ContactEventFunctions<T> functions;
   functions.normal_L = rotation_matrix(start.q_LH).col(2);
   functions.weight = contact.mass * norm(model.apparent_gravity_L);
+  if (contact.law == ContactLaw::contensou && contact.coefficient > T(0))
+    functions.slip_per_turning = contact.slip_of_spin * contact.patch_radius;
   return functions;
 }
 
@@ -77,7 +94,10 @@ class ContactWatch {
 
   /// Goes on to the next state of the integration. @returns whether an event has ended the run
   bool follow(T t, const State& x) {
+    if (!started_ && functions_.slip_per_turning > T(0))
+      functions_.patch_at_release = functions_.patch_speed(system_.contact_state(x, t)).ref;
     Look next{t, x, values(t, x), {}, false};
+    if (!started_) see_start(next);
     if (started_) {
       if (may_fall(next)) {
         if (!last_.has_rates) find_rates(last_);
@@ -85,10 +105,24 @@ class ContactWatch {
         search(last_, next);
       }
     }
-    if (!started_) see_start(next);
     started_ = true;
     last_ = next;
     return end_.has_value();
+  }
+  /// To be called where the integration could not go on. A motion may run into Painleve's paradox from a side on which the
+  /// denominator of the normal force falls to 0 together with its numerator: the force then grows without bound, in ever shorter
+  /// steps, and the denominator reaches 0 at their end.   @returns whether this is what ended it
+  bool see_jam() {
+    constexpr double kNear = 0.1;  // the denominator is of the order of 1
+    if (!started_ || end_) return false;
+    const Paired<T>& denominator = last_.g[kDenominator];
+    if (!(std::min(denominator.ref, denominator.rot) < T(kNear))) return false;
+    Event event{ContactEventKind::no_unique_force, std::nullopt, std::nullopt, std::nullopt};
+    // The motion that comes to it first has ended the integration of both.
+    (denominator.rot < denominator.ref ? event.t_rot : event.t_ref) = last_.t;
+    events_.push_back(event);
+    end_ = last_.t;
+    return true;
   }
   /// In natural units of time; ascending where they belong to one kind. The difference is over epsilon.
   struct Event {
@@ -109,6 +143,8 @@ class ContactWatch {
     bool has_rates = false;
   };
   static constexpr T kEnough() { return T(0.05); }
+  static constexpr std::size_t kDenominator = 2;
+  static_assert(Functions::kKinds[kDenominator] == ContactEventKind::no_unique_force);
 
   Values values(T t, const State& x) const { return functions_(system_.contact_state(x, t)); }
   /// Whether a function may fall through 0 since the last state: not if it is well above 0 and a short step hardly changes it.
@@ -242,11 +278,11 @@ class ContactWatch {
   }
 
   /// The time from the reference's event to the rotating motion's, over epsilon, from the pair near one of them; none where the
-  /// two are so far apart that a parabola does not tell.
+  /// two are too far apart for a polynomial.
   /// @param t  time of one of the events   @param from_reference  whether it is the reference's
   std::optional<T> time_difference(std::size_t k, const Look& p, T t, bool from_reference) const {
     const T epsilon = system_.equations().model().epsilon;
-    // Rates from values around the event, by formulas of order 4.
+    // The values around the event have an error of order h^4 in the slope, as large as that by rounding.
     const T h = T(real::pow(static_cast<double>(real::epsilon<T>()), 0.2)) / motion_rate_;
     Paired<T> g[5];
     for (int i = 0; i < 5; ++i) {
@@ -257,16 +293,26 @@ class ContactWatch {
     // The other motion's function at the one's event is +-epsilon times the difference.
     T Paired<T>::*other = from_reference ? &Paired<T>::rot : &Paired<T>::ref;
     const T here = from_reference ? g[2].diff : -g[2].diff;
-    const T slope = (T(8) * (g[3].*other - g[1].*other) - (g[4].*other - g[0].*other)) / (T(12) * h);
-    const T curvature =
-        (-(g[4].*other + g[0].*other) + T(16) * (g[3].*other + g[1].*other) - T(30) * (g[2].*other)) / (T(12) * h * h);
+    // The other's function around there, less its value, is a polynomial through the five values; its argument is time over h.
+    const T odd = (g[3].*other - g[1].*other) / T(2), odd_far = (g[4].*other - g[0].*other) / T(2);
+    const T even = (g[3].*other + g[1].*other) / T(2) - g[2].*other,
+            even_far = (g[4].*other + g[0].*other) / T(2) - g[2].*other;
+    const T cubic = (odd_far - T(2) * odd) / T(6), slope = odd - cubic;
+    const T quartic = (even_far - T(4) * even) / T(12), parabola = even - quartic;
     if (!(slope < T(0))) return std::nullopt;
     const T linear = -here / slope;
-    const T bend = epsilon * curvature * linear / slope;
-    constexpr double kParabola = 1e-3;  // the cubic term is neglected
-    if (!(real::abs(bend) < T(kParabola)) || !(real::abs(epsilon * linear) * motion_rate_ < T(kParabola))) return std::nullopt;
-    // here + slope D + epsilon curvature/2 D^2 = 0 for the root near `linear`.
-    const T D = T(2) * linear / (T(1) + real::sqrt(T(1) + T(2) * bend));
+    constexpr double kNear = 1e-3;  // then the polynomial's next term is below 1e-15 of the first
+    if (!(real::abs(T(2) * epsilon * parabola * linear / slope) < T(kNear)) ||
+        !(real::abs(epsilon * linear * h) * motion_rate_ < T(kNear)))
+      return std::nullopt;
+    // here + D (slope + parabola (epsilon D) + ...) = 0: each repetition gains three digits.
+    T steps = linear;
+    for (int i = 0; i < 16; ++i) {
+      const T x = epsilon * steps, before = steps;
+      steps = -here / (slope + x * (parabola + x * (cubic + x * quartic)));
+      if (real::abs(steps - before) <= real::epsilon<T>() * real::abs(steps)) break;
+    }
+    const T D = steps * h;
     return from_reference ? D : -D;
   }
 

@@ -143,11 +143,11 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units) {
+void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<double> nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
   problem.times_s.resize(std::max<std::size_t>(1, rows));
-  nudge(problem, nudge_units);
+  nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)));
 }
 
 template <class T>
@@ -176,7 +176,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
 
   // The following work takes seconds for millions of rows.
-  DriftBound<T> bound(kSafety);
+  DriftBound<T> bound(kSafety, scenario.contact ? kOnTable : kOnPivot);
   const std::optional<ContactRows<T>> table = contact_rows(scene, made.first);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
@@ -208,7 +208,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
-  if (table) result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
+  if (table) {
+    result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
+    const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());
+    result.contact->rotating = balances[0], result.contact->reference = balances[1];
+  }
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
@@ -228,7 +232,9 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);
   }
-  result.ledger = assess_ledger(result, parts.next(seconds.ledger, "ledger"));
+  const Watch ledger = parts.next(seconds.ledger, "ledger");
+  result.ledger = scenario.contact ? assess_contact_ledger(scene, made.first.samples, result.rows.size(), ledger)
+                                   : assess_ledger(result, ledger);
   if (stop()) return stopped(scene, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
@@ -237,7 +243,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, std::size_t, T);                                                    \
+  template void make_second(DriftProblem<T>&, std::size_t, std::optional<double>);                                \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
   template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);

@@ -2,6 +2,8 @@
 /// The steps after the two integrations of a run, however these were made: bounds, rows, verdict and all further reports.
 #pragma once
 
+#include <optional>
+
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
 
@@ -16,9 +18,10 @@ struct TwoIntegrations {
 };
 
 /// Turns the problem of the rows into that of the second integration: nudged, and ending where the rows end.
-/// @param rows  number of rows, at least that of the release   @param nudge_units  size of the nudge (units in the last place)
+/// @param rows  number of rows, at least that of the release   @param nudge_units  size of the nudge (units in the last place);
+/// as drift_bound.hpp has it if not given
 template <class T>
-void make_second(DriftProblem<T>& problem, std::size_t rows, T nudge_units = T(8));
+void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<double> nudge_units = {});
 
 /// Fills a report except for its reason and its time.
 template <class T>

@@ -42,6 +42,44 @@ bool stands_fast(const DriftProblem<double>& problem, const std::vector<DriftRow
   });
 }
 
+bool rolls(const DriftRow& row) { return row.contact->state == ContactState::roll; }
+
+/// The problem of a top that rolls on from a row of the non-rotating prediction, after dry friction has stopped its slip.
+DriftProblem<double> rolling_on(DriftProblem<double> problem, const DriftRow& row) {
+  TableProblem<double>& table = *problem.table;
+  table.contact.law = ContactLaw::rolling, table.start.start = ContactStart::rolling;
+  const Quaternion<double> q_LB{row.ref_q_LB[0], Vec3<double>(row.ref_q_LB[1], row.ref_q_LB[2], row.ref_q_LB[3])};
+  problem.release.q_LB = (table.start.q_LH.conjugate() * q_LB).normalized();
+  problem.release.X = RatesRelativeTo::laboratory;
+  problem.release.w_XB_B = Vec3<double>(row.ref_w_LB_B[0], row.ref_w_LB_B[1], row.ref_w_LB_B[2]);
+  table.start.p_O = Vec3<double>(row.contact->ref_tip_m[0], row.contact->ref_tip_m[1], table.contact.tip_radius);
+  return problem;
+}
+
+/// Follows disturbances of a run. Exact dry friction has no derivative where the slip stops: they are followed to just before it,
+/// and anew from the first row at which both predictions roll.
+ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
+  const bool slides = !rolls(result.rows.front()) || problem.table->contact.law == ContactLaw::rolling;
+  const auto stop_s = first_event(result, ContactEventKind::slip_stopped);
+  ContactGrowth growth;
+  growth.completed = true;
+  if (slides) growth = contact_growth(problem, stop_s ? 0.99 * *stop_s : result.reached_s, kContactGrowthTolerance, watch);
+  if ((slides && !stop_s) || !growth.completed || (growth.above_s && !growth.again_s)) return growth;
+  const auto row = std::ranges::find_if(result.rows, rolls);
+  if (row == result.rows.end() || !(result.reached_s > row->t_s)) return growth;
+  ContactGrowth after = contact_growth(rolling_on(problem, *row), result.reached_s - row->t_s, kContactGrowthTolerance, watch);
+  for (std::optional<double>* time_s : {&after.above_s, &after.again_s})
+    if (*time_s) **time_s += row->t_s;
+  after.end_s += row->t_s;
+  if (growth.above_s) {
+    if (!after.above_s) after.again_s = growth.again_s;
+    after.above_s = growth.above_s;
+  }
+  after.largest = std::max(after.largest, growth.largest);
+  after.largest_ratio = std::max(after.largest_ratio, growth.largest_ratio);
+  return after;
+}
+
 }  // namespace
 
 VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
@@ -61,10 +99,7 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
     report.reason = "a top that stands, well above its critical spin all along: no disturbance grows exponentially";
     return report;
   }
-  // Dry friction has no derivative where the slip stops, and the motion is not integrated beyond its last event.
-  double until_s = result.reached_s;
-  if (const auto stop_s = first_event(result, ContactEventKind::slip_stopped)) until_s = std::min(until_s, 0.99 * *stop_s);
-  const ContactGrowth growth = contact_growth(problem, until_s, kContactGrowthTolerance, watch);
+  const ContactGrowth growth = followed_growth(problem, result, watch);
   if (!growth.above_s) {
     report.reason = growth.completed
                         ? "disturbances grow no faster than the axis moves"

@@ -9,6 +9,13 @@
 
 namespace earthtop {
 
+/// The nudge of a second integration, and the round-off of the drift measures, in units in the last place. On a table both are
+/// smaller: with those of a fixed pivot the median bound was 600 times the error in 41 random scenes, with these 80 times.
+struct RoundOffUnits {
+  double nudge, measures;
+};
+inline constexpr RoundOffUnits kOnPivot{8, 1024}, kOnTable{2, 32};
+
 /// Changes the contact by some units in the last place, as `nudge` changes the model; the body stays symmetric if it is so.
 template <class T>
 void nudge_contact(Contact<T>& contact, T unit) {
@@ -30,7 +37,7 @@ void nudge_contact(Contact<T>& contact, T unit) {
 /// Changes the attitude, rates and moments of a problem by some units in the last place, in no special direction. The change is
 /// well above the rounding of the scene to T, so that a nudged run does not share this error with a run that is not nudged.
 template <class T>
-void nudge(DriftProblem<T>& problem, T units = T(8)) {
+void nudge(DriftProblem<T>& problem, T units) {
   const T kUnit = units * real::epsilon<T>();
   const Vec3<T> turn = kUnit * Vec3<T>(T(0.6), T(-0.5), T(0.7));
   problem.release.q_LB = (problem.release.q_LB * Quaternion<T>{T(1), turn / T(2)}).normalized();
@@ -65,7 +72,8 @@ void nudge(DriftProblem<T>& problem, T units = T(8)) {
 template <class T>
 class DriftBound {
  public:
-  explicit DriftBound(int safety) : safety_(safety) {}
+  explicit DriftBound(int safety, const RoundOffUnits& units = kOnPivot)
+      : round_off_(T(units.measures) * real::epsilon<T>()), safety_(safety) {}
 
   void include(const DriftMeasures<T>& rows, const DriftMeasures<T>& second, T epsilon) {
     const T axis_vector = epsilon * norm(Vec3<T>(rows.axis_difference_L_scaled - second.axis_difference_L_scaled));
@@ -85,18 +93,17 @@ class DriftBound {
   }
   /// Includes the error of a row that the method itself states.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
-  T axis() const { return T(safety_) * axis_distance_ + round_off() * axis_largest_ + stated_; }
+  T axis() const { return T(safety_) * axis_distance_ + round_off_ * axis_largest_ + stated_; }
   /// The bound on the error of the tip's drift (m).
-  T tip() const { return T(safety_) * tip_distance_ + round_off() * tip_largest_; }
+  T tip() const { return T(safety_) * tip_distance_ + round_off_ * tip_largest_; }
   /// The bound is never below that of the axis, which is part of the attitude: in an unstable scene two runs can agree in
   /// one of the two by chance.
   T attitude() const {
-    return T(safety_) * std::max(attitude_distance_, axis_distance_) + round_off() * attitude_largest_ + stated_;
+    return T(safety_) * std::max(attitude_distance_, axis_distance_) + round_off_ * attitude_largest_ + stated_;
   }
 
  private:
-  static constexpr T round_off() { return T(1024) * real::epsilon<T>(); }
-
+  T round_off_;
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
   T tip_distance_ = T(0), tip_largest_ = T(0);
   T stated_ = T(0);

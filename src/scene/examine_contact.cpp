@@ -52,15 +52,27 @@ class Touchdown {
 
   /// The table's reaction. @param share  of the law's coefficient that acts
   ContactReaction<double> reaction(bool on_earth, double share = 1) const {
-    const Vec3<double> normal = Vec3<double>::UnitZ(), w = rate(on_earth);
-    const Vec3<double> slip = slip_at_release(start_, contact_, w, r_c());
+    const Vec3<double> normal = Vec3<double>::UnitZ(), w = rate(on_earth), slip = this->slip(on_earth);
     Contact<double> contact = contact_;
     contact.coefficient *= share, contact.viscosity *= share;
     // The exact law of dry friction holds a tip that does not slip.
-    if (contact.law == ContactLaw::coulomb && contact.slip_floor == 0 && norm(slip) == 0) contact.law = ContactLaw::rolling;
+    if (contact.law == ContactLaw::coulomb && contact.slip_floor == 0 && is_round_off(norm(slip)))
+      contact.law = ContactLaw::rolling;
     const ContactSurroundings<double> around{normal, gravity_, on_earth ? W_ : Vec3<double>::Zero(), Mat3<double>::Zero()};
     const Vec3<double> momentum = turned_tensor(R_HB_, contact.I_BC_B) * w;
     return general_rates(contact, around, {R_HB_, momentum, slip, start_.p_O}).reaction;
+  }
+
+  /// The slip at release (m/s).
+  Vec3<double> slip(bool on_earth) const { return slip_at_release(start_, contact_, rate(on_earth), r_c()); }
+  /// Whether a slip is rounding of its terms.
+  bool is_round_off(double slip) const {
+    return slip <= 1e-12 * norm(rate(true)) * (norm(contact_.p_OC_B) + spec_.tip_radius_m);
+  }
+  /// The difference of both predictions' slips over that of their rates (m).
+  double slip_apart_m() const {
+    if (release_.X != RatesRelativeTo::inertial || !(norm(W_) > 0)) return 0;
+    return norm(slip_difference_at_release(start_, contact_, Vec3<double>(W_ / norm(W_)), r_c()));
   }
 
   /// Below this the normal force is rounding of its terms (N): weight and centripetal force.
@@ -168,6 +180,34 @@ bool check_reaction(const Section& root, const Touchdown& touchdown) {
   return true;
 }
 
+/// Checks that a tip which the exact law of dry friction finds without slip rolls on in both predictions.
+bool check_hold(const Section& contact, const Touchdown& touchdown) {
+  const ContactSpec& spec = touchdown.spec();
+  if (spec.law != ContactLaw::coulomb || spec.regularisation_m_s > 0 || !touchdown.is_round_off(norm(touchdown.slip(false))))
+    return true;
+  if (touchdown.slip_apart_m() > 1e-12 * (norm(touchdown.r_c()) + spec.tip_radius_m)) {
+    contact.refuse(
+        "start",
+        "the tip is released without slip in the non-rotating prediction, and with a little in the rotating one, whose "
+        "rates relative to the table differ by the Earth's: dry friction would stop it with a jump; take \"rolling\", "
+        "or release it with a velocity");
+    return false;
+  }
+  for (const bool on_earth : {true, false}) {
+    const ContactReaction<double> reaction = touchdown.reaction(on_earth);
+    const double needed = norm(reaction.friction) / reaction.normal_force;
+    if (needed < spec.friction_coefficient) continue;
+    contact.refuse(
+        "friction_coefficient",
+        fmt::format("the tip is released without slip, and to roll it needs a friction of {:.4g} times the normal force: "
+                    "it slips at once, and how it begins to is not computed; release it with a velocity, or take "
+                    "\"contensou\"",
+                    needed));
+    return false;
+  }
+  return true;
+}
+
 /// Returns a limit as a message gives it, rounded up to three digits, so that the number given is allowed.
 std::string rounded_up(double x) { return fmt::format("{:.3g}", 1.005 * x); }
 
@@ -226,6 +266,7 @@ void check_contact(const Section& root, const Scene& scene) {
     contact.refuse("regularisation_m_s",
                    "the exact law, whose slip stops, is integrated for bodies that are symmetric about axis 3 only; give a "
                    "regularisation above 0, or take \"contensou\"");
+  if (!check_hold(contact, touchdown)) return;
   check_relaxation(contact, touchdown);
 }
 

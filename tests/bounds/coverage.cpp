@@ -6,53 +6,27 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bounds/table_truth.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "run/rows.hpp"
 
 namespace earthtop::testing {
 namespace {
 
-/// The values of a row that are judged.
-struct JudgedRow {
-  float128 axis, attitude;
-  Quaternion<float128> q_LB, ref_q_LB;
-};
-
-template <class T>
-Quaternion<float128> widened(const Quaternion<T>& q) {
-  const auto wide = [](const T& x) { return static_cast<float128>(x); };
-  return {wide(q.w), Vec3<float128>(wide(q.v[0]), wide(q.v[1]), wide(q.v[2]))};
-}
-template <class T>
-Quaternion<float128> widened(const std::array<T, 4>& q) {
-  return widened(Quaternion<T>{q[0], Vec3<T>(q[1], q[2], q[3])});
-}
-double angle_between(const Quaternion<float128>& p, const Quaternion<float128>& q) {
-  const Quaternion<float128> d = p.conjugate() * q;
+Quaternion<float128> quaternion(const std::array<float128, 4>& q) { return {q[0], Vec3<float128>(q[1], q[2], q[3])}; }
+double angle_between(const std::array<float128, 4>& p, const std::array<float128, 4>& q) {
+  const Quaternion<float128> d = quaternion(p).conjugate() * quaternion(q);
   return static_cast<double>(float128(2) * real::atan2(norm(d.v), real::abs(d.w)));
 }
 
-/// A row's values, with all their digits if the run keeps them in extended precision.
-JudgedRow judged_row(const RunResult& result, std::size_t i) {
-  const auto judged = [](const auto& r) {
-    return JudgedRow{float128(r.drift_axis_rad), float128(r.drift_attitude_rad), widened(r.q_LB), widened(r.ref_q_LB)};
-  };
-  return result.extended_rows.empty() ? judged(result.rows[i]) : judged(result.extended_rows[i]);
+/// A row with all its digits if the run keeps them in extended precision.
+ExtendedDriftRow judged_row(const RunResult& result, std::size_t i) {
+  return result.extended_rows.empty() ? row_cast<float128>(result.rows[i]) : result.extended_rows[i];
 }
 
-template <class T>
-std::vector<JudgedRow> integrate_truth(const Scenario& scenario, const IntegrationOptions& options) {
-  const auto trajectory = integrate_drift(Scene(scenario).problem<T>(), options);
-  if (trajectory.status != RunStatus::completed)
-    throw std::runtime_error("no truth: " + std::string(to_string(trajectory.status)));
-  std::vector<JudgedRow> truths;
-  for (const auto& sample : trajectory.samples)
-    truths.push_back({float128(sample.measures.axis), float128(sample.measures.attitude),
-                      widened(sample.state.q_LB.normalized()), widened(sample.state.ref_q_LB.normalized())});
-  return truths;
-}
-
-std::vector<JudgedRow> truth_of(const Scenario& scenario, Truth truth) {
+TrueRun truth_of(const Scenario& scenario, Truth truth) {
+  if (scenario.contact) return truth_on_table(scenario, truth == Truth::bits113);
   constexpr double kAffordable = 4e3;  // rad
   IntegrationOptions options;
   options.observer = Observer::body;
@@ -74,7 +48,14 @@ std::vector<JudgedRow> truth_of(const Scenario& scenario, Truth truth) {
   return integrate_truth<long double>(scenario, options);
 }
 
-Coverage judge(const RunResult& result, const std::vector<JudgedRow>& truths) {
+double distance(float128 a, float128 b) { return static_cast<double>(real::abs(a - b)); }
+double distance(const std::array<float128, 2>& a, const std::array<float128, 2>& b) {
+  return static_cast<double>(real::hypot(a[0] - b[0], a[1] - b[1]));
+}
+
+}  // namespace
+
+Coverage coverage_of(const RunResult& result, const TrueRun& truth) {
   Coverage coverage;
   coverage.method = result.solution.method;
   coverage.verdict = result.verdict;
@@ -83,31 +64,43 @@ Coverage judge(const RunResult& result, const std::vector<JudgedRow>& truths) {
   const auto include = [&](BoundedError& part, double error, double bound) {
     if (error < kTruthError) error = 0;
     part.error = std::max(part.error, error);
-    part.bound = bound;
+    part.bound = std::max(part.bound, bound);
     if (error > 0) coverage.used = std::max(coverage.used, error / bound);
   };
-  const auto distance = [](float128 a, float128 b) { return static_cast<double>(real::abs(a - b)); };
-  for (std::size_t i = 0; i < truths.size() && result.rows[i].drift_reliable; ++i) {
+  for (std::size_t i = 0; i < std::min(truth.rows.size(), result.rows.size()); ++i) {
     const DriftRow& row = result.rows[i];
-    const JudgedRow judged = judged_row(result, i);
-    include(coverage.axis, distance(judged.axis, truths[i].axis), row.drift_axis_bound_rad);
-    include(coverage.attitude, distance(judged.attitude, truths[i].attitude), row.drift_attitude_bound_rad);
-    include(coverage.states, angle_between(judged.q_LB, truths[i].q_LB), result.attitude_bound_rad);
-    include(coverage.states, angle_between(judged.ref_q_LB, truths[i].ref_q_LB), result.attitude_bound_rad);
-    coverage.drift = static_cast<double>(truths[i].axis);
+    if (!row.drift_reliable) {
+      // On a table a later row may be reliable again.
+      if (row.contact) continue;
+      break;
+    }
+    const ExtendedDriftRow judged = judged_row(result, i), &exact = truth.rows[i];
+    include(coverage.axis, distance(judged.drift_axis_rad, exact.drift_axis_rad), row.drift_axis_bound_rad);
+    include(coverage.attitude, distance(judged.drift_attitude_rad, exact.drift_attitude_rad), row.drift_attitude_bound_rad);
+    include(coverage.states, angle_between(judged.q_LB, exact.q_LB), result.attitude_bound_rad);
+    include(coverage.states, angle_between(judged.ref_q_LB, exact.ref_q_LB), result.attitude_bound_rad);
+    coverage.drift = static_cast<double>(exact.drift_axis_rad);
+    ++coverage.rows;
+    if (!row.contact) continue;
+    include(coverage.tip, distance(judged.contact->drift_tip_xy_m, exact.contact->drift_tip_xy_m),
+            row.contact->drift_tip_bound_m);
+    coverage.tip_drift = static_cast<double>(exact.contact->drift_tip_m);
   }
+  if (!result.contact) return coverage;
+  for (const ContactEvent& event : result.contact->events)
+    for (const ContactEvent& exact : truth.events)
+      if (event.kind == exact.kind && event.prediction == exact.prediction && event.bound_s)
+        include(coverage.event, std::abs(event.t_s - exact.t_s), *event.bound_s);
   return coverage;
 }
-
-}  // namespace
 
 Coverage bound_coverage(const Scenario& scenario, Truth truth) {
   const RunResult result = run(scenario);
   if (result.status != RunStatus::completed) throw std::runtime_error("no run: " + std::string(to_string(result.status)));
   constexpr double kNear = 0.3;
-  const Coverage coverage = judge(result, truth_of(scenario, truth));
+  const Coverage coverage = coverage_of(result, truth_of(scenario, truth));
   if (truth == Truth::bits113 || coverage.used <= kNear) return coverage;
-  return judge(result, truth_of(scenario, Truth::bits113));
+  return coverage_of(result, truth_of(scenario, Truth::bits113));
 }
 
 }  // namespace earthtop::testing

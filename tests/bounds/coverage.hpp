@@ -2,6 +2,7 @@
 /// Compares the error bounds of a run with its true errors, computed in a wider arithmetic.
 #pragma once
 
+#include "bounds/table_truth.hpp"
 #include "earthtop/run.hpp"
 
 namespace earthtop::testing {
@@ -18,10 +19,16 @@ struct Coverage {
   VerdictReport verdict;
   BoundedError axis, attitude;  ///< the drift's
   BoundedError states;          ///< the two attitudes' own
-  double used = 0;              ///< largest ratio of an error to its bound, over all three and all rows
-  double drift = 0;
+  BoundedError tip;             ///< the drift of a tip on a table (m)
+  BoundedError event;           ///< time of an event on a table (s), that of the largest share of its bound
+  double used = 0;              ///< largest ratio of an error to its bound, over all of these and all rows
+  double drift = 0, tip_drift = 0;
+  int rows = 0;  ///< that were judged
   bool tight() const { return axis.tight() && attitude.tight(); }
 };
+
+/// Compares the rows of a run that are marked as reliable, and its events, with the truth.
+Coverage coverage_of(const RunResult& result, const TrueRun& truth);
 
 /// The solution with which a run is compared: the same scene in 113 bits, or in 64 bits at the least tolerance. The rounding of
 /// 64 bits is 2,048 times finer than a double's, and they take a hundredth of the time that 113 bits take. If an error comes
@@ -30,7 +37,8 @@ struct Coverage {
 enum class Truth { bits113, bits64 };
 
 /// Runs the scene, and computes the truth by extrapolation of the general model in body axes in float128; where that would take
-/// minutes, in long double, by Taylor series if the scene has them.
+/// minutes, in long double, by Taylor series if the scene has them. A run in the laboratory's axes on a table is compared with
+/// equations in inertial axes; under the exact Coulomb law, up to the stop of its slip.
 /// @throws std::runtime_error if either does not complete
 Coverage bound_coverage(const Scenario& scenario, Truth truth = Truth::bits113);
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// earthtop-bound-coverage [COUNT [LEAST_PHASE LARGEST_PHASE]] [--by-hand] [--scenes] [random-STRATUM-INDEX]
+/// earthtop-bound-coverage --on-table [COUNT [LONGEST_S LARGEST_PHASE]] [--agreement | --growth | --truth] [--scenes] [on-table-STRATUM-INDEX]
 /// Counts how often the true error is below the stated bound, over COUNT random scenes in each stratum (46 by default), and
 /// prints a Markdown table by stratum. --by-hand: the scenes' method, tolerance, observer and form are chosen at random among
-/// those a user may name, and the table is by method. --scenes: lists every scene first. random-STRATUM-INDEX: only this scene.
+/// those a user may name, and the table is by method. --on-table: tops on a table, in strata by the law of friction (30 scenes in
+/// each), compared with the equations of the other observer in 113 bits.
+/// --agreement: in double, how far laboratory and inertial equations are apart. --growth: how the growth of disturbances that the
+/// verdict estimates compares with that of a small change of the start. --truth: writes tests/data/contact/bounds.json. --scenes: lists every scene first. --json: only writes
+/// the scenarios, one a line. random-STRATUM-INDEX: only this scene.
 /// A scene whose error exceeds its bound is printed with all its input.
 
 #include <fmt/format.h>
@@ -15,6 +20,10 @@
 
 #include "bounds/coverage.hpp"
 #include "bounds/strata.hpp"
+#include "bounds/table_checks.hpp"
+#include "bounds/table_strata.hpp"
+
+extern "C" int quadmath_snprintf(char*, std::size_t, const char*, ...);
 
 namespace {
 
@@ -24,7 +33,7 @@ using namespace earthtop::testing;
 struct Row {
   int scenes = 0, reliable = 0, reliable_beyond = 0, beyond = 0, beyond_three = 0, tight = 0;
   double worst = 0;
-  std::vector<double> drift_ratios, state_ratios;  ///< bound divided by error
+  std::vector<double> drift_ratios, state_ratios, tip_ratios;  ///< bound divided by error
 };
 
 void include(const Coverage& coverage, Row& row) {
@@ -40,6 +49,7 @@ void include(const Coverage& coverage, Row& row) {
     if (e.error > 0) ratios.push_back(e.bound / e.error);
   };
   ratio(coverage.attitude, row.drift_ratios), ratio(coverage.states, row.state_ratios);
+  ratio(coverage.tip, row.tip_ratios);
 }
 
 double median(std::vector<double> values) {
@@ -50,48 +60,140 @@ double median(std::vector<double> values) {
 }
 
 void print(std::string_view name, const Row& row) {
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.2g}, {:.2g} |\n", name, row.scenes, row.reliable,
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.2g}, {:.2g}, {:.2g} |\n", name, row.scenes, row.reliable,
              row.reliable_beyond, row.beyond, row.beyond_three, row.tight, row.worst, median(row.drift_ratios),
-             median(row.state_ratios));
+             median(row.state_ratios), median(row.tip_ratios));
 }
 
 void print_scene(std::string_view stratum, const Scenario& scenario, const Coverage& c) {
   fmt::print(
       "{:24} {:14} {:13} {:7.1e} {:11} {:9.3g} drift {:.2e} axis {:.1e} of {:.1e}, attitude {:.1e} of {:.1e}, attitudes "
-      "themselves {:.1e} of {:.1e}, used {:.2g}{}\n",
+      "themselves {:.1e} of {:.1e}, tip {:.1e} of {:.1e}, event {:.1e} of {:.1e}, used {:.2g}{}\n",
       stratum, scenario.name, to_string(c.method), scenario.numerics.relative_tolerance, to_string(c.verdict.verdict),
       Scene(scenario).fastest_rate_rad_s() * scenario.duration_s, c.drift, c.axis.error, c.axis.bound, c.attitude.error,
-      c.attitude.bound, c.states.error, c.states.bound, c.used, c.tight() ? "" : " LOOSE");
+      c.attitude.bound, c.states.error, c.states.bound, c.tip.error, c.tip.bound, c.event.error, c.event.bound, c.used,
+      c.tight() ? "" : " LOOSE");
+}
+
+std::string decimal(float128 number) {
+  char digits[64];
+  quadmath_snprintf(digits, sizeof digits, "%.24Qe", number);
+  return digits;
+}
+
+/// Writes tests/data/contact/bounds.json: scenes on a table, and their drifts in 113 bits.
+void write_truths(std::uint64_t count, double longest_s, double largest_phase) {
+  constexpr std::uint64_t kFirst = 1000;  // scenes that no survey has
+  fmt::print(
+      "{{\n \"generator\": \"earthtop-bound-coverage --on-table {} {} {} --truth: in inertial axes, relative tolerance 1e-22; "
+      "drift of axis and "
+      "attitude (rad), of the tip toward East and North of the table (m)\",\n \"precision\": \"float128\",\n \"scenes\": [",
+      count, longest_s, largest_phase);
+  bool first = true;
+  for (const Stratum& stratum : table_strata())
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const Scenario scenario = random_scene_on_table(stratum, kFirst + i, longest_s, largest_phase);
+      const TrueRun truth = truth_on_table(scenario, true);
+      fmt::print("{}\n  {{\"scenario\": {},\n   \"rows\": [", first ? "" : ",", canonical_json(scenario));
+      first = false;
+      for (std::size_t k = 0; k < truth.rows.size(); ++k) {
+        const ExtendedDriftRow& row = truth.rows[k];
+        fmt::print("{}\n    [\"{}\", \"{}\", \"{}\", \"{}\"]", k == 0 ? "" : ",", decimal(row.drift_axis_rad),
+                   decimal(row.drift_attitude_rad), decimal(row.contact->drift_tip_xy_m[0]),
+                   decimal(row.contact->drift_tip_xy_m[1]));
+      }
+      fmt::print("]}}");
+    }
+  fmt::print("\n ]\n}}\n");
+}
+
+/// Prints what a check finds in each scene on a table. @param check  returns a line, and whether the scene is as it should be
+template <class Check>
+void check_on_table(std::uint64_t count, double longest_s, double largest_phase, std::string_view only, const Check& check) {
+  int scenes = 0, failed = 0;
+  for (const Stratum& stratum : table_strata())
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const Scenario scenario = random_scene_on_table(stratum, i, longest_s, largest_phase);
+      if (!only.empty() && scenario.name != only) continue;
+      try {
+        const auto [line, right] = check(scenario);
+        ++scenes, failed += !right;
+        fmt::print("{:20} {:14} {}{}\n", stratum.name, scenario.name, line, right ? "" : " !");
+      } catch (const std::exception& error) {
+        fmt::print("{:20} {:14} {}\n", stratum.name, scenario.name, error.what());
+      }
+    }
+  fmt::print("{} scenes, {} not as they should be\n", scenes, failed);
+}
+
+std::pair<std::string, bool> agreement_line(const Scenario& scenario) {
+  const Agreement a = agreement(scenario);
+  return {
+      fmt::format("{} rows, share of the bound: axis {:.2g}, attitude {:.2g}, tip {:.2g}", a.rows, a.axis, a.attitude, a.tip),
+      a.largest() <= 1};
+}
+
+std::pair<std::string, bool> growth_line(const Scenario& scenario) {
+  if (scenario.contact->law == ContactLaw::coulomb && scenario.contact->regularisation_m_s == 0) return {"not followed", true};
+  const GrowthCheck check = growth_check(scenario);
+  const ContactGrowth& g = check.estimate;
+  const auto time = [](const std::optional<double>& t_s) { return t_s ? fmt::format("{:.3g}", *t_s) : "-"; };
+  return {
+      fmt::format(
+          "l {:+.3f} to {:.3g} s: growth {:.3g} ({:.2g} of the path), followed {:.3g}; irregular from {} to {}; followed over "
+          "the path {:.2g} while regular, {:.2g} else",
+          scenario.body.center_of_mass_m[2], g.end_s, g.largest, g.largest_ratio, check.largest, time(g.above_s),
+          time(g.again_s), check.regular_ratio, check.irregular_ratio),
+      check.regular_ratio <= 1.5 * kRegularContactGrowth && g.completed};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool scenes = false, by_hand = false;
+  bool scenes = false, by_hand = false, on_table = false, json = false, agree = false, grow = false, truth = false;
   std::string only;
   std::vector<double> numbers;
   for (int i = 1; i < argc; ++i) {
-    if (std::strncmp(argv[i], "random-", 7) == 0 || std::strncmp(argv[i], "by-hand-", 8) == 0)
+    if (std::strncmp(argv[i], "random-", 7) == 0 || std::strncmp(argv[i], "by-hand-", 8) == 0 ||
+        std::strncmp(argv[i], "on-table-", 9) == 0)
       only = argv[i];
     else if (std::strcmp(argv[i], "--scenes") == 0)
       scenes = true;
     else if (std::strcmp(argv[i], "--by-hand") == 0)
       by_hand = true;
+    else if (std::strcmp(argv[i], "--agreement") == 0)
+      agree = true;
+    else if (std::strcmp(argv[i], "--truth") == 0)
+      truth = true;
+    else if (std::strcmp(argv[i], "--growth") == 0)
+      grow = true;
+    else if (std::strcmp(argv[i], "--json") == 0)
+      json = true;
+    else if (std::strcmp(argv[i], "--on-table") == 0)
+      on_table = true;
     else
       numbers.push_back(std::atof(argv[i]));
   }
-  const auto count = static_cast<std::uint64_t>(numbers.empty() ? 46 : numbers[0]);
-  const double least = numbers.size() > 2 ? numbers[1] : 3, largest = numbers.size() > 2 ? numbers[2] : 1500;
+  const auto count = static_cast<std::uint64_t>(!numbers.empty() ? numbers[0] : on_table ? 30 : 46);
+  const bool given = numbers.size() > 2;
+  const double least = given ? numbers[1] : on_table ? 20 : 3, largest = given ? numbers[2] : 1500;
+  if (truth) return write_truths(count, least, largest), 0;
+  if (agree) return check_on_table(count, least, largest, only, agreement_line), 0;
+  if (grow) return check_on_table(count, least, largest, only, growth_line), 0;
   std::vector<std::pair<std::string, Row>> table;
   std::map<std::string, int> verdicts, methods;
   Row all;
   int failed = 0;
-  for (const Stratum& stratum : strata()) {
+  for (const Stratum& stratum : on_table ? table_strata() : strata()) {
     for (std::uint64_t i = 0; i < count; ++i) {
       const bool long_run = !by_hand && stratum.name == "long horizon";
-      const auto make = by_hand ? random_scene_by_hand : random_scene_of;
+      const auto make = on_table ? random_scene_on_table : by_hand ? random_scene_by_hand : random_scene_of;
       const Scenario scenario = make(stratum, i, long_run ? 2e4 : least, long_run ? 1e6 : largest);
       if (!only.empty() && scenario.name != only) continue;
+      if (json) {
+        fmt::print("{}\n", canonical_json(scenario));
+        continue;
+      }
       const std::string name(by_hand ? to_string(scenario.numerics.method) : stratum.name);
       auto row = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == name; });
       if (row == table.end()) row = table.insert(row, {name, {}});
@@ -109,10 +211,11 @@ int main(int argc, char** argv) {
       }
     }
   }
+  if (json) return 0;
   fmt::print(
       "| {} | scenes | reliable | of these beyond the bound | all beyond | beyond 3 times | not loose | largest error / bound "
       "| "
-      "median bound / error: drift, attitudes |\n",
+      "median bound / error: drift, attitudes, tip |\n",
       by_hand ? "method" : "stratum");
   fmt::print("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (const auto& [name, row] : table) print(name, row);
