@@ -72,6 +72,8 @@ struct VerdictReport {
   /// Time (s) from which on it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
   std::optional<double> until_s{};
   double reliable_until_s = 0;  ///< `from_s`, or the end of the run
+  /// Whether the drift at this time can be trusted: it is before `from_s`, or not before `until_s`.
+  bool trusts(double t_s) const { return !from_s || t_s < *from_s || (until_s && t_s >= *until_s); }
   std::string reason;
   /// Finite-time Lyapunov exponent at late times (1/s), the larger one of the two motions (see GrowthReport); empty where
   /// closed forms show that nothing grows exponentially, or where the growth could not be followed.
@@ -103,11 +105,25 @@ struct PredictionChange {
   std::string_view step;           ///< what the change is: "1 %", "1 arcsec"
   double axis_rad = 0, tip_m = 0;  ///< change of the reference axis and of the reference tip; the largest over its directions
 };
+/// A quantity that the contact changes at a known rate, along one motion from the release to the last row.
+struct ContactBalance {
+  double first = 0, last = 0;
+  double integral = 0;  ///< of its rate, along the motion
+  double balance = 0;   ///< last - first - integral: what the computed motion fails by
+  double size = 0;      ///< of the quantity's largest term: balance / size is the relative error
+};
+/// The balances of one motion: of Jellett's integral (kg m^3/s), for symmetric bodies, and of the Jacobi integral (J), which
+/// changes by the work of friction. Each is empty where the scene has torques that change it otherwise, or where the rows were
+/// not integrated in laboratory axes.
+struct ContactBalances {
+  std::optional<ContactBalance> jellett, jacobi;
+};
 /// What a run of a top on a table tells about the contact.
 struct ContactReport {
   std::vector<ContactEvent> events;  ///< ascending in time
   double at_s = 0;                   ///< time of `changes`
   std::vector<PredictionChange> changes;
+  ContactBalances rotating{}, reference{};
 };
 
 /// Tells whether the requested error was reached, counting both the error bound and the effects left out.

@@ -59,7 +59,8 @@ class ContactBundleEquations {
     for (std::size_t c = 0; c < each_.size(); ++c) {
       PairState rate;
       each_[c](pair(x, c), rate, t);
-      for (std::size_t i = 0; i < Shape::kEach; ++i) {
+      // The integrals, which come last, have no derivatives here.
+      for (std::size_t i = 0; i < Pair::kWork; ++i) {
         if (c == 0) dxdt[i] = rate[i];
         dxdt[(1 + c) * Shape::kEach + i] = rate[Shape::kEach + i];
       }

@@ -61,6 +61,9 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
     const Contact<T>& contact = equations_.contact();
     const T length = std::max(contact.tip_radius, norm(contact.p_OC_B));
     x[Shape::kPosition] = std::max(real::hypot(x[Shape::kPosition], x[Shape::kPosition + 1]), length);
+    if constexpr (Shape::kHasIntegrals)
+      x[Shape::kWork] = x[Shape::kHalf + Shape::kWork] = norm(load_vector(x, Shape::kMomentum)) * norm(w_XB_B_) / T(2) +
+                                                         contact.mass * norm(equations_.model().apparent_gravity_L) * length;
     return x;
   }
 
@@ -105,6 +108,8 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
     row.spin = row.relative_spin + inner(body.n, pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon));
     row.reaction = {body.reaction.normal_force, body.reaction.denominator, in_L(body.reaction.friction),
                     in_L(body.reaction.moment)};
+    if constexpr (Shape::kHasIntegrals)
+      row.integrals = {{{x[Shape::kWork], std::nullopt}, {x[Shape::kHalf + Shape::kWork], std::nullopt}}};
     return row;
   }
 

@@ -7,13 +7,16 @@
 ///   dP/dt = (L_ref + epsilon P) x d + ((D^T - 1) tau_rot + tau_rot - tau_ref) / epsilon
 ///
 /// In axes H of the table (laboratory) the state is
-///   [0,4) q_HB   [4,7) L' = Theta_C w   [7,9) slip v_P   [9,11) tip position p_O ; then w, y, P and the differences of v_P and p_O
-/// In inertial axes N the momentum is inertial, slip and position have three components, and the position is that of C.
+///   [0,4) q_HB   [4,7) L' = Theta_C w   [7,9) slip v_P   [9,11) tip position p_O   [11] work of friction ;
+/// then w, y, P, the differences of v_P and p_O, and the work of friction on the rotating motion
+/// In inertial axes N the momentum is inertial, slip and position have three components, the position is that of C, and the work is
+/// left out.
 #pragma once
 
 #include <array>
 
 #include "drift/contact_change.hpp"
+#include "drift/contact_integrals.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/model/contact_release.hpp"
@@ -29,20 +32,25 @@ struct ContactGeneralShape {
   static_assert(O != Observer::body);
   static constexpr std::size_t kLength = O == Observer::laboratory ? 2 : 3;  ///< components of slip and position
   static constexpr std::size_t kMomentum = 4, kSlip = 7, kPosition = kSlip + kLength;
-  static constexpr std::size_t kHalf = kPosition + kLength;
+  static constexpr bool kHasIntegrals = O == Observer::laboratory;
+  static constexpr std::size_t kWork = kPosition + kLength;
+  static constexpr std::size_t kHalf = kWork + (kHasIntegrals ? 1 : 0);
   static constexpr std::size_t kSize = 2 * kHalf;
   /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
   static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
-    return std::array<ComponentGroup, 9>{{{0, 4, 1.0},
-                                          {kMomentum, 3, 1e-3},
-                                          {kSlip, kLength, 1e-9},
-                                          {kPosition, kLength, 1e-6},
-                                          {kHalf, 1, 1.0},
-                                          {kHalf + 1, 3, 1e-5},
-                                          {kHalf + kMomentum, 3, 1e-5},
-                                          {kHalf + kSlip, kLength, 1e-9},
-                                          {kHalf + kPosition, kLength, 1e-9}}};
+    constexpr std::size_t kIntegrals = kHasIntegrals ? 1 : 0;  // in inertial axes their groups are empty
+    return std::array<ComponentGroup, 11>{{{0, 4, 1.0},
+                                           {kMomentum, 3, 1e-3},
+                                           {kSlip, kLength, 1e-9},
+                                           {kPosition, kLength, 1e-6},
+                                           {kWork - 1 + kIntegrals, kIntegrals, 1e-9},
+                                           {kHalf, 1, 1.0},
+                                           {kHalf + 1, 3, 1e-5},
+                                           {kHalf + kMomentum, 3, 1e-5},
+                                           {kHalf + kSlip, kLength, 1e-9},
+                                           {kHalf + kPosition, kLength, 1e-9},
+                                           {kHalf + kWork - 1 + kIntegrals, kIntegrals, 1e-9}}};
   }
 };
 
@@ -92,6 +100,10 @@ class ContactGeneralEquations {
       const int axis = static_cast<int>(i);
       dxdt[Shape::kSlip + i] = found.v_P[axis].ref, dxdt[kHalf + Shape::kSlip + i] = found.v_P[axis].diff;
       dxdt[Shape::kPosition + i] = found.position[axis].ref, dxdt[kHalf + Shape::kPosition + i] = found.position[axis].diff;
+    }
+    if constexpr (Shape::kHasIntegrals) {
+      dxdt[Shape::kWork] = friction_power(contact_, found.reaction, s.v_P, found.w, &P::ref);
+      dxdt[kHalf + Shape::kWork] = friction_power(contact_, found.reaction, s.v_P, found.w, &P::rot);
     }
   }
 

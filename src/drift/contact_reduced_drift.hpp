@@ -18,7 +18,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
  public:
   using Equations = ContactReducedEquations<T, O>;
   using Shape = ContactReducedShape<O>;
-  static constexpr std::size_t kSize = Shape::kSize;
+  static constexpr std::size_t kSize = Shape::kSize, kHalf = Shape::kHalf;
   static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
@@ -65,6 +65,12 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     x[Shape::kSpin] = spin;
     x[Shape::kHalf + Shape::kSpin] = norm(equations_.model().W_IL_L_scaled);
     x[Shape::kPosition] = std::max(real::hypot(x[Shape::kPosition], x[Shape::kPosition + 1]), length);
+    if constexpr (Shape::kHasIntegrals) {
+      const T momentum = contact.I3 * spin + contact.I1 * x[Shape::kU];
+      x[Shape::kWork] = x[kHalf + Shape::kWork] =
+          momentum * (spin + rate) / T(2) + contact.mass * norm(equations_.model().apparent_gravity_L) * length;
+      x[Shape::kJellett] = x[kHalf + Shape::kJellett] = momentum * length;
+    }
     return x;
   }
 
@@ -109,6 +115,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     row.turning = s.u[2] + s.w3 * s.n[2] - W[2];
     const ContactReaction<P> reaction = equations_.reaction(x, t);
     row.reaction = {reaction.normal_force, reaction.denominator, in_L(reaction.friction), in_L(reaction.moment)};
+    if constexpr (Shape::kHasIntegrals)
+      row.integrals = {{{x[Shape::kWork], x[Shape::kJellett]}, {x[kHalf + Shape::kWork], x[kHalf + Shape::kJellett]}}};
     return row;
   }
 

@@ -7,13 +7,15 @@
 ///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a (reduced_top.hpp)
 ///   [9] inertial spin w3, of the reference less that at release   [10] its integral over time
 ///   [11,13) slip v_P   [13,15) tip position p_O
-/// In inertial axes N, which are H's at release, slip and position have three components, [11,14) and [14,17), and the position is
-/// that of the centre of mass.
+///   [15] work of friction   [16] change of Jellett's lambda, both of each motion by itself: the second is the rotating one's
+/// In inertial axes N, which are H's at release, slip and position have three components, [11,14) and [14,17), the position is
+/// that of the centre of mass, and the last two are left out.
 #pragma once
 
 #include <array>
 
 #include "drift/contact_change.hpp"
+#include "drift/contact_integrals.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/contact_release.hpp"
@@ -30,24 +32,31 @@ struct ContactReducedShape {
   static_assert(O != Observer::body);
   static constexpr std::size_t kLength = O == Observer::laboratory ? 2 : 3;  ///< components of slip and position
   static constexpr std::size_t kN = 0, kU = 3, kA = 6, kSpin = 9, kPhase = 10, kSlip = 11, kPosition = kSlip + kLength;
-  static constexpr std::size_t kHalf = kPosition + kLength;  ///< components of the reference, and of the deviation
+  static constexpr bool kHasIntegrals = O == Observer::laboratory;
+  static constexpr std::size_t kWork = kPosition + kLength, kJellett = kWork + 1;
+  static constexpr std::size_t kHalf = kWork + (kHasIntegrals ? 2 : 0);  ///< components of the reference, and of the deviation
   static constexpr std::size_t kSize = 2 * kHalf;
   /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
   static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
-    return std::array<ComponentGroup, 13>{{{kN, 3, 1.0},
+    constexpr std::size_t kIntegrals = kHasIntegrals ? 2 : 0;  // in inertial axes their groups are empty
+    return std::array<ComponentGroup, 17>{{{kN, 3, 1.0},
                                            {kU, 3, 1e-3},
                                            {kA, 3, 1.0},
                                            {kSpin, 1, 1e-3},
                                            {kPhase, 1, 2.0},
                                            {kSlip, kLength, 1e-9},
                                            {kPosition, kLength, 1e-6},
+                                           {kWork - 2 + kIntegrals, kIntegrals / 2, 1e-9},
+                                           {kWork - 1 + kIntegrals, kIntegrals / 2, 1e-9},
                                            {kHalf + kN, 3, 1e-5},
                                            {kHalf + kU, 3, 1e-5},
                                            {kHalf + kA, 3, 1e-5},
                                            {kHalf + kSpin, 2, 1e-5},
                                            {kHalf + kSlip, kLength, 1e-9},
-                                           {kHalf + kPosition, kLength, 1e-9}}};
+                                           {kHalf + kPosition, kLength, 1e-9},
+                                           {kHalf + kWork - 2 + kIntegrals, kIntegrals / 2, 1e-9},
+                                           {kHalf + kWork - 1 + kIntegrals, kIntegrals / 2, 1e-9}}};
   }
 };
 
@@ -86,6 +95,7 @@ class ContactReducedEquations {
     Vec3<P> a_dot;
     rates_of(x, t, rates, a_dot);
     store(x, rates, a_dot, dxdt);
+    store_integrals(x, t, rates.reaction, dxdt);
   }
   /// The table's force on both motions.
   ContactReaction<P> reaction(const State& x, T t) const {
@@ -137,6 +147,19 @@ class ContactReducedEquations {
       const int axis = static_cast<int>(i);
       dxdt[Shape::kSlip + i] = rates.v_P[axis].ref, dxdt[kHalf + Shape::kSlip + i] = rates.v_P[axis].diff;
       dxdt[Shape::kPosition + i] = rates.p_O[axis].ref, dxdt[kHalf + Shape::kPosition + i] = rates.p_O[axis].diff;
+    }
+  }
+
+  /// The rates of the integrals; of those of the second half, the rotating motion's.
+  void store_integrals(const State& x, const T& t, const ContactReaction<P>& reaction, State& dxdt) const {
+    if constexpr (Shape::kHasIntegrals) {
+      const ReducedContactState<P> s = load(x).state;
+      const ContactSurroundings<P> around = surroundings(t);
+      const Vec3<P> w = s.u + s.w3 * s.n - around.W;
+      for (const auto& [motion, half] : {std::pair(&P::ref, std::size_t(0)), std::pair(&P::rot, kHalf)}) {
+        dxdt[half + Shape::kWork] = friction_power(contact_, reaction, s.v_P, w, motion);
+        dxdt[half + Shape::kJellett] = jellett_power(contact_, reaction, around, s, motion);
+      }
     }
   }
 

@@ -23,7 +23,8 @@ struct ContactSlipClockShape {
     all[kSlide.size()] = {kTime, 1, 1.0};
     all[kSlide.size() + 1] = {kTimeDifference, 1, 1.0};
     // The slip is measured against its own size, however small: the caller forgets the sizes kept as it decays.
-    all[5].least_scale = 1e-30, all[11].least_scale = 1e-30;
+    for (ComponentGroup& group : all)
+      if (group.begin == Slide::kSlip || group.begin == Slide::kHalf + Slide::kSlip) group.least_scale = 1e-30;
     return all;
   }
 };
@@ -56,6 +57,9 @@ class ContactSlipClock {
     const T k = now[kHalf + SlideShape::kSpin], w3 = slide_.w3() + now[SlideShape::kSpin];
     rate[SlideShape::kPhase] = now[SlideShape::kSpin] * speed.ref;
     rate[kHalf + SlideShape::kPhase] = (P(w3, w3 + slide_.model().epsilon * k, k) * speed).diff;
+    // The integrals, too, are each motion's own.
+    slide_.store_integrals(now, x[Shape::kTime], rates.reaction, rate);
+    for (const std::size_t i : {SlideShape::kWork, SlideShape::kJellett}) rate[i] *= speed.ref, rate[kHalf + i] *= speed.rot;
     for (std::size_t i = 0; i < SlideShape::kSize; ++i) dxdt[i] = rate[i];
     dxdt[Shape::kTime] = speed.ref, dxdt[Shape::kTimeDifference] = speed.diff;
   }
@@ -121,6 +125,8 @@ typename ContactReducedEquations<T, Observer::laboratory>::State at_reference_ti
     moved.w3 = P(T(0), T(0), found.w3.rot);
     typename Equations::State rate;
     equations.store(at, moved, rotating(a_dot), rate);
+    equations.store_integrals(at, t, found.reaction, rate);
+    for (const std::size_t i : {Shape::kWork, Shape::kJellett}) rate[Shape::kHalf + i] *= epsilon;
     rate[Shape::kHalf + Shape::kPhase] = equations.w3() + at[Shape::kSpin] + epsilon * at[Shape::kHalf + Shape::kSpin];
     return rate;
   };

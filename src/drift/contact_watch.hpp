@@ -109,6 +109,21 @@ class ContactWatch {
     last_ = next;
     return end_.has_value();
   }
+  /// To be called where the integration could not go on. A motion may run into Painleve's paradox from a side on which the
+  /// denominator of the normal force falls to 0 together with its numerator: the force then grows without bound, in ever shorter
+  /// steps, and the denominator reaches 0 at their end.   @returns whether this is what ended it
+  bool see_jam() {
+    constexpr double kNear = 0.1;  // the denominator is of the order of 1
+    if (!started_ || end_) return false;
+    const Paired<T>& denominator = last_.g[kDenominator];
+    if (!(std::min(denominator.ref, denominator.rot) < T(kNear))) return false;
+    Event event{ContactEventKind::no_unique_force, std::nullopt, std::nullopt, std::nullopt};
+    // The motion that comes to it first has ended the integration of both.
+    (denominator.rot < denominator.ref ? event.t_rot : event.t_ref) = last_.t;
+    events_.push_back(event);
+    end_ = last_.t;
+    return true;
+  }
   /// In natural units of time; ascending where they belong to one kind. The difference is over epsilon.
   struct Event {
     ContactEventKind kind;
@@ -128,6 +143,8 @@ class ContactWatch {
     bool has_rates = false;
   };
   static constexpr T kEnough() { return T(0.05); }
+  static constexpr std::size_t kDenominator = 2;
+  static_assert(Functions::kKinds[kDenominator] == ContactEventKind::no_unique_force);
 
   Values values(T t, const State& x) const { return functions_(system_.contact_state(x, t)); }
   /// Whether a function may fall through 0 since the last state: not if it is well above 0 and a short step hardly changes it.
@@ -261,11 +278,11 @@ class ContactWatch {
   }
 
   /// The time from the reference's event to the rotating motion's, over epsilon, from the pair near one of them; none where the
-  /// two are so far apart that a parabola does not tell.
+  /// two are too far apart for a polynomial.
   /// @param t  time of one of the events   @param from_reference  whether it is the reference's
   std::optional<T> time_difference(std::size_t k, const Look& p, T t, bool from_reference) const {
     const T epsilon = system_.equations().model().epsilon;
-    // Rates from values around the event, by formulas of order 4.
+    // The values around the event have an error of order h^4 in the slope, as large as that by rounding.
     const T h = T(real::pow(static_cast<double>(real::epsilon<T>()), 0.2)) / motion_rate_;
     Paired<T> g[5];
     for (int i = 0; i < 5; ++i) {
@@ -276,16 +293,26 @@ class ContactWatch {
     // The other motion's function at the one's event is +-epsilon times the difference.
     T Paired<T>::*other = from_reference ? &Paired<T>::rot : &Paired<T>::ref;
     const T here = from_reference ? g[2].diff : -g[2].diff;
-    const T slope = (T(8) * (g[3].*other - g[1].*other) - (g[4].*other - g[0].*other)) / (T(12) * h);
-    const T curvature =
-        (-(g[4].*other + g[0].*other) + T(16) * (g[3].*other + g[1].*other) - T(30) * (g[2].*other)) / (T(12) * h * h);
+    // The other's function around there, less its value, is a polynomial through the five values; its argument is time over h.
+    const T odd = (g[3].*other - g[1].*other) / T(2), odd_far = (g[4].*other - g[0].*other) / T(2);
+    const T even = (g[3].*other + g[1].*other) / T(2) - g[2].*other,
+            even_far = (g[4].*other + g[0].*other) / T(2) - g[2].*other;
+    const T cubic = (odd_far - T(2) * odd) / T(6), slope = odd - cubic;
+    const T quartic = (even_far - T(4) * even) / T(12), parabola = even - quartic;
     if (!(slope < T(0))) return std::nullopt;
     const T linear = -here / slope;
-    const T bend = epsilon * curvature * linear / slope;
-    constexpr double kParabola = 1e-3;  // the cubic term is neglected
-    if (!(real::abs(bend) < T(kParabola)) || !(real::abs(epsilon * linear) * motion_rate_ < T(kParabola))) return std::nullopt;
-    // here + slope D + epsilon curvature/2 D^2 = 0 for the root near `linear`.
-    const T D = T(2) * linear / (T(1) + real::sqrt(T(1) + T(2) * bend));
+    constexpr double kNear = 1e-3;  // then the polynomial's next term is below 1e-15 of the first
+    if (!(real::abs(T(2) * epsilon * parabola * linear / slope) < T(kNear)) ||
+        !(real::abs(epsilon * linear * h) * motion_rate_ < T(kNear)))
+      return std::nullopt;
+    // here + D (slope + parabola (epsilon D) + ...) = 0: each repetition gains three digits.
+    T steps = linear;
+    for (int i = 0; i < 16; ++i) {
+      const T x = epsilon * steps, before = steps;
+      steps = -here / (slope + x * (parabola + x * (cubic + x * quartic)));
+      if (real::abs(steps - before) <= real::epsilon<T>() * real::abs(steps)) break;
+    }
+    const T D = steps * h;
     return from_reference ? D : -D;
   }
 

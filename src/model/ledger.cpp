@@ -6,6 +6,7 @@
 
 #include "earthtop/frames/frame_stack.hpp"
 #include "earthtop/model/applied_motion.hpp"
+#include "earthtop/model/contact_ledger.hpp"
 #include "earthtop/model/equations.hpp"
 
 namespace earthtop {
@@ -154,6 +155,14 @@ Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool 
   return times<T>(A.R_AB, applied_B + cor_B + cent_B - carried_B);
 }
 
+/// Makes zeros positive, because a product with a rate of zero may have given -0, and takes the residual.
+template <class T>
+void close(LedgerEntry<T>& entry) {
+  for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
+    *column += Vec3<T>::Zero();
+  entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
+}
+
 }  // namespace
 
 template <class T>
@@ -180,10 +189,7 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
   // The body is always at rest in its own axes: L' is and remains zero.
   if (observer != LedgerObserver::body)
     entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B);
-  // Makes zeros positive: a product with a rate of zero may have given -0.
-  for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
-    *column += Vec3<T>::Zero();
-  entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
+  close(entry);
   return entry;
 }
 template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
@@ -192,6 +198,63 @@ template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long 
                                                const Quaternion<long double>&, const Vec3<long double>&);
 template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128, const Quaternion<float128>&,
                                             const Vec3<float128>&);
+
+template <class T>
+LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& model, const Contact<T>& contact,
+                                     const ContactRelease<T>& start, T t, const StateOnTable<T>& state) {
+  if (observer == LedgerObserver::platform) observer = LedgerObserver::laboratory;  // there is no platform with a table
+  const Mat3<T> R_LH = rotation_matrix(start.q_LH), R_LB = rotation_matrix(state.q_LB);
+  const auto in_H = [&](const Vec3<T>& v_L) { return transposed_times(R_LH, v_L); };
+  const Model<T> turned = in_table_axes(model, start.q_LH);
+  const Vec3<T> z = Vec3<T>::UnitZ(), W_H = turned.W_IL_L;
+  const Vec3<T> tide_H = model.tide.empty() ? Vec3<T>(Vec3<T>::Zero()) : in_H(model.tide.acceleration_L(t));
+  const ContactSurroundings<T> around{z, turned.apparent_gravity_L + tide_H, W_H, contact.gradient_H};
+
+  GeneralContactState<T> x;
+  x.R_HB = R_LH.transpose() * R_LB;
+  x.momentum = times(x.R_HB, times(contact.I_BC_B, state.w_LB_B));
+  x.v_P = in_table_plane(in_H(state.slip_L), z);
+  x.p_O = in_table_plane(in_H(state.tip_L), z) + contact.tip_radius * z;
+  Contact<T> acting = contact;
+  // The exact law of dry friction holds a tip that does not slip.
+  if (contact.law == ContactLaw::coulomb && contact.slip_floor == T(0) && norm(x.v_P) == T(0)) acting.law = ContactLaw::rolling;
+  const GeneralContactRates<T> rates = general_rates(acting, around, x);
+  const ContactLedger<T> ledger = contact_ledger(acting, around, x, rates);
+
+  // The rates of change of w_IB and w_LB, taken in B.
+  const Vec3<T> w_LB_dot_B = transposed_times(x.R_HB, rates.w_dot);
+  const Vec3<T> w_IB_dot_B = transposed_times(x.R_HB, Vec3<T>(rates.w_dot + Vec3<T>(W_H.cross(rates.w))));
+  const bool in_laboratory = observer == LedgerObserver::laboratory;
+  ObservingFrame<T> A;
+  Vec3<T> w_AB_dot_B = Vec3<T>::Zero();
+  if (observer == LedgerObserver::inertial) {
+    A = inertial_frame(model, t, R_LB, state.w_LB_B);
+    w_AB_dot_B = w_IB_dot_B;
+  } else if (in_laboratory) {
+    A = laboratory_frame(model, R_LB, state.w_LB_B);
+    w_AB_dot_B = w_LB_dot_B;
+  } else {
+    A.R_LA = R_LB;
+    A.w_IA_A = state.w_LB_B + transposed_times(R_LB, model.W_IL_L);
+    A.alpha_IA_A = w_IB_dot_B;
+  }
+  const auto from_H = [&](const Vec3<T>& v_H) { return Vec3<T>(transposed_times(A.R_LA, times(R_LH, v_H)) + Vec3<T>::Zero()); };
+
+  LedgerEntry<T> entry;
+  const Vec3<T> physical_H = ledger.gravity + ledger.tip + ledger.gradient + ledger.friction;
+  count_torques<T>(entry, model, A, in_laboratory, state.w_LB_B, Vec3<T>::Zero(), transposed_times(x.R_HB, physical_H));
+  const Vec3<T> mass_moment_H = contact.mass * times(x.R_HB, contact.p_OC_B);
+  entry.share_A = {from_H(field_torque(mass_moment_H, tide_H)), from_H(ledger.gradient), from_H(ledger.friction),
+                   Vec3<T>::Zero()};
+  entry.force_table_A = from_H(Vec3<T>(rates.reaction.normal_force * z + rates.reaction.friction));
+  if (observer != LedgerObserver::body)
+    entry.dL_dt_A = times<T>(A.R_AB, times(model.I_BP_B, w_AB_dot_B) + A.w_AB_B.cross(times(model.I_BP_B, A.w_AB_B)));
+  close(entry);
+  return entry;
+}
+EARTHTOP_LEDGER_ON_TABLE(double);
+EARTHTOP_LEDGER_ON_TABLE(long double);
+EARTHTOP_LEDGER_ON_TABLE(float128);
 
 void LedgerLargest::include(const LedgerRow<double>& row) {
   const auto follow = [](double& largest, const std::array<double, 3>& column) {

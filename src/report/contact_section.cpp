@@ -201,13 +201,35 @@ std::string changes_html(const Run& run) {
                 "defined, the prediction is not.</p>\n");
 }
 
+/// What friction's work and the Earth do to the integrals of the motion, and how well both computed motions keep to it.
+std::string balances_html(const Run& run) {
+  std::vector<std::vector<std::string>> rows;
+  for (const char* prediction : {"rotating", "reference"}) {
+    const std::string words = prediction == std::string("rotating") ? "rotating" : "non-rotating";
+    const auto add = [&](const char* name, const std::string& at, const char* first, const char* last, const char* integral,
+                         const char* unit) {
+      const auto from = run.number(at + first), to = run.number(at + last), gained = run.number(at + integral);
+      if (!from || !to || !gained) return;
+      rows.push_back({name, words, number_html(*to - *from, unit), number_html(*gained, unit),
+                      number_html(run.number(at + "balance_over_size").value_or(kNoNumber), "", 2)});
+    };
+    add("Jacobi integral, by the work of friction", fmt::format("/contact/work/{}/", prediction), "jacobi_first_J",
+        "jacobi_last_J", "slip_work_J", "J");
+    add("Jellett's integral, by the Earth and friction's moment", fmt::format("/contact/jellett/{}/", prediction),
+        "first_kg_m3_s", "last_kg_m3_s", "integral_kg_m3_s", "kg m³/s");
+  }
+  if (rows.empty()) return "";
+  return "<p>What the contact changes at a known rate, from the release to the last row:</p>\n" +
+         table_html({"quantity", "prediction", "changes by", "integral of its rate", "difference over its size"}, rows);
+}
+
 }  // namespace
 
 std::string contact_section(const Run& run, Page& page) {
   return seen_html(run) + path_html(run, page) +
          page.chart("tip", tip_figure(run), "The distance of the two contact points, and the bound on its error.") +
          page.chart("force", force_figure(run), "Slip of the contact point over the table, and the force of the table on it.") +
-         events_html(run) + changes_html(run);
+         events_html(run) + balances_html(run) + changes_html(run);
 }
 
 void add_tip_motion(const Run& run, Page& page) {

@@ -34,6 +34,16 @@ Json input_json(const InputNeed& need) {
           {"hides_earth", finite_or_null(need.hides_earth)}};
 }
 
+Json run_json(const Scene& scene) {
+  const MethodChoice& choice = scene.choice();
+  return {{"method", to_string(choice.options.method)},
+          {"observer", to_string(choice.options.observer)},
+          {"reason", choice.reason},
+          {"relative_tolerance", choice.options.relative_tolerance},
+          {"estimated_steps", scene.estimate().solution.steps},
+          {"estimated_seconds", scene.estimate().seconds.all()}};
+}
+
 }  // namespace
 
 std::string budget_json(const Budget& budget, const Scene& scene) {
@@ -41,7 +51,6 @@ std::string budget_json(const Budget& budget, const Scene& scene) {
   Json effects = Json::array(), inputs = Json::array();
   for (const EffectEntry& entry : budget.effects) effects.push_back(effect_json(entry));
   for (const InputNeed& need : budget.inputs) inputs.push_back(input_json(need));
-  const MethodChoice& choice = scene.choice();
   Json document = {{"$schema", "earthtop-budget-1.json"},
                    {"name", scenario.name},
                    {"duration_s", scenario.duration_s},
@@ -52,13 +61,41 @@ std::string budget_json(const Budget& budget, const Scene& scene) {
                    {"inputs", std::move(inputs)},
                    {"inputs_unavailable", budget.inputs_unavailable},
                    {"warnings", budget.warnings},
-                   {"run",
-                    {{"method", to_string(choice.options.method)},
-                     {"observer", to_string(choice.options.observer)},
-                     {"reason", choice.reason},
-                     {"relative_tolerance", choice.options.relative_tolerance},
-                     {"estimated_steps", scene.estimate().solution.steps},
-                     {"estimated_seconds", scene.estimate().seconds.all()}}}};
+                   {"run", run_json(scene)}};
+  return written_replacing(document, 2) + '\n';
+}
+
+std::string contact_explanation_json(const ContactExplanation& explained, const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  Json forces = Json::array(), inputs = Json::array();
+  for (const ContactForceSize& size : explained.forces)
+    forces.push_back({{"name", size.name},
+                      {"modelled", size.modelled},
+                      {"force_release_N", size.force_release_N},
+                      {"force_largest_N", size.force_largest_N},
+                      {"torque_release_N_m", size.torque_release_N_m},
+                      {"torque_largest_N_m", size.torque_largest_N_m}});
+  for (const ContactInputNeed& need : explained.inputs)
+    inputs.push_back({{"name", need.input},
+                      {"step", need.step},
+                      {"axis_rad", need.axis_rad},
+                      {"tip_m", need.tip_m},
+                      {"steps_that_hide_earth_axis", finite_or_null(need.hides_axis)},
+                      {"steps_that_hide_earth_tip", finite_or_null(need.hides_tip)}});
+  const Json document = {{"$schema", "earthtop-contact-budget-1.json"},
+                         {"name", scenario.name},
+                         {"duration_s", scenario.duration_s},
+                         {"followed_s", explained.followed_s},
+                         {"ended_by", explained.ended_by},
+                         {"earth_drift_rad", explained.drift_axis_rad},
+                         {"earth_drift_tip_m", explained.drift_tip_m},
+                         {"matching_rule", matching_rule(scenario)},
+                         {"forces", std::move(forces)},
+                         {"slip_relaxation_1_s", finite_or_null(explained.slip_relaxation_1_s)},
+                         {"largest_friction_over_normal_force", finite_or_null(explained.largest_friction_ratio)},
+                         {"inputs_at_s", explained.inputs_at_s},
+                         {"inputs", std::move(inputs)},
+                         {"run", run_json(scene)}};
   return written_replacing(document, 2) + '\n';
 }
 

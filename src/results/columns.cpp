@@ -8,8 +8,16 @@ namespace {
 
 template <class Member>
 constexpr TorqueQuantity torque(std::string_view stem, std::string_view measure, Member member,
-                                bool (*present)(const Scene&) = nullptr, RowPart part = RowPart::torque) {
-  return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, "_N_m", MeasureKind::vector, part, measure}, member), present};
+                                bool (*present)(const Scene&) = nullptr, RowPart part = RowPart::torque,
+                                std::string_view unit = "_N_m") {
+  return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, unit, MeasureKind::vector, part, measure}, member), present};
+}
+
+/// Whether the table exerts more than a normal force.
+bool has_table_friction(const Scene& scene) {
+  const std::optional<ContactSpec>& contact = scene.scenario().contact;
+  return contact &&
+         (contact->law != ContactLaw::frictionless || contact->spinning_friction_m > 0 || contact->rolling_resistance_m > 0);
 }
 
 constexpr TorqueQuantity kTorques[] = {
@@ -28,14 +36,17 @@ constexpr TorqueQuantity kTorques[] = {
         [](const Scene& scene) { return has_share(scene, kAppliedShares[1]); }),
     torque(
         "tau_friction", "tau_friction_N_m", [](const auto& r) { return r.share_A[2]; },
-        [](const Scene& scene) { return has_share(scene, kAppliedShares[2]); }),
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[2]) || has_table_friction(scene); }),
     torque(
         "tau_gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
+    torque(
+        "force_table", "force_table_N", [](const auto& r) { return r.force_table_A; },
+        [](const Scene& scene) { return scene.scenario().contact.has_value(); }, RowPart::torque, "_N"),
 };
 
 constexpr bool shares_are_in_order() {
-  constexpr std::size_t kFirst = std::size(kTorques) - kAppliedShares.size();
+  constexpr std::size_t kFirst = std::size(kTorques) - 1 - kAppliedShares.size();  // the table's force is last
   for (std::size_t i = 0; i < kAppliedShares.size(); ++i)
     if (kTorques[kFirst + i].stem.substr(4) != kAppliedShares[i]) return false;
   return true;

@@ -31,7 +31,7 @@ struct Column {
 /// on a table have them.
 const std::vector<Column>& trajectory_columns();
 
-/// A torque of the ledger, in the axes of the ledger's observer (N m).
+/// A torque of the ledger (N m), or the force of a table (N), in the axes of the ledger's observer.
 struct TorqueQuantity : ValuedQuantity<LedgerRow<double>, LedgerRow<float128>> {
   bool (*present)(const Scene&);  ///< whether a scene has it (an effect's torque: if the effect acts); null: always
 };

@@ -68,9 +68,16 @@ std::string_view to_word(Prediction prediction) { return prediction == Predictio
 Json of_contact(R r, const std::optional<double>& value) {
   return r.scene.scenario().contact || r.contact ? json_from(value) : kLeftOut;
 }
+/// A component of the tip's drift at the end.
+std::optional<double> tip_final(R r, std::size_t component) {
+  if (r.rows.empty() || !r.rows.back().contact) return std::nullopt;
+  return r.rows.back().contact->drift_tip_xy_m[component];
+}
 std::string_view to_event_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "reference"; }
 const ContactEvent& event(R r, I i) { return r.contact->events[i]; }
 const PredictionChange& change(R r, I i) { return r.contact->changes[i]; }
+
+double over_size(const ContactBalance& balance) { return balance.balance / balance.size; }
 
 Json relative_tolerance(const IntegrationReport& report) {
   return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
@@ -170,6 +177,7 @@ constexpr std::string_view kLabel = "it names what is beside it", kOfScenario = 
                            kDigits = "it repeats a figure that is compared", kOrigin = "it says where the result comes from",
                            kHeadline = "it holds a column or a figure, which are compared, against the scenario's number",
                            kSelected = "the effects modelled are compared",
+                           kRemainder = "it is what rounding and the integration's error leave of numbers that are compared",
                            kEffort = "it is the work that the search for a tolerance took";
 
 constexpr auto kMembers = [] {
@@ -204,6 +212,8 @@ constexpr auto kMembers = [] {
                [](R r) { return largest(r, &DriftRow::drift_azimuth_rad); }),
       compared("drift.tilt_max_rad", drift_tilt, rows, kFromRows, [](R r) { return largest(r, &DriftRow::drift_tilt_rad); }),
       compared("drift.tip_final_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_final_m); }),
+      compared("drift.tip_final_x_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 0)); }),
+      compared("drift.tip_final_y_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 1)); }),
       compared("drift.tip_max_m", drift_tip, rows, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
       compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
@@ -278,6 +288,51 @@ constexpr auto kMembers = [] {
       compared("contact.prediction_changes.*.axis_rad", derived, end, kAtEnd, [](R r, I i) { return change(r, i).axis_rad; }),
       compared("contact.prediction_changes.*.tip_m", derived, end, kAtEnd, [](R r, I i) { return change(r, i).tip_m; }),
       compared("contact.prediction_changes.*.at_s", input, end, kAtEnd, [](R r, I) { return r.contact->at_s; }),
+      // Jellett's integral and the Jacobi integral with what changes them: their balances, for both predictions.
+      object_or_nothing("contact.jellett", [](R r) { return r.contact->rotating.jellett.has_value(); }),
+      object("contact.jellett.rotating"),
+      compared("contact.jellett.rotating.first_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jellett->first; }),
+      compared("contact.jellett.rotating.last_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jellett->last; }),
+      compared("contact.jellett.rotating.integral_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jellett->integral; }),
+      told("contact.jellett.rotating.balance_kg_m3_s", kAtEnd, kRemainder,
+           [](R r) { return r.contact->rotating.jellett->balance; }),
+      told("contact.jellett.rotating.balance_over_size", kAtEnd, kRemainder,
+           [](R r) { return over_size(*r.contact->rotating.jellett); }),
+      object("contact.jellett.reference"),
+      compared("contact.jellett.reference.first_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jellett->first; }),
+      compared("contact.jellett.reference.last_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jellett->last; }),
+      compared("contact.jellett.reference.integral_kg_m3_s", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jellett->integral; }),
+      told("contact.jellett.reference.balance_kg_m3_s", kAtEnd, kRemainder,
+           [](R r) { return r.contact->reference.jellett->balance; }),
+      told("contact.jellett.reference.balance_over_size", kAtEnd, kRemainder,
+           [](R r) { return over_size(*r.contact->reference.jellett); }),
+      object_or_nothing("contact.work", [](R r) { return r.contact->rotating.jacobi.has_value(); }),
+      object("contact.work.rotating"),
+      compared("contact.work.rotating.slip_work_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jacobi->integral; }),
+      compared("contact.work.rotating.jacobi_first_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jacobi->first; }),
+      compared("contact.work.rotating.jacobi_last_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->rotating.jacobi->last; }),
+      told("contact.work.rotating.balance_J", kAtEnd, kRemainder, [](R r) { return r.contact->rotating.jacobi->balance; }),
+      told("contact.work.rotating.balance_over_size", kAtEnd, kRemainder,
+           [](R r) { return over_size(*r.contact->rotating.jacobi); }),
+      object("contact.work.reference"),
+      compared("contact.work.reference.slip_work_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jacobi->integral; }),
+      compared("contact.work.reference.jacobi_first_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jacobi->first; }),
+      compared("contact.work.reference.jacobi_last_J", derived, end, kAtEnd,
+               [](R r) { return r.contact->reference.jacobi->last; }),
+      told("contact.work.reference.balance_J", kAtEnd, kRemainder, [](R r) { return r.contact->reference.jacobi->balance; }),
+      told("contact.work.reference.balance_over_size", kAtEnd, kRemainder,
+           [](R r) { return over_size(*r.contact->reference.jacobi); }),
       object_or_null("headline", [](R r) { return r.scene.scenario().headline.has_value(); }),
       told("headline.quantity", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->quantity; }),
       told("headline.at_s", kFromRows, kHeadline, [](R r) { return check_headline(r)->at_s; }),

@@ -49,8 +49,8 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   if (!has_drift(result)) return check;
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
-  if (result.verdict.from_s && check.at_s.value_or(result.scene.scenario().duration_s) >= *result.verdict.from_s) {
-    check.computed.reset();  // a value after the time until which the drift is reliable means nothing
+  if (!result.verdict.trusts(check.at_s.value_or(result.scene.scenario().duration_s))) {
+    check.computed.reset();  // such a value means nothing
     return check;
   }
   check.difference = *check.computed - check.stated.value;

@@ -215,7 +215,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
-  if (table) result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
+  if (table) {
+    result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
+    const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());
+    result.contact->rotating = balances[0], result.contact->reference = balances[1];
+  }
   if (stop()) return stopped(scene, made, partial);
   result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
@@ -235,7 +239,9 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);
   }
-  result.ledger = assess_ledger(result, parts.next(seconds.ledger, "ledger"));
+  const Watch ledger = parts.next(seconds.ledger, "ledger");
+  result.ledger = scenario.contact ? assess_contact_ledger(scene, made.first.samples, result.rows.size(), ledger)
+                                   : assess_ledger(result, ledger);
   if (stop()) return stopped(scene, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);

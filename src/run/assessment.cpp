@@ -7,6 +7,7 @@
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
+#include "run/ledger_report.hpp"
 
 namespace earthtop {
 namespace {
@@ -60,16 +61,6 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
         ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B))));
   }
   return ledger;
-}
-
-LedgerRow<double> in_double(const LedgerRow<float128>& entry) {
-  const auto cast = [](const std::array<float128, 3>& v) {
-    return std::array<double, 3>{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-  };
-  LedgerRow<double> rounded{cast(entry.tau_phys_A), cast(entry.tau_cor_A), cast(entry.tau_trans_A),
-                            cast(entry.tau_cent_A), cast(entry.dL_dt_A),   cast(entry.residual_A)};
-  for (std::size_t i = 0; i < entry.share_A.size(); ++i) rounded.share_A[i] = cast(entry.share_A[i]);
-  return rounded;
 }
 
 }  // namespace
@@ -127,17 +118,9 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
   if (!scene.scenario().ledger) return std::nullopt;
-  LedgerReport report;
-  report.observer = *scene.scenario().ledger;
-  if (result.extended_rows.empty()) {
-    report.entries = ledger_rows(scene, result.rows, watch);
-  } else {
-    report.extended_entries = ledger_rows(scene, result.extended_rows, watch);
-    report.entries.reserve(report.extended_entries.size());
-    for (const LedgerRow<float128>& entry : report.extended_entries) report.entries.push_back(in_double(entry));
-  }
-  for (const LedgerRow<double>& entry : report.entries) report.largest.include(entry);
-  return report;
+  const LedgerObserver observer = *scene.scenario().ledger;
+  return result.extended_rows.empty() ? ledger_report(observer, ledger_rows(scene, result.rows, watch))
+                                      : ledger_report(observer, ledger_rows(scene, result.extended_rows, watch));
 }
 
 }  // namespace earthtop

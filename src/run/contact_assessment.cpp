@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/contact_assessment.hpp"
 
+#include "drift/contact_integrals.hpp"
 #include "earthtop/model/contact_invariants.hpp"
+#include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
+#include "run/ledger_report.hpp"
 
 namespace earthtop {
 namespace {
@@ -24,12 +27,6 @@ struct Conserved {
     routh = jellett && spec.law == ContactLaw::rolling && spec.table_tilt_deg == 0;
   }
 };
-
-/// One of the motions of a pair.
-template <class T>
-Vec3<T> one_of(const Vec3<Paired<T>>& pairs, T Paired<T>::*member) {
-  return {pairs[0].*member, pairs[1].*member, pairs[2].*member};
-}
 
 /// The conserved quantities of one motion, in natural units.
 template <class T>
@@ -61,7 +58,7 @@ class MotionInvariants {
   Quaternion<T> q_LB(const DriftSample<T>& sample) const {
     return (rotating_ ? sample.state.q_LB : sample.state.ref_q_LB).normalized();
   }
-  Vec3<T> in_H(const Vec3<Paired<T>>& v_L) const { return transposed_times(R_LH_, one_of(v_L, member_)); }
+  Vec3<T> in_H(const Vec3<Paired<T>>& v_L) const { return transposed_times(R_LH_, motion_of(v_L, member_)); }
   /// The rate relative to the laboratory.
   Vec3<T> rate(const DriftSample<T>& sample) const {
     const Vec3<T> w_LB_B = problem_.units.rate_from_rad_s(rotating_ ? sample.state.w_LB_B : sample.state.ref_w_LB_B);
@@ -129,9 +126,78 @@ std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const
   if (conserved.routh) reports.push_back(routh.report());
   return reports;
 }
-#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                              \
-  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&, \
-                                                                  std::size_t, const Watch&);
+
+template <class T>
+std::array<ContactBalances, 2> assess_contact_balances(const Scene& scene, const std::vector<DriftSample<T>>& samples,
+                                                       std::size_t rows) {
+  std::array<ContactBalances, 2> balances;
+  const DriftProblem<T>& problem = scene.problem<T>();
+  const EffectsSpec& effects = scene.scenario().effects;
+  // The tide is uniform and exerts no torque about the centre of mass.
+  const bool jellett_holds = effects.all_on() && !effects.applied.gravity_gradient;
+  if (samples.empty() || rows == 0 || !jellett_holds || !samples.front().contact->integrals) return balances;
+  const DriftSample<T>&first = samples.front(), &last = samples[std::min(rows, samples.size()) - 1];
+  const NaturalUnits& units = problem.units;
+  const auto made = [](T at_first, T at_last, T integral, T size, int exponent) {
+    const auto plain = [&](T x) { return static_cast<double>(real::scale(x, exponent)); };
+    return ContactBalance{plain(at_first), plain(at_last), plain(integral), plain(at_last - at_first - integral), plain(size)};
+  };
+  for (const bool rotates : {true, false}) {
+    const MotionInvariants<T> motion(problem, rotates);
+    const std::size_t number = rotates ? 1 : 0;
+    const ContactIntegrals<T>&from = (*first.contact->integrals)[number], &to = (*last.contact->integrals)[number];
+    ContactBalances& balance = balances[rotates ? 0 : 1];
+    if (from.jellett_change && to.jellett_change) {
+      const Contact<T>& c = problem.table->contact;
+      const T spin = std::max(real::abs(motion.spin(first)), real::abs(motion.spin(last)));
+      const T size = std::max(c.I1, c.I3) * std::max(spin, norm(problem.units.rate_from_rad_s(first.state.ref_w_LB_B))) *
+                     (c.tip_radius + real::abs(c.height_of_center));
+      balance.jellett = made(motion.jellett(first), motion.jellett(last), *to.jellett_change - *from.jellett_change, size,
+                             units.mass_exponent - units.time_exponent);
+    }
+    if (effects.tide) continue;
+    const ContactJacobi<T> J_first = motion.jacobi(first), J_last = motion.jacobi(last);
+    const T size = std::max(J_first.kinetic + real::abs(J_first.potential), J_last.kinetic + real::abs(J_last.potential));
+    balance.jacobi =
+        made(J_first.value, J_last.value, to.work - from.work, size, units.mass_exponent - 2 * units.time_exponent);
+  }
+  return balances;
+}
+
+template <class T>
+std::optional<LedgerReport> assess_contact_ledger(const Scene& scene, const std::vector<DriftSample<T>>& samples,
+                                                  std::size_t rows, const Watch& watch) {
+  const std::optional<LedgerObserver>& observer = scene.scenario().ledger;
+  if (!observer) return std::nullopt;
+  const DriftProblem<T>& problem = scene.problem<T>();
+  const NaturalUnits& units = problem.units;
+  const int newtons = units.mass_exponent - 2 * units.time_exponent;  // lengths are metres in both units
+  std::vector<LedgerRow<T>> ledger;
+  ledger.reserve(rows);
+  for (std::size_t i = 0; i < std::min(rows, samples.size()); ++i) {
+    if (watch.asks_to_stop()) break;
+    if (i % 64 == 0) watch.reach(static_cast<double>(i) / static_cast<double>(rows));
+    const DriftSample<T>& sample = samples[i];
+    const StateOnTable<T> state{sample.state.q_LB.normalized(), units.rate_from_rad_s(sample.state.w_LB_B),
+                                motion_of(sample.contact->slip_L, &Paired<T>::rot),
+                                motion_of(sample.contact->tip_L, &Paired<T>::rot)};
+    LedgerRow<T> row = ledger_row(ledger_entry_on_table(*observer, problem.model, problem.table->contact, problem.table->start,
+                                                        units.time_from_s(sample.state.t_s), state));
+    for (std::array<T, 3>* column : {&row.tau_phys_A, &row.tau_cor_A, &row.tau_trans_A, &row.tau_cent_A, &row.dL_dt_A,
+                                     &row.residual_A, &row.share_A[0], &row.share_A[1], &row.share_A[2], &row.force_table_A})
+      for (T& component : *column) component = real::scale(component, newtons);
+    ledger.push_back(row);
+  }
+  return ledger_report(*observer, std::move(ledger));
+}
+
+#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                                      \
+  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&,         \
+                                                                  std::size_t, const Watch&);                               \
+  template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<T>>&,         \
+                                                                  std::size_t);                                             \
+  template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<T>>&, std::size_t, \
+                                                             const Watch&);
 EARTHTOP_CONTACT_INVARIANTS(double)
 EARTHTOP_CONTACT_INVARIANTS(long double)
 EARTHTOP_CONTACT_INVARIANTS(float128)

@@ -223,10 +223,7 @@ void mark_rows(RunResult& result) {
   // Between the stops of the two motions, their distance shows which one stopped first, not how the Earth turns them.
   const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
   const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
-  const double from_s = result.verdict.from_s.value_or(HUGE_VAL), until_s = result.verdict.until_s.value_or(HUGE_VAL);
-  const auto reliable = [&](double t_s) {
-    return (t_s < from_s || t_s >= until_s) && !(t_s > one_rests_s && t_s < both_rest_s);
-  };
+  const auto reliable = [&](double t_s) { return result.verdict.trusts(t_s) && !(t_s > one_rests_s && t_s < both_rest_s); };
   for (DriftRow& row : result.rows) row.drift_reliable = reliable(row.t_s) && !is_mixed(row);
   for (ExtendedDriftRow& row : result.extended_rows)
     row.drift_reliable = reliable(static_cast<double>(row.t_s)) && !is_mixed(row);

@@ -60,7 +60,8 @@ inline constexpr std::string_view kColumns = Spelled<[](const auto& add) {
 /// The figures of summary.json that a headline may use. The table of figures checks at compile time that each of them exists.
 inline constexpr std::string_view kSummaryFigures =
     "drift.axis_max_rad|drift.threshold_time_s|drift.secular.azimuth_rate_rad_s|drift.tip_max_m|contact.events.0.t_s|"
-    "contact.events.0.time_difference_s";
+    "contact.events.0.time_difference_s|contact.events.1.t_s|contact.events.2.t_s|contact.events.2.time_difference_s|"
+    "contact.events.3.t_s";
 
 inline constexpr std::string_view kFigures = Joined<kColumns, kSummaryFigures>::text;
 
@@ -75,6 +76,9 @@ inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
       add(quantity.stem), add(quantity.unit);
     }
 }>::text;
+
+/// Rates about body axis 3 relative to inertial space, which are in no column.
+inline constexpr std::string_view kInertialSpins = "inertial_spin_rad_s|ref_inertial_spin_rad_s";
 
 /// Quantities of the whole run, one number each.
 inline constexpr std::string_view kRunNumbers = "jacobi_integral_J|reference_energy_J|critical_spin_rad_s";
@@ -95,6 +99,6 @@ inline constexpr std::string_view kOrders = "step_resonance|convergence";
 
 inline constexpr std::string_view kVerdicts = "reliable|noise_floor|unstable|chaotic|marginal";
 
-inline constexpr std::string_view kValues = Joined<kFigures, kColumnVectors, kRunNumbers>::text;
+inline constexpr std::string_view kValues = Joined<kFigures, kColumnVectors, kInertialSpins, kRunNumbers>::text;
 
 }  // namespace earthtop::scenario

@@ -74,9 +74,6 @@ void check_beside_contact(const Section& root, const Scene& scene) {
   if (scene.scenario().effects.automatic)
     root.section("effects").refuse_key(
         "select", "sizes the effects on a top on a fixed pivot, and is not available with /contact; name the effects instead");
-  if (scene.scenario().ledger)
-    root.section("numerics")
-        .refuse_key("ledger", "lists the torques about a fixed pivot, and is not available with /contact; leave it out");
 }
 
 void check_method(const Section& numerics, const Scene& scene) {

@@ -70,7 +70,9 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
                  x.range && x.range->logarithmic && x.range->from.front() > 0 ? AxisScale::logarithmic : AxisScale::linear},
                 {}};
   for (const StudyQuantity& quantity : study.quantities) {
-    if (quantity.name.ends_with("bound_rad") || figure.panels.size() == kMostPanels) continue;
+    if (quantity.name.ends_with("bound_rad") || quantity.name.ends_with("bound_m") || quantity.name.ends_with("bound_s") ||
+        figure.panels.size() == kMostPanels)
+      continue;
     std::vector<Line> lines;
     std::map<std::string, std::size_t> line_of;
     for (const Json& point : points) {

@@ -9,9 +9,12 @@
 #include "verify/differences.hpp"
 #include "verify/formulas.hpp"
 #include "verify/judge.hpp"
+#include "verify/scene.hpp"
 
 namespace earthtop::verify_detail {
 namespace {
+
+constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"};
 
 double initial_invariant(const RunResult& result, std::string_view name) {
   for (const InvariantReport& invariant : result.invariants)
@@ -24,11 +27,23 @@ double figure(const RunResult& result, std::string_view quantity, double t_s) {
   throw NotJudged(fmt::format("this run has no {} at t = {} s", quantity, t_s));
 }
 
+/// The rate about body axis 3 relative to inertial space in the row at time `t_s` (rad/s): of the rotating motion that relative
+/// to the laboratory plus the Earth's part.
+double inertial_spin(const RunResult& result, Prediction prediction, double t_s) {
+  if (prediction == Prediction::reference) return figure(result, "ref_w_LB_B_z_rad_s", t_s);
+  const Vec3<double> W_L = earth_rate_L(result.scene);
+  double spin = figure(result, "w_LB_B_z_rad_s", t_s);
+  for (int i = 0; i < 3; ++i) spin += W_L[i] * figure(result, kAxisColumns[i], t_s);
+  return spin;
+}
+
 /// The numbers of a quantity: of a vector those of its columns.
 std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
   if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
   if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};
   if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scene)};
+  if (quantity == "inertial_spin_rad_s") return {inertial_spin(result, Prediction::rotating, t_s)};
+  if (quantity == "ref_inertial_spin_rad_s") return {inertial_spin(result, Prediction::reference, t_s)};
   for (const RowQuantity& row_quantity : kDriftQuantities) {
     if (!row_quantity.is_called(quantity)) continue;
     std::vector<double> numbers;

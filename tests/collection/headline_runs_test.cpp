@@ -27,6 +27,13 @@ void expect_generated_drifts(const RunResult& result) {
   ASSERT_NE(row, result.rows.end());
   EXPECT_LE(std::abs(row->drift_axis_rad - generated.at("drift_axis_rad")), row->drift_axis_bound_rad);
   EXPECT_LE(std::abs(row->drift_attitude_rad - generated.at("drift_attitude_rad")), row->drift_attitude_bound_rad);
+  if (row->contact) {
+    const auto& contact = *row->contact;
+    EXPECT_LE(std::abs(contact.drift_tip_m - generated.at("drift_tip_m")), contact.drift_tip_bound_m);
+    // The bound is one of the error's length; each component's error is below it.
+    EXPECT_LE(std::abs(contact.drift_tip_xy_m[0] - generated.at("drift_tip_x_m")), contact.drift_tip_bound_m);
+    EXPECT_LE(std::abs(contact.drift_tip_xy_m[1] - generated.at("drift_tip_y_m")), contact.drift_tip_bound_m);
+  }
   // Azimuth, tilt and spin have no bounds of their own; the attitude's error appears in them divided by sin(tilt).
   const double sine = std::max(1e-3, std::hypot(row->axis_L[0], row->axis_L[1]));
   for (const Column& column : trajectory_columns()) {

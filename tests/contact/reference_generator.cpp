@@ -3,7 +3,7 @@
 /// with the largest difference between the two beside it.
 #include <cstdio>
 
-#include "support/contact_more_scenes.hpp"
+#include "support/contact_event_times.hpp"
 
 extern "C" int quadmath_snprintf(char*, std::size_t, const char*, ...);
 
@@ -39,14 +39,17 @@ void write_all() {
     std::printf("]}");
     first = false;
   }
-  std::puts("\n ],\n \"axis_passes_horizontal_s\": [");
+  std::puts("\n ],\n \"event_times_s\": [");
   first = true;
-  for (const ContactReference& top : tippe_tops()) {
-    std::printf("%s  {\"name\": \"%s\"", first ? "" : ",\n", top.name);
-    for (const auto& [key, member] :
-         {std::pair("reference", &Paired<float128>::ref), std::pair("rotating", &Paired<float128>::rot)})
-      std::printf(", \"%s\": \"%s\"", key, decimal(inverted_at<float128>(top.scene, member, 1e-24)).c_str());
-    std::printf("}");
+  for (const NamedEvent& event : named_events()) {
+    const auto laboratory = event_times<float128, Observer::laboratory>(event, 1e-25);
+    const auto inertial = event_times<float128, Observer::inertial>(event, 1e-25);
+    float128 apart = 0;
+    for (std::size_t k = 0; k < 2; ++k) apart = std::max(apart, real::abs(float128(laboratory[k] / inertial[k] - 1)));
+    std::printf("%s  {\"name\": \"%s\", \"difference_of_formulations\": %.1e,\n   \"reference\": \"%s\", \"rotating\": \"%s\"}",
+                first ? "" : ",\n", event.name.c_str(), static_cast<double>(apart), decimal(laboratory[0]).c_str(),
+                decimal(laboratory[1]).c_str());
+    std::fflush(stdout);
     first = false;
   }
   std::puts("\n ]\n}");

@@ -2,7 +2,7 @@
 /// Tops on a table against reference values of 15 to 20 digits, in the laboratory's equations and in those of inertial axes.
 #include <gtest/gtest.h>
 
-#include "support/contact_more_scenes.hpp"
+#include "support/contact_event_times.hpp"
 #include "support/json.hpp"
 
 namespace earthtop {
@@ -58,14 +58,21 @@ TEST(ContactMadeReferences, AreMetByEveryForm) {
   }
 }
 
-TEST(ContactMadeReferences, TellWhenATippeTopTurnsOver) {
-  const nlohmann::json known = made_references()["axis_passes_horizontal_s"];
-  const auto tops = testing::tippe_tops();
-  ASSERT_EQ(known.size(), tops.size());
-  for (std::size_t i = 0; i < tops.size(); ++i) {
-    const auto time = [&](const char* key) { return std::stod(known[i][key].get<std::string>()); };
-    EXPECT_NEAR(testing::inverted_at<double>(tops[i].scene, &Paired<double>::ref, 1e-14) / time("reference"), 1, 1e-11);
-    EXPECT_NEAR(testing::inverted_at<double>(tops[i].scene, &Paired<double>::rot, 1e-14) / time("rotating"), 1, 1e-11);
+/// Times of inversions, of a rim's touch and of a slip's start, in both formulations.
+TEST(ContactMadeReferences, TellWhenSomethingHappens) {
+  const nlohmann::json known = made_references()["event_times_s"];
+  const auto events = testing::named_events();
+  ASSERT_EQ(known.size(), events.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    SCOPED_TRACE(events[i].name);
+    ASSERT_EQ(known[i]["name"], events[i].name);
+    EXPECT_LT(known[i]["difference_of_formulations"].get<double>(), 1e-19);
+    const auto expect = [&](const std::array<double, 2>& times) {
+      EXPECT_NEAR(times[0] / std::stod(known[i]["reference"].get<std::string>()), 1, 1e-11);
+      EXPECT_NEAR(times[1] / std::stod(known[i]["rotating"].get<std::string>()), 1, 1e-11);
+    };
+    expect(testing::event_times<double, Observer::laboratory>(events[i], 1e-14));
+    expect(testing::event_times<double, Observer::inertial>(events[i], 1e-14));
   }
 }
 

@@ -56,6 +56,11 @@ Columns DriftMeasures::columns(const Motion& rotating, const Motion& reference) 
   add("drift_tilt_rad", tilt(n) - tilt(m));
   add("drift_attitude_rad", 2 * atan2q(norm(e.v), fabsq(e.w)));
   add("drift_spin_rad", half_spin ? std::optional(2 * *half_spin) : std::nullopt);
+  if (!rotating.on_table()) return columns;
+  const Vec tip = rotating.tip_L(), ref_tip = reference.tip_L(), drift = tip - ref_tip;
+  add("tip_L_x_m", tip.x), add("tip_L_y_m", tip.y), add("ref_tip_L_x_m", ref_tip.x), add("ref_tip_L_y_m", ref_tip.y);
+  add("drift_tip_x_m", drift.x), add("drift_tip_y_m", drift.y), add("drift_tip_m", hypotq(drift.x, drift.y));
+  add("drift_spin_rate_rad_s", rotating.w_IB_B().z - reference.w_IB_B().z);
   return columns;
 }
 

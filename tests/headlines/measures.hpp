@@ -19,7 +19,7 @@ class DriftMeasures {
   /// To be called after every step: an angle that jumps by more than a radian in one step is lost from then on.
   void follow(const Motion& rotating, const Motion& reference);
 
-  /// All columns but the bounds; an angle that is lost or undefined has no value.
+  /// All columns but the bounds and those of slip and normal force; an angle that is lost or undefined has no value.
   Columns columns(const Motion& rotating, const Motion& reference) const;
 
  private:

@@ -43,7 +43,7 @@ Jet platform_angle(const Platform& platform, Real t) {
 
 /// a + s b
 State sum(const State& a, Real s, const State& b) {
-  return {{a.q_IB.w + s * b.q_IB.w, a.q_IB.v + s * b.q_IB.v}, a.L_I + s * b.L_I};
+  return {{a.q_IB.w + s * b.q_IB.w, a.q_IB.v + s * b.q_IB.v}, a.L_I + s * b.L_I, a.X_I + s * b.X_I, a.V_I + s * b.V_I};
 }
 
 constexpr int kColumns = 16;  // of the extrapolation: its order is 32
@@ -54,7 +54,13 @@ Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(r
   const Mat R_LB = matrix(scene.q_LB);
   Vec w_IB_B = scene.w_XB_B;
   if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
-  state_ = {scene.q_LB, R_LB * (scene.inertia * w_IB_B)};
+  state_ = {scene.q_LB, R_LB * (scene.inertia * w_IB_B), {}, {}};
+  if (!scene.contact) return;
+  const Vec up{0, 0, 1}, W = rate_ * scene.celestial_axis, w = R_LB * w_IB_B, r_c = R_LB * scene.centre;
+  const Vec tip = scene.contact->tip_radius * up;
+  const Vec tip_velocity_L = scene.contact->released_rolling ? cross(w - W, tip) : Vec{};
+  state_.X_I = tip + r_c;
+  state_.V_I = tip_velocity_L + cross(W, tip) + cross(w, r_c);
 }
 
 Vec Motion::falling_I(Real t) const {
@@ -76,10 +82,16 @@ Vec Motion::angular_velocity(const State& state) const {
   return scene_->inverse_inertia * (transposed(matrix(state.q_IB)) * state.L_I);
 }
 
+Vec Motion::tip_L() const {
+  const Vec tip_I = state_.X_I - matrix(state_.q_IB) * scene_->centre;
+  return headlines::turned(scene_->celestial_axis, -rate_ * t_, tip_I);
+}
+
 State Motion::slope(Real t, const State& state) const {
+  if (scene_->contact) return slope_on_table(t, state);
   const Mat R_IB = matrix(state.q_IB);
   const Vec w_IB_B = scene_->inverse_inertia * (transposed(R_IB) * state.L_I);
-  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(R_IB * scene_->mass_moment, falling_I(t))};
+  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(R_IB * scene_->mass_moment, falling_I(t)), {}, {}};
 }
 
 Real Motion::try_step(Real step, Real scale, State& result) const {
@@ -105,7 +117,7 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
   // The difference of the last two columns of the last row, of orders 32 and 30, estimates the error.
   result = row[kColumns - 1];
   const State error = sum(result, -1, row[kColumns - 2]);
-  return fmaxq(sqrtq(squared_norm(error.q_IB)), norm(error.L_I) / scale);
+  return fmaxq(fmaxq(sqrtq(squared_norm(error.q_IB)), norm(error.L_I) / scale), fmaxq(norm(error.X_I), norm(error.V_I)));
 }
 
 Quat Motion::q_LB() const { return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB); }

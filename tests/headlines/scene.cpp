@@ -21,6 +21,15 @@ void read_site(const Json& json, Scene& scene) {
   scene.gravity = site.at("gravity_m_s2").get<double>();
 }
 
+/// Huygens and Steiner: adds m (c.c 1 - c c^T).
+void add_point_mass(Real mass, const Vec& centre, Mat& inertia) {
+  const Real square = dot(centre, centre);
+  inertia.a += mass * (Vec{square, 0, 0} - centre.x * centre);
+  inertia.b += mass * (Vec{0, square, 0} - centre.y * centre);
+  inertia.c += mass * (Vec{0, 0, square} - centre.z * centre);
+}
+
+/// The inertia is that about the centre of mass for a top on a table, else about the pivot.
 void read_body(const Json& body, Scene& scene) {
   const Json& inertia = body.at("inertia");
   if (inertia.contains("principal_kg_m2")) {
@@ -30,15 +39,12 @@ void read_body(const Json& body, Scene& scene) {
     const Json& rows = inertia.at("matrix_kg_m2");
     scene.inertia = {vector(rows.at(0)), vector(rows.at(1)), vector(rows.at(2))};
   }
-  const Real mass = body.at("mass_kg").get<double>();
-  const Vec centre = vector(body.at("center_of_mass_m"));
-  scene.mass_moment = mass * centre;
-  if (inertia.value("about", "pivot") == "center_of_mass") {  // Huygens and Steiner: + m (c.c 1 - c c^T)
-    const Real square = dot(centre, centre);
-    scene.inertia.a += mass * (Vec{square, 0, 0} - centre.x * centre);
-    scene.inertia.b += mass * (Vec{0, square, 0} - centre.y * centre);
-    scene.inertia.c += mass * (Vec{0, 0, square} - centre.z * centre);
-  }
+  scene.mass = body.at("mass_kg").get<double>();
+  scene.centre = vector(body.at("center_of_mass_m"));
+  scene.mass_moment = scene.mass * scene.centre;
+  const bool about_centre = inertia.value("about", "pivot") == "center_of_mass";
+  if (about_centre != scene.contact.has_value())
+    add_point_mass(about_centre ? scene.mass : -scene.mass, scene.centre, scene.inertia);
   scene.inverse_inertia = inverse(scene.inertia);
 }
 
@@ -76,6 +82,8 @@ void read_release(const Json& release, Scene& scene) {
   Real rate = 0;
   if (precession.is_object())
     rate = precession.at("rate_rad_s").get<double>();
+  else if (precession != "none" && scene.contact)
+    throw std::runtime_error("steady precession on a table is beyond this program");
   else if (precession != "none")
     rate = steady_rate(scene, spin, up_B.z, precession == "steady_fast");
   scene.w_XB_B = {rate * up_B.x, rate * up_B.y, spin};  // spin_rad_s is the whole component along axis 3
@@ -94,6 +102,23 @@ void read_platform(const Json& json, Scene& scene) {
   scene.platform = platform;
 }
 
+void read_contact(const Json& json, const std::string& file, Scene& scene) {
+  Contact contact;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "tip_radius_m")
+      contact.tip_radius = value.get<double>();
+    else if (key == "law" && (value == "rolling" || value == "contensou"))
+      contact.rolling = contact.released_rolling = value == "rolling";
+    else if (key == "friction_coefficient")
+      contact.friction = value.get<double>();
+    else if (key == "patch_radius_m")
+      contact.patch_radius = value.get<double>();
+    else
+      throw std::runtime_error(file + ": the contact's " + key + " is beyond this program");
+  }
+  scene.contact = contact;
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& file) {
@@ -106,6 +131,7 @@ Scene read_scene(const std::string& file) {
     if (on != true) throw std::runtime_error(file + ": the effect " + effect + " is beyond this program");
   if (json.at("body").contains("solids")) throw std::runtime_error(file + ": solids are beyond this program");
   read_site(json, scene);
+  if (json.contains("contact")) read_contact(json.at("contact"), file, scene);
   read_body(json.at("body"), scene);
   read_release(json.at("release"), scene);
   if (json.contains("platform")) read_platform(json.at("platform"), scene);

@@ -17,6 +17,15 @@ struct Platform {
   Real amplitude = 0, frequency = 0, phase = 0;  ///< ... + amplitude sin(2 pi frequency t + phase)
 };
 
+/// A table on which the tip, a sphere with its centre at the body's origin, slides or rolls.
+struct Contact {
+  Real tip_radius = 0;            ///< m
+  bool rolling = false;           ///< else dry friction on a patch (contensou)
+  Real friction = 0;              ///< coefficient
+  Real patch_radius = 0;          ///< m
+  bool released_rolling = false;  ///< else the tip's centre is released at rest
+};
+
 struct Scene {
   std::string name;
   // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
@@ -24,14 +33,17 @@ struct Scene {
   Real rotation_rate = 0;  ///< rad/s
   Real gravity = 0;        ///< apparent, along -Up (m/s^2)
   // Body.
+  Real mass = 0;    ///< kg
+  Vec centre;       ///< centre of mass, body axes (m)
   Vec mass_moment;  ///< mass x centre of mass, body axes (kg m)
-  Mat inertia;      ///< about the pivot, body axes (kg m^2)
+  Mat inertia;      ///< body axes (kg m^2), about the pivot; on a table about the centre of mass
   Mat inverse_inertia;
   // Release.
   Quat q_LB;
   Vec w_XB_B;                   ///< rad/s
   bool inertial_rates = false;  ///< rates are given relative to inertial space (X = I), else to the laboratory (X = L)
   std::optional<Platform> platform;
+  std::optional<Contact> contact;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 };

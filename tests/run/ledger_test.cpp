@@ -68,6 +68,7 @@ std::vector<Scenario> shipped_scenes() {
   std::vector<Scenario> scenes;
   for (const std::string& file : files) {
     Scenario scenario = parse_scenario(read_scenario_source(file));
+    if (scenario.contact) continue;  // contact_ledger_test.cpp has the ledger about a tip that moves
     scenario.duration_s = std::min(scenario.duration_s, 0.5);
     scenario.output_step_s = scenario.duration_s / 25;
     scenes.push_back(scenario);

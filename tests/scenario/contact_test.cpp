@@ -305,6 +305,7 @@ TEST(ContactKeys, WhatATableCanHaveIsTaken) {
       {{"/body/inertia/principal_kg_m2", "[3e-5, 2.5e-5, 4e-5]"}},
       {{"/contact/table/tilt_deg", "1"}},
       {{"/contact/max_tilt_deg", "20.001"}},
+      {{"/numerics/ledger", "laboratory"}},
   };
   for (const std::string& contact : {kContensou, kExact})
     for (const Overrides& overrides : taken) {
@@ -314,12 +315,6 @@ TEST(ContactKeys, WhatATableCanHaveIsTaken) {
       for (const Diagnostic& error : report_of(contact, overrides).errors)
         ADD_FAILURE() << error.pointer << " " << error.message;
     }
-}
-
-TEST(ContactKeys, TheLedgerOfAFixedPivotIsRefused) {
-  const ScenarioReport report = report_of(kContensou, {{"/numerics/ledger", "laboratory"}});
-  ASSERT_EQ(report.errors.size(), 1U);
-  EXPECT_EQ(report.errors[0].pointer, "/numerics/ledger");
 }
 
 /// A uniform rod of a kilogram and a metre, tilted so that friction presses its end into the table most: 1 + 3 sin^2 =

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "support/contact_references.hpp"
-#include "support/extended_integration.hpp"
 
 namespace earthtop::testing {
 
@@ -84,43 +83,6 @@ inline std::vector<ContactReference> tippe_tops() {
   std::vector<ContactReference> all = contact_references();
   std::erase_if(all, [](const ContactReference& r) { return r.name[1] < '5' || r.name[1] > '7'; });
   return all;
-}
-
-/// The time at which the axis of one motion, `ref` or `rot`, passes the horizontal (s).
-template <class T>
-T inverted_at(const ContactScene& scene, T Paired<T>::*member, double tolerance) {
-  const ContactProblem<T> problem(scene);
-  const auto system = problem.template system<Observer::laboratory>();
-  using System = decltype(problem.template system<Observer::laboratory>());
-  typename System::State x = system.initial_state(), rate;
-  GroupScales<T, typename System::Shape> scales;
-  scales.include(x), scales.include(system.typical_state());
-  Extrapolation<T, typename System::Shape> stepper(T(tolerance), scales);
-  const auto up = [&](const typename System::State& y) {
-    return y[2] + (member == &Paired<T>::rot ? problem.model.epsilon * y[System::Shape::kHalf + 2] : T(0));
-  };
-  T t = T(0), dt = T(0.05), before = t, taken = dt;
-  typename System::State x_before = x;
-  while (up(x) > T(0)) {
-    x_before = x, before = t;
-    stepper.try_step(system, x, t, dt);
-    taken = t - before;
-    scales.include(x);
-  }
-  // Newton's method for the length of the last step, which is taken anew in four parts of order 32.
-  const auto rate_of = [&](const typename System::State& y) {
-    system(y, rate, T(0));
-    return rate;
-  };
-  for (int i = 0; i < 12; ++i) {
-    x = extrapolated(x_before, taken, 4, rate_of);
-    system(x, rate, t);
-    const T change = up(x) / up(rate);
-    taken -= change;
-    if (!(real::abs(change) > T(16) * real::epsilon<T>() * t)) break;
-  }
-  t = before + taken;
-  return real::scale(t, problem.units.time_exponent);
 }
 
 }  // namespace earthtop::testing

@@ -12,12 +12,6 @@
 namespace earthtop::tool {
 namespace {
 
-std::string spoken(std::string_view name) {
-  std::string words(name);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 bool is_level(const RunResult& result) {
   const auto& contact = result.scene.scenario().contact;
   return !contact || contact->table_tilt_deg == 0;
@@ -37,6 +31,17 @@ std::string other_time(const ContactEvent& event) {
 }
 
 }  // namespace
+
+std::string spoken(std::string_view name) {
+  std::string words(name);
+  for (const std::string_view unit : {"_N_s_m", "_s_m", "_m"})
+    if (name.ends_with(unit)) {
+      words.resize(name.size() - unit.size());
+      break;
+    }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow& last, double bound_m) {
   if (!last.contact) return {};
@@ -63,6 +68,30 @@ std::vector<LabelledLine> contact_event_lines(const RunResult& result) {
            fmt::format("the {} one has no such event", event.prediction == Prediction::rotating ? "non-rotating" : "rotating"),
            true});
   }
+  return lines;
+}
+
+std::vector<LabelledLine> contact_balance_lines(const RunResult& result) {
+  std::vector<LabelledLine> lines;
+  if (!result.contact) return lines;
+  const ContactBalances &rotating = result.contact->rotating, &reference = result.contact->reference;
+  const auto missed = [](const std::optional<ContactBalance>& a, const std::optional<ContactBalance>& b) {
+    return std::max(std::abs(a->balance / a->size), b ? std::abs(b->balance / b->size) : 0);
+  };
+  if (rotating.jacobi) {
+    const double work = rotating.jacobi->integral, error = missed(rotating.jacobi, reference.jacobi);
+    const std::string text = fmt::format("to {:.1e} of its size, in both predictions", error);
+    lines.push_back(
+        {"Balances", work == 0
+                         ? "friction does no work; the Jacobi integral stays as it is " + text
+                         : fmt::format("friction does the work {:+.6e} J; the Jacobi integral changes by it {}", work, text)});
+  }
+  if (rotating.jellett)
+    lines.push_back(
+        {lines.empty() ? "Balances" : "",
+         fmt::format("Jellett's integral changes by {:+.6e} kg m^3/s, as the Earth and friction's moment say to {:.1e} of "
+                     "its size",
+                     rotating.jellett->last - rotating.jellett->first, missed(rotating.jellett, reference.jellett))});
   return lines;
 }
 

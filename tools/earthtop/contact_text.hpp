@@ -17,6 +17,9 @@ struct LabelledLine {
   bool is_warning = false;
 };
 
+/// The name of an input or a force in words, without its unit.
+std::string spoken(std::string_view name);
+
 /// The lines on the drift of the contact point, without labels; none for a fixed pivot.
 /// @param last  the row they are about   @param bound_m  largest bound on the rows' errors
 std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow& last, double bound_m);
@@ -24,6 +27,9 @@ std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow
 /// The events of the contact in plain English.
 std::vector<LabelledLine> contact_event_lines(const RunResult& result);
 
+/// What friction's work and the Earth do to the integrals of the motion, and how well the computed motion keeps to it. Empty where
+/// the run has no such balances.
+std::vector<LabelledLine> contact_balance_lines(const RunResult& result);
 /// How far the prediction itself moves with the inputs of the contact, and what that means for the drift.
 std::vector<LabelledLine> prediction_change_lines(const RunResult& result);
 

@@ -10,6 +10,7 @@
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "explain_text.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
@@ -69,9 +70,14 @@ std::string inputs_text(const Budget& budget) {
   return text;
 }
 
+std::string run_text(const Scene& scene) {
+  const MethodChoice& choice = scene.choice();
+  return fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
+                     scene.estimate().solution.steps, about_seconds(estimated_run_seconds(scene)));
+}
+
 std::string explained(const Budget& budget, const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  const MethodChoice& choice = scene.choice();
   const std::string drift =
       std::isfinite(budget.earth_drift_rad) ? fmt::format("about {:.3e} rad", budget.earth_drift_rad) : "not known";
   std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: {}; {}\n\n", scenario.name, scenario.duration_s,
@@ -80,8 +86,7 @@ std::string explained(const Budget& budget, const Scene& scene) {
   if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
     text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
                         budget.followed_s);
-  text += fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
-                      scene.estimate().solution.steps, about_seconds(estimated_run_seconds(scene)));
+  text += run_text(scene);
   for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
   return text;
 }
@@ -102,15 +107,32 @@ std::optional<Budget> watched_budget(Scene& scene, bool lively) {
   return budget;
 }
 
+/// The same for a top on a table: what it prints; nothing if interrupted.
+std::optional<std::string> watched_explanation(const Scene& scene, bool lively, bool json) {
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(lively, progress);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
+  const ContactExplanation explained = explain_contact(scene, watch);
+  if (watch.asks_to_stop()) return std::nullopt;
+  progress.reach(1);
+  return json ? contact_explanation_json(explained, scene) : contact_explanation_text(explained, scene) + run_text(scene);
+}
+
 int explain_verb(const ExplainArguments& arguments) {
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
   Scene scene = *std::move(report.scene);
-  const auto budget = watched_budget(scene, !arguments.quiet && !arguments.json);
-  if (!budget) return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
-  print(arguments.json ? budget_json(*budget, scene) : explained(*budget, scene));
+  const bool lively = !arguments.quiet && !arguments.json;
+  std::optional<std::string> text;
+  if (scene.scenario().contact)
+    text = watched_explanation(scene, lively, arguments.json);
+  else if (const auto budget = watched_budget(scene, lively))
+    text = arguments.json ? budget_json(*budget, scene) : explained(*budget, scene);
+  if (!text) return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
+  print(*text);
   return kDone;
 }
 
@@ -127,7 +149,9 @@ Verb describe_explain() {
   explain.describe(
       "Tells of each torque how large it is, by how much it moves the axis, how much of that is drift, and "
       "whether the scenario models it. Below stands how well each input must be known if its error is to move "
-      "the axis by less than the Earth does, and what a run would take. Nothing is written.");
+      "the axis by less than the Earth does, and what a run would take. Of a top on a table it tells the size of every force, "
+      "of "
+      "its torque and of the drift, and how well friction and the table's tilt must be known. Nothing is written.");
   explain.example("earthtop explain toy-top.json", "prints the budget as a table");
   return explain;
 }

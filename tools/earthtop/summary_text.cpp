@@ -286,6 +286,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_lines(page, contact_event_lines(result));
   write_choice(page, result);
   write_trend(page, result);
+  write_lines(page, contact_balance_lines(result));
   write_lines(page, prediction_change_lines(result));
   if (result.sensitivities) write_sensitivities(page, result);
   if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);

@@ -2,11 +2,21 @@
 /// What a drift state (drift_integration.hpp) of a top on a table has beside attitudes and rates.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "earthtop/model/contact_forces.hpp"
 
 namespace earthtop {
 
 /// Both motions on the table and their differences over epsilon, in the model's natural units.
+/// Integrals over one motion since its release.
+template <class T>
+struct ContactIntegrals {
+  T work = T(0);                      ///< of friction's force and moment
+  std::optional<T> jellett_change{};  ///< of r L_C.(W x z) + M.rho; only in the form for symmetric bodies
+};
+
 template <class T>
 struct ContactDriftState {
   Vec3<Paired<T>> axis_L;  ///< body axis 3
@@ -17,6 +27,8 @@ struct ContactDriftState {
   Paired<T> relative_spin;              ///< rate about axis 3 relative to the laboratory
   Paired<T> turning;                    ///< rate about the table's normal relative to the laboratory
   ContactReaction<Paired<T>> reaction;  ///< vectors in L
+  /// Of the reference and of the rotating motion; none where the integration was in inertial axes.
+  std::optional<std::array<ContactIntegrals<T>, 2>> integrals{};
 };
 
 }  // namespace earthtop

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/ledger_row.hpp"
 #include "earthtop/model/model.hpp"
 
@@ -21,6 +22,7 @@ struct LedgerEntry {
   std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
                                                         Vec3<T>::Zero()};  ///< parts of tau_phys_A, in the order of
                                                                            ///< kAppliedShares
+  Vec3<T> force_table_A = Vec3<T>::Zero();  ///< of a top on a table: the force of the table on the tip
 };
 
 /// The entry as a result stores it.
@@ -30,6 +32,7 @@ LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
   LedgerRow<T> row{plain(entry.tau_phys_A), plain(entry.tau_cor_A), plain(entry.tau_trans_A),
                    plain(entry.tau_cent_A), plain(entry.dL_dt_A),   plain(entry.residual_A)};
   for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = plain(entry.share_A[i]);
+  row.force_table_A = plain(entry.force_table_A);
   return row;
 }
 
@@ -52,5 +55,30 @@ extern template LedgerEntry<long double> ledger_entry(LedgerObserver, const Mode
                                                       const Quaternion<long double>&, const Vec3<long double>&);
 extern template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128,
                                                    const Quaternion<float128>&, const Vec3<float128>&);
+
+/// The state of a top on a table, in the model's units.
+template <class T>
+struct StateOnTable {
+  Quaternion<T> q_LB;
+  Vec3<T> w_LB_B = Vec3<T>::Zero();  ///< relative to the laboratory
+  Vec3<T> slip_L = Vec3<T>::Zero();
+  Vec3<T> tip_L = Vec3<T>::Zero();  ///< the contact point
+};
+
+/// The ledger of a top on a table, about the moving centre O of the tip's sphere, whose acceleration acts like a driven pivot's.
+/// Here, too, the two sides are computed independently: the torques about O, in which the normal force does not appear; and
+/// dL'_O/dt from the angular acceleration that the equations about the centre of mass give with that force, so that the residual
+/// tests the table's force as well.
+/// @param model, contact, start  in the same units   @param t  time since the release
+/// @returns the entry in these units
+template <class T>
+LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& model, const Contact<T>& contact,
+                                     const ContactRelease<T>& start, T t, const StateOnTable<T>& state);
+#define EARTHTOP_LEDGER_ON_TABLE(T)                                                                                           \
+  template LedgerEntry<T> ledger_entry_on_table(LedgerObserver, const Model<T>&, const Contact<T>&, const ContactRelease<T>&, \
+                                                T, const StateOnTable<T>&)
+extern EARTHTOP_LEDGER_ON_TABLE(double);
+extern EARTHTOP_LEDGER_ON_TABLE(long double);
+extern EARTHTOP_LEDGER_ON_TABLE(float128);
 
 }  // namespace earthtop

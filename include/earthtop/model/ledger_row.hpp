@@ -14,10 +14,11 @@ enum class LedgerObserver { inertial, laboratory, platform, body };
 std::string_view to_string(LedgerObserver observer);
 
 /// The effects that may act besides gravity and the pivot; each has its share of the physical torques.
+/// `friction` is that of the pivot, or of a table with the tip.
 inline constexpr std::array<std::string_view, 4> kAppliedShares{"tide", "gradient", "friction", "gimbal"};
 
-/// The torques about the pivot at one instant (N m), in the axes of the observing frame: the stored form of LedgerEntry
-/// (ledger.hpp).
+/// The torques about the pivot, or about the centre of the tip's sphere of a top on a table, at one instant (N m), in the axes of
+/// the observing frame: the stored form of LedgerEntry (ledger.hpp).
 template <class T>
 struct LedgerRow {
   std::array<T, 3> tau_phys_A = {};  ///< apparent gravity, the effect of a driven pivot, and the applied torques
@@ -25,6 +26,7 @@ struct LedgerRow {
   std::array<T, 3> dL_dt_A = {};
   std::array<T, 3> residual_A = {};                                  ///< the sum of the four torques minus dL_dt_A
   std::array<std::array<T, 3>, kAppliedShares.size()> share_A = {};  ///< parts of tau_phys_A, in the order of kAppliedShares
+  std::array<T, 3> force_table_A = {};  ///< of a top on a table: the force of the table on the tip (N)
 };
 
 /// The largest norm of each torque over the rows of a ledger (N m).

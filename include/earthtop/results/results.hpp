@@ -10,6 +10,7 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/run/contact_explanation.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -35,6 +36,8 @@ std::string summary_json(const RunResult& result);
 
 /// The effect budget of a scenario, and the effects that `run` would choose from it, as JSON with a final newline.
 std::string budget_json(const Budget& budget, const Scene& scene);
+/// The same of a top on a table: what `earthtop explain --json` prints of it.
+std::string contact_explanation_json(const ContactExplanation& explained, const Scene& scene);
 
 /// The matching rule in words: which quantities both predictions have in common at release.
 std::string matching_rule(const Scenario& scenario);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What `earthtop explain` prints of a top on a table.
+#pragma once
+
+#include <string>
+
+#include "earthtop/run/contact_explanation.hpp"
+
+namespace earthtop::tool {
+
+/// The sizes of all forces and torques, the expected drift, and how well the inputs must be known. What a scene does not have is not
+/// mentioned.
+std::string contact_explanation_text(const ContactExplanation& explained, const Scene& scene);
+
+}  // namespace earthtop::tool
