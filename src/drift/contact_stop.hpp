@@ -57,7 +57,7 @@ std::optional<SlipStop<T>> slide_to_stop(const ContactReducedDrift<T, Observer::
       stepper.try_step(equations, x, sigma, step);
       if (slip > most) break;
       // Rounding may keep up a slip that is nearly gone; what is left of its time is below that of the rows.
-      if (steps > until && slip < T(kNearlyGone) * at_start) return SlipStop<T>{clock.stop_time(x), Clock::stopped(x)};
+      if (steps > until && slip < T(kNearlyGone) * at_start) return SlipStop<T>{clock.stop_time(x), clock.stopped(x)};
     }
   }
   return SlipStop<T>{clock.stop_time(x), clock.stopped(x)};
