@@ -89,6 +89,18 @@ SETTINGS
   echo "gimbal $work/gyrocompass.json $brief"
   echo "gimbal-damped $work/gyrocompass.json $brief" '/effects/gimbal={"damping_N_m_s":1e-4}' /effects/viscous_torque_N_m_s=1e-6
   echo "site-gravity $work/site-gravity.json $brief"
+  base="scenarios/toy-top-on-table.json /motion/duration_s=0.2 /motion/output_step_s=0.05"
+  local contact='/contact={"tip_radius_m":0.002,"law":'
+  echo "contact-contensou $base"
+  echo "contact-frictionless $base $contact\"frictionless\"}"
+  echo "contact-viscous $base $contact\"viscous\",\"sliding_viscosity_N_s_m\":0.05}"
+  echo "contact-viscous_load $base $contact\"viscous_load\",\"sliding_viscosity_s_m\":0.3}"
+  echo "contact-coulomb $base $contact\"coulomb\",\"friction_coefficient\":0.2}"
+  echo "contact-coulomb-regular $base $contact\"coulomb\",\"friction_coefficient\":0.2,\"regularisation_m_s\":0.02}"
+  echo "contact-rolling $base $contact\"rolling\"}"
+  echo "contact-slope $base /contact/table={\"tilt_deg\":2,\"tilt_azimuth_deg\":40} /effects/gravity_gradient=true"
+  echo "contact-inertial $base /numerics/observer=\"inertial\""
+  echo "contact-asymmetric $base /body/inertia/principal_kg_m2=[3e-5,2.5e-5,4e-5]"
   brief="/motion/duration_s=0.5 /motion/output_step_s=0.05"
   for method in taylor dopri5 rkf78 bulirsch_stoer extrapolation dop853 gauss splitting long_horizon; do
     echo "method-$method scenarios/toy-top.json $brief /numerics/method=\"$method\""
