@@ -22,6 +22,11 @@ class ContactRunWatch {
   void operator()(T t, const typename System::State& x) {
     if (watch_.follow(t, x)) throw ContactEnded();
   }
+  /// To be called with the outcome of the integration.   @returns the run's, which is not a failure where an event explains it
+  RunStatus outcome(RunStatus status) {
+    const bool failed = status == RunStatus::step_underflow || status == RunStatus::not_finite;
+    return failed && watch_.see_jam() ? RunStatus::completed : status;
+  }
   /// Appends the events, and leaves out samples beyond the one that has ended the run.
   void finish(DriftTrajectory<T>& trajectory) const {
     for (const ContactEvent& event : contact_events(watch_, epsilon_, units_)) trajectory.contact_events.push_back(event);

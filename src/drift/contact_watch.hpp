@@ -109,6 +109,21 @@ class ContactWatch {
     last_ = next;
     return end_.has_value();
   }
+  /// To be called where the integration could not go on. A motion may run into Painleve's paradox from a side on which the
+  /// denominator of the normal force falls to 0 together with its numerator: the force then grows without bound, in ever shorter
+  /// steps, and the denominator reaches 0 at their end.   @returns whether this is what ended it
+  bool see_jam() {
+    constexpr double kNear = 0.1;  // the denominator is of the order of 1
+    if (!started_ || end_) return false;
+    const Paired<T>& denominator = last_.g[kDenominator];
+    if (!(std::min(denominator.ref, denominator.rot) < T(kNear))) return false;
+    Event event{ContactEventKind::no_unique_force, std::nullopt, std::nullopt, std::nullopt};
+    // The motion that comes to it first has ended the integration of both.
+    (denominator.rot < denominator.ref ? event.t_rot : event.t_ref) = last_.t;
+    events_.push_back(event);
+    end_ = last_.t;
+    return true;
+  }
   /// In natural units of time; ascending where they belong to one kind. The difference is over epsilon.
   struct Event {
     ContactEventKind kind;
@@ -128,6 +143,8 @@ class ContactWatch {
     bool has_rates = false;
   };
   static constexpr T kEnough() { return T(0.05); }
+  static constexpr std::size_t kDenominator = 2;
+  static_assert(Functions::kKinds[kDenominator] == ContactEventKind::no_unique_force);
 
   Values values(T t, const State& x) const { return functions_(system_.contact_state(x, t)); }
   /// Whether a function may fall through 0 since the last state: not if it is well above 0 and a short step hardly changes it.

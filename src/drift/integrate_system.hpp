@@ -52,7 +52,7 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& times, System& syst
     };
     Driver<T, System, decltype(on_step), decltype(on_row)> driver(system, drive, on_step, on_row);
     try {
-      trajectory.status = driver.run(x, times);
+      trajectory.status = events.outcome(driver.run(x, times));
     } catch (const ContactEnded&) {
       trajectory.status = RunStatus::completed;
     }

@@ -161,6 +161,17 @@ TEST(Report, ThePathOfTheContactPointIsToScale) {
   EXPECT_TRUE(data.at("charts").contains("force"));
 }
 
+TEST(Report, HasTheBalancesOfAContact) {
+  const TemporaryDirectory dir;
+  RunResult result = test::made_up_contact_run();
+  EXPECT_EQ(page_of_contact(dir, result).find("Jellett"), std::string::npos);
+  result.contact->rotating = {ContactBalance{1, 3, 1.5, 1e-12, 4}, ContactBalance{10, 7, -2, -2e-12, 8}};
+  result.contact->reference = result.contact->rotating;
+  const std::string html = page_of_contact(dir, result);
+  EXPECT_NE(html.find("Jellett's integral"), std::string::npos);
+  EXPECT_NE(html.find("by the work of friction"), std::string::npos);
+}
+
 TEST(Report, OfAContactSaysOnlyWhatIsTrue) {
   const TemporaryDirectory dir;
   RunResult result = test::made_up_contact_run();

@@ -82,6 +82,22 @@ TEST(Summary, TimesOfEventsHaveTheirBounds) {
   EXPECT_EQ(summary_of(result).at("/drift/threshold_crossing"_json_pointer), "tangential");
 }
 
+TEST(Summary, HasTheBalancesOfTheContact) {
+  RunResult result = test::made_up_contact_run();
+  result.contact->rotating = {ContactBalance{1, 3, 1.5, 0.5, 4}, ContactBalance{10, 7, -2, -1, 8}};
+  result.contact->reference = {ContactBalance{1, 2, 0.5, 0.5, 2}, ContactBalance{10, 8, -1, -1, 16}};
+  const json contact = summary_of(result).at("contact");
+  EXPECT_EQ(contact.at("jellett").at("rotating"),
+            json::parse(R"({"first_kg_m3_s": 1.0, "last_kg_m3_s": 3.0, "integral_kg_m3_s": 1.5, "balance_kg_m3_s": 0.5,
+                            "balance_over_size": 0.125})"));
+  EXPECT_EQ(contact.at("work").at("reference"),
+            json::parse(R"({"slip_work_J": -1.0, "jacobi_first_J": 10.0, "jacobi_last_J": 8.0, "balance_J": -1.0,
+                            "balance_over_size": -0.0625})"));
+  EXPECT_EQ(contact.at("work").at("rotating").at("slip_work_J"), -2.0);
+  result.contact->rotating.jellett.reset(), result.contact->reference.jellett.reset();
+  EXPECT_FALSE(summary_of(result).at("contact").contains("jellett"));
+}
+
 TEST(Summary, HasTheContactOfATopOnATableOnly) {
   const RunResult result = test::made_up_contact_run();
   const json summary = summary_of(result), without = summary_of(made_up_run());

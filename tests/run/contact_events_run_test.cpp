@@ -115,5 +115,59 @@ TEST(ContactRunEvents, SlipStopsMarkTheRowsBetweenThem) {
   EXPECT_NEAR(*result.contact->events[0].time_difference_s / -7.9683137625358639e-7, 1, 1e-9);
 }
 
+/// A rod whose end slides so fast over a rough table that friction presses it down. Coming from a large tilt it runs into Painleve's
+/// paradox where the denominator of the normal force falls to 0 together with its numerator: to that point a whole set of motions
+/// is drawn (Genot and Brogliato 1999). There 1 + 3 sin^2 = 3 mu sin cos, and the normal force grows without bound.
+TEST(ContactRunEvents, PainlevesParadoxEndsTheRunWithoutFailure) {
+  ContactSpec contact{.tip_radius_m = 0, .law = ContactLaw::coulomb, .friction_coefficient = 2, .regularisation_m_s = 0.01};
+  contact.start = ContactStart::tip_velocity, contact.tip_velocity_m_s = {-100, 0};
+  ContactScene rod{1, 0.5, 1.0 / 12, 1e-3, 9.81, 0, 62, contact};
+  rod.transverse_rad_s = {0, -4};
+  Scenario s = scenario_of(rod);
+  s.duration_s = 0.15, s.output_step_s = 0.0025;
+  const RunResult result = run(s);
+  EXPECT_EQ(result.status, RunStatus::completed);
+  ASSERT_TRUE(result.contact);
+  ASSERT_EQ(result.contact->events.size(), 1U);
+  const ContactEvent& event = result.contact->events[0];
+  EXPECT_EQ(event.kind, ContactEventKind::no_unique_force);
+  ASSERT_TRUE(event.bound_s);
+  EXPECT_LT(*event.bound_s, 1e-6);
+  ASSERT_GT(result.rows.size(), 10U);
+  const DriftRow& last = result.rows.back();
+  EXPECT_LT(last.t_s, event.t_s);
+  EXPECT_GT(last.t_s, event.t_s - s.output_step_s);
+  // tan = 1.309 there, of a slip along the meridian of the tilt
+  EXPECT_NEAR(std::acos(last.ref_axis_L[2]) * 180 / real::pi<double>(), 52.6, 2);
+  EXPECT_GT(last.contact->ref_normal_force_N, 5 * 9.81);
+  EXPECT_GT(result.rows.front().contact->ref_normal_force_N, 0);
+}
+
+/// Rolling by the exact Coulomb law takes more friction than there is: the slip starts, and what follows is marginal.
+TEST(ContactRunEvents, SlipOnsetIsMarginalFromThenOn) {
+  ContactSpec contact{.tip_radius_m = 0.002, .law = ContactLaw::coulomb, .friction_coefficient = 0.25};
+  contact.start = ContactStart::rolling;
+  ContactSpec rolling{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
+  rolling.static_coefficient = 0.25;
+  for (const ContactSpec& spec : {contact, rolling}) {
+    Scenario s = scenario_of(testing::toy_on_table(spec));
+    s.duration_s = 0.1, s.output_step_s = 0.005;
+    const RunResult result = run(s);
+    EXPECT_EQ(result.status, RunStatus::completed);
+    ASSERT_TRUE(result.contact);
+    ASSERT_EQ(result.contact->events.size(), 2U);  // of each prediction
+    for (const ContactEvent& event : result.contact->events) {
+      EXPECT_EQ(event.kind, ContactEventKind::slip_started);
+      ASSERT_TRUE(event.bound_s && event.time_difference_s);
+      EXPECT_LT(*event.bound_s, 1e-9);
+    }
+    EXPECT_EQ(result.verdict.verdict, Verdict::marginal) << result.verdict.reason;
+    EXPECT_EQ(result.verdict.from_s, result.contact->events[0].t_s);
+    ASSERT_EQ(result.rows.size(), 21U);
+    for (const DriftRow& row : result.rows) EXPECT_EQ(row.drift_reliable, row.t_s < *result.verdict.from_s) << row.t_s;
+    EXPECT_TRUE(result.rows[1].drift_reliable);
+  }
+}
+
 }  // namespace
 }  // namespace earthtop::contact_events_run

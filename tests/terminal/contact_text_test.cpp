@@ -78,6 +78,24 @@ TEST(ContactText, TheMotionOfThePredictionItselfIsSaid) {
   EXPECT_TRUE(prediction_change_lines(test::made_up_run()).empty());
 }
 
+TEST(ContactText, BalancesAreThoseOfTheWorsePrediction) {
+  RunResult result = test::made_up_contact_run();
+  EXPECT_TRUE(contact_balance_lines(result).empty());
+  result.contact->rotating = {ContactBalance{1, 3, 1.5, 1e-12, 4}, ContactBalance{10, 7, -2, -2e-12, 8}};
+  result.contact->reference = {ContactBalance{1, 2, 0.5, 2e-12, 4}, ContactBalance{10, 8, -1, 4e-12, 8}};
+  const std::string text = joined(contact_balance_lines(result));
+  EXPECT_NE(
+      text.find("Balances|friction does the work -2.000000e+00 J; the Jacobi integral changes by it to 5.0e-13 of its size"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("|Jellett's integral changes by +2.000000e+00 kg m^3/s, as the Earth and friction's moment say to 5.0e-13"),
+      std::string::npos)
+      << text;
+  result.contact->rotating.jacobi->integral = 0;
+  EXPECT_NE(joined(contact_balance_lines(result)).find("friction does no work"), std::string::npos);
+}
+
 TEST(NumberText, LengthsHaveHandyUnits) {
   EXPECT_EQ(pictured_length(0), "0 m");
   EXPECT_EQ(pictured_length(-2.5), "-2.5 m");
