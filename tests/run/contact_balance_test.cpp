@@ -47,7 +47,7 @@ TEST(ContactBalances, HoldInRandomScenes) {
   std::mt19937_64 random(23);
   double worst = 0;
   for (const Law law : kLaws)
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
       Scenario s = random_scene(law, random);
       const bool symmetric = i > 0;
       if (!symmetric) testing::set_principal(s.body, 3e-5, 2.7e-5, 4e-5);
@@ -74,7 +74,7 @@ TEST(ContactBalances, HoldInRandomScenes) {
       const bool pole = s.site.latitude_deg == 90;
       EXPECT_EQ(result.contact->rotating.jellett->integral != 0, s.contact->tip_radius_m > 0 && !pole);
     }
-  RecordProperty("worst", std::to_string(worst));
+  RecordProperty("worst_in_1e_18", static_cast<int>(worst * 1e18));
   EXPECT_LT(worst, kAllowed);
 }
 
