@@ -88,7 +88,10 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   other.sensitivities->unavailable = "a reason";
   other.scene = testing::changed(other.scene, [](Scenario& s) { s.precision = Precision::bits113; });
   other.extended_rows.resize(other.rows.size());
-  for (const RunResult& result : {full, other, test::made_up_contact_run()}) {
+  RunResult contact = test::made_up_contact_run();
+  for (ContactBalances* balances : {&contact.contact->rotating, &contact.contact->reference})
+    *balances = {ContactBalance{1, 3, 1.5, 0.5, 4}, ContactBalance{10, 7, -2, -1, 8}};
+  for (const RunResult& result : {full, other, contact}) {
     Json summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
   }
@@ -249,12 +252,16 @@ constexpr std::size_t kContactColumns = 15;
 TEST(Columns, EachIsCompared) {
   auto columns = expect_every_column_is_compared(test::made_up_full_run(), {"trajectory.csv", "torques.csv"});
   EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns);
-  EXPECT_EQ(columns["torques.csv"], 3 * torque_quantities().size());
+  EXPECT_EQ(columns["torques.csv"], 3 * (torque_quantities().size() - 1));  // there is no table
 }
 
 TEST(Columns, EachOfAContactIsCompared) {
-  auto columns = expect_every_column_is_compared(test::made_up_contact_run(11), {"trajectory.csv"});
+  RunResult result = test::made_up_contact_run(11);
+  result.ledger = test::made_up_run_with_ledger(11).ledger;
+  auto columns = expect_every_column_is_compared(result, {"trajectory.csv", "torques.csv"});
   EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size());
+  // Six of every ledger, friction, and the table's force.
+  EXPECT_EQ(columns["torques.csv"], 3U * (6 + 2));
 }
 
 // The bounds of the tip's drift decide whether a change of it is within the errors.

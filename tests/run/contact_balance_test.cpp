@@ -6,6 +6,7 @@
 #include <random>
 
 #include "earthtop/run.hpp"
+#include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
 
 namespace earthtop::contact_balance_run {
@@ -34,7 +35,7 @@ Scenario random_scene(Law law, std::mt19937_64& random) {
   scene.spin_rad_s = uniform(random, 150, 250);
   scene.rates = random() % 2 == 0 ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
   Scenario s = testing::scenario_of(scene);
-  s.duration_s = 0.5, s.output_step_s = 0.5;
+  s.duration_s = 0.5, s.output_step_s = 0.01;  // a top may lift off before the end
   return s;
 }
 
@@ -46,22 +47,26 @@ TEST(ContactBalances, HoldInRandomScenes) {
   std::mt19937_64 random(23);
   double worst = 0;
   for (const Law law : kLaws)
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
       Scenario s = random_scene(law, random);
       const bool symmetric = i > 0;
       if (!symmetric) testing::set_principal(s.body, 3e-5, 2.7e-5, 4e-5);
       const RunResult result = run(s);
       ASSERT_EQ(result.status, RunStatus::completed);
       ASSERT_TRUE(result.contact);
+      ASSERT_GT(result.rows.size(), 1U);
       for (const ContactBalances* motion : {&result.contact->rotating, &result.contact->reference}) {
         ASSERT_TRUE(motion->jacobi) << i;
         EXPECT_EQ(motion->jellett.has_value(), symmetric);
         worst = std::max({worst, missed(motion->jacobi), symmetric ? missed(motion->jellett) : 0});
         const bool rubs = (law != Law::frictionless && law != Law::rolling) || s.contact->spinning_friction_m > 0;
-        if (rubs)
-          EXPECT_LT(motion->jacobi->integral, -1e-7 * motion->jacobi->size);
-        else
+        if (rubs) {
+          EXPECT_LT(motion->jacobi->integral, -1e-7 * motion->jacobi->size)
+              << "law " << static_cast<int>(law) << ", tip " << s.contact->tip_radius_m << ", moments "
+              << s.contact->spinning_friction_m;
+        } else {
           EXPECT_EQ(motion->jacobi->integral, 0);
+        }
       }
       // Without moments only the Earth changes Jellett's integral; on a point it does not.
       if (!symmetric || law == Law::contensou || s.contact->spinning_friction_m > 0) continue;
@@ -69,14 +74,14 @@ TEST(ContactBalances, HoldInRandomScenes) {
       const bool pole = s.site.latitude_deg == 90;
       EXPECT_EQ(result.contact->rotating.jellett->integral != 0, s.contact->tip_radius_m > 0 && !pole);
     }
-  RecordProperty("worst", std::to_string(worst));
+  RecordProperty("worst_in_1e_18", static_cast<int>(worst * 1e18));
   EXPECT_LT(worst, kAllowed);
 }
 
 TEST(ContactBalances, HoldAcrossTheStopOfTheSlip) {
   Scenario s =
       testing::scenario_of(testing::toy_on_table({.tip_radius_m = 0.002, .law = Law::coulomb, .friction_coefficient = 0.2}));
-  s.duration_s = 0.1, s.output_step_s = 0.05;
+  s.duration_s = 0.06, s.output_step_s = 0.03;
   const RunResult result = run(s);
   ASSERT_EQ(result.contact->events.size(), 2U);
   for (const ContactBalances* motion : {&result.contact->rotating, &result.contact->reference}) {
@@ -89,7 +94,7 @@ TEST(ContactBalances, HoldAcrossTheStopOfTheSlip) {
 TEST(ContactBalances, AreRoundOffInFloat128) {
   Scenario s = testing::scenario_of(testing::toy_on_table(
       {.tip_radius_m = 0.002, .law = Law::contensou, .friction_coefficient = 0.2, .patch_radius_m = 1e-4}));
-  s.duration_s = s.output_step_s = 0.01, s.precision = Precision::bits113;
+  s.duration_s = s.output_step_s = 0.002, s.precision = Precision::bits113;
   s.numerics.relative_tolerance = 1e-30;
   const RunResult result = run(s);
   for (const ContactBalances* motion : {&result.contact->rotating, &result.contact->reference}) {

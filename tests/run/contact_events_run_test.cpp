@@ -145,13 +145,15 @@ TEST(ContactRunEvents, PainlevesParadoxEndsTheRunWithoutFailure) {
 
 /// Rolling by the exact Coulomb law takes more friction than there is: the slip starts, and what follows is marginal.
 TEST(ContactRunEvents, SlipOnsetIsMarginalFromThenOn) {
-  ContactSpec contact{.tip_radius_m = 0.002, .law = ContactLaw::coulomb, .friction_coefficient = 0.25};
+  ContactSpec contact{.tip_radius_m = 0.002, .law = ContactLaw::coulomb, .friction_coefficient = 0.35};
   contact.start = ContactStart::rolling;
   ContactSpec rolling{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
-  rolling.static_coefficient = 0.25;
+  rolling.static_coefficient = 0.35;
   for (const ContactSpec& spec : {contact, rolling}) {
-    Scenario s = scenario_of(testing::toy_on_table(spec));
-    s.duration_s = 0.1, s.output_step_s = 0.005;
+    testing::ContactScene scene = testing::toy_on_table(spec);
+    scene.transverse_rad_s = {-3, 0};
+    Scenario s = scenario_of(scene);
+    s.duration_s = 0.2, s.output_step_s = 0.002;
     const RunResult result = run(s);
     EXPECT_EQ(result.status, RunStatus::completed);
     ASSERT_TRUE(result.contact);
@@ -163,7 +165,7 @@ TEST(ContactRunEvents, SlipOnsetIsMarginalFromThenOn) {
     }
     EXPECT_EQ(result.verdict.verdict, Verdict::marginal) << result.verdict.reason;
     EXPECT_EQ(result.verdict.from_s, result.contact->events[0].t_s);
-    ASSERT_EQ(result.rows.size(), 21U);
+    ASSERT_EQ(result.rows.size(), 101U);
     for (const DriftRow& row : result.rows) EXPECT_EQ(row.drift_reliable, row.t_s < *result.verdict.from_s) << row.t_s;
     EXPECT_TRUE(result.rows[1].drift_reliable);
   }

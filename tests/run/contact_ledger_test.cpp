@@ -6,6 +6,7 @@
 #include "earthtop/results/results.hpp"
 #include "frames/random_cases.hpp"
 #include "model/ledger_sizes.hpp"
+#include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
 
 namespace earthtop::contact_ledger_run {

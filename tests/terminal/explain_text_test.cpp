@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "earthtop/results/results.hpp"
+#include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
 
 namespace earthtop {
