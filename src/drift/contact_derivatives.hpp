@@ -23,7 +23,7 @@ struct ContactDerivatives {
 };
 
 /// The tolerance of these derivatives: they tell how large a change is, for which a few digits suffice.
-inline constexpr double kContactDerivativeTolerance = 1e-8;
+inline constexpr double kContactDerivativeTolerance = 1e-4;
 
 /// @param problem  has a table   @param changes  six at most, none with the exact Coulomb law beyond a stop of the slip
 /// @param at_s  time of the derivatives, after the release   @param watch  may end the integration early

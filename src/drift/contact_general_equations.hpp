@@ -170,7 +170,7 @@ class ContactGeneralEquations {
   Vec3<P> length_at(const State& x, std::size_t at, const T& along_normal) const {
     Vec3<P> v(P(T(0)), P(T(0)), P(along_normal));
     for (std::size_t i = 0; i < Shape::kLength; ++i)
-      v[static_cast<int>(i)] = {x[at + i], x[at + i] + model_.epsilon * x[kHalf + at + i], x[kHalf + at + i]};
+      v[static_cast<int>(i)] = P::apart(x[at + i], x[kHalf + at + i], model_.epsilon);
     return v;
   }
   Loaded load(const State& x) const {

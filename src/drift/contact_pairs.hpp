@@ -12,7 +12,7 @@ namespace earthtop {
 template <class T>
 Vec3<Paired<T>> pair_of(const Vec3<T>& reference, const Vec3<T>& difference, const T& epsilon) {
   Vec3<Paired<T>> both;
-  for (int i = 0; i < 3; ++i) both[i] = {reference[i], reference[i] + epsilon * difference[i], difference[i]};
+  for (int i = 0; i < 3; ++i) both[i] = Paired<T>::apart(reference[i], difference[i], epsilon);
   return both;
 }
 template <class T>

@@ -124,19 +124,19 @@ class ContactReducedEquations {
   void rates_of(const State& x, T t, ReducedContactRates<P>& rates, Vec3<P>& a_dot) const {
     const PairedTop<T> top = load(x);
     const ReducedContactState<P>& s = top.state;
-    const Vec3<P> s_dot = s.u.cross(s.n), frame_rate = s.n.cross(s_dot);
     const ContactSurroundings<P> around = surroundings(t);
     if constexpr (O == Observer::laboratory) {
       rates = reduced_rates(pairs_, around, s);
-      a_dot = Vec3<P>(frame_rate - around.W).cross(top.a);
+      a_dot = Vec3<P>(s.u - around.W).cross(top.a);
     } else {
       const InertialContactState<P> seen{s.p_O, s.v_P, Vec3<P>(s.u + s.w3 * s.n)};
-      const InertialContactRates<P> found = inertial_rates(pairs_, around, inertial_body(pairs_, s.n, s.u, s.w3), seen);
-      rates.n = s_dot;
-      rates.w3 = inner(found.w_IB, s.n) + inner(seen.w_IB, s_dot);
-      rates.u = found.w_IB - rates.w3 * s.n - s.w3 * s_dot;
+      const InertialContactBody<P> body = inertial_body(pairs_, s.n, s.u, s.w3);
+      const InertialContactRates<P> found = inertial_rates(pairs_, around, body, seen);
+      rates.n = body.n_dot;
+      rates.w3 = found.w3;
+      rates.u = found.w_IB - rates.w3 * s.n - s.w3 * body.n_dot;
       rates.v_P = found.v_P, rates.p_O = found.X_C, rates.reaction = found.reaction;
-      a_dot = frame_rate.cross(top.a);
+      a_dot = s.u.cross(top.a);
     }
   }
   void store(const State& x, const ReducedContactRates<P>& rates, const Vec3<P>& a_dot, State& dxdt) const {
@@ -192,7 +192,7 @@ class ContactReducedEquations {
   const ContactChange<T>& change() const { return change_; }
 
  private:
-  P pair_at(const State& x, std::size_t i) const { return {x[i], x[i] + model_.epsilon * x[kHalf + i], x[kHalf + i]}; }
+  P pair_at(const State& x, std::size_t i) const { return P::apart(x[i], x[kHalf + i], model_.epsilon); }
   Vec3<P> vector_at(const State& x, std::size_t i) const { return {pair_at(x, i), pair_at(x, i + 1), pair_at(x, i + 2)}; }
   Vec3<P> length_at(const State& x, std::size_t i, const T& along_normal) const {
     if constexpr (O == Observer::laboratory)
@@ -210,8 +210,10 @@ class ContactReducedEquations {
     PairedTop<T> top;
     ReducedContactState<P>& s = top.state;
     s.n = vector_at(x, Shape::kN), s.u = vector_at(x, Shape::kU), top.a = vector_at(x, Shape::kA);
-    const T k = x[kHalf + Shape::kSpin], w3 = w3_ + x[Shape::kSpin];
-    s.w3 = {w3, w3 + model_.epsilon * k, k};
+    using real::conserved;
+    T k = x[kHalf + Shape::kSpin], w3 = w3_ + x[Shape::kSpin];
+    if (keeps_spin(contact_)) k = conserved(k), w3 = conserved(w3);
+    s.w3 = P::apart(w3, k, model_.epsilon);
     s.v_P = length_at(x, Shape::kSlip, T(0)), s.p_O = length_at(x, Shape::kPosition, contact_.tip_radius);
     top.phase = x[Shape::kPhase], top.phase_change = x[kHalf + Shape::kPhase];
     return top;

@@ -91,10 +91,19 @@ class ContactSlipClock {
                        x[Shape::kTimeDifference]);
     return difference - inner(v, v) / inner(v, rates.v_P);
   }
-  /// The state without slip, from which both motions roll on, each from its own stop.
-  static SlideState stopped(const State& x) {
+  /// The state without slip, from which both motions roll on, each from its own stop. What errors of the steps have left of
+  /// n.n - 1 and u.n is taken away, in both motions and in their difference: rolling would keep it as an error of the spin.
+  SlideState stopped(const State& x) const {
     SlideState now = sliding_state(x);
     for (std::size_t i = 0; i < 2; ++i) now[SlideShape::kSlip + i] = now[kHalf + SlideShape::kSlip + i] = T(0);
+    const ReducedContactState<P> top = slide_.top(now, T(0)).state;
+    const P length = real::sqrt(inner(top.n, top.n));
+    const Vec3<P> n(top.n[0] / length, top.n[1] / length, top.n[2] / length), u = top.u - inner(top.u, n) * n;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int axis = static_cast<int>(i);
+      now[SlideShape::kN + i] = n[axis].ref, now[kHalf + SlideShape::kN + i] = n[axis].diff;
+      now[SlideShape::kU + i] = u[axis].ref, now[kHalf + SlideShape::kU + i] = u[axis].diff;
+    }
     return now;
   }
 

@@ -39,7 +39,7 @@ std::optional<SlipStop<T>> slide_to_stop(const ContactReducedDrift<T, Observer::
   // A slip of the size of its terms' rounding is none.
   const auto typical = drift.typical_state();
   const T rounding = T(64) * real::epsilon<T>() * typical[Slide::kSpin] * typical[Slide::kPosition];
-  if (!(at_start > rounding)) return SlipStop<T>{{}, Clock::stopped(x)};
+  if (!(at_start > rounding)) return SlipStop<T>{{}, clock.stopped(x)};
   // What is left of the slip decays at its present rate, to first order: it may be the root of the round-off for the last
   // digits of the stop, and is taken much smaller as the direction converges like a power of what is left.
   const T gone = T(0.1) * real::epsilon<T>() * at_start;
@@ -57,10 +57,10 @@ std::optional<SlipStop<T>> slide_to_stop(const ContactReducedDrift<T, Observer::
       stepper.try_step(equations, x, sigma, step);
       if (slip > most) break;
       // Rounding may keep up a slip that is nearly gone; what is left of its time is below that of the rows.
-      if (steps > until && slip < T(kNearlyGone) * at_start) return SlipStop<T>{clock.stop_time(x), Clock::stopped(x)};
+      if (steps > until && slip < T(kNearlyGone) * at_start) return SlipStop<T>{clock.stop_time(x), clock.stopped(x)};
     }
   }
-  return SlipStop<T>{clock.stop_time(x), Clock::stopped(x)};
+  return SlipStop<T>{clock.stop_time(x), clock.stopped(x)};
 }
 
 /// The motions after the stops: they roll, each from its own stop, for equal durations. All that is shown of them is at the

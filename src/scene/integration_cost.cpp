@@ -32,8 +32,8 @@ double slowness(Precision precision) {
 /// Returns the time (s) of one evaluation for a top on a table.
 double seconds_on_table(const Scene& scene, const IntegrationOptions& options) {
   const bool reduced = scene.form(options) == ModelForm::reduced;
-  const double in_laboratory = reduced ? 1.2e-6 : 2.5e-6;
-  return options.observer == Observer::inertial ? 1.6 * in_laboratory : in_laboratory;
+  const double in_laboratory = reduced ? 5e-7 : 2e-6;
+  return options.observer == Observer::inertial ? 1.5 * in_laboratory : in_laboratory;
 }
 
 /// Returns the time (s) of one evaluation, as counted in the work of the method.

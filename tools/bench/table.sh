@@ -55,7 +55,8 @@ row() {
 programs=("$@")
 echo "Processor time of whole runs (s)"
 for scene in toy-top toy-top-viscous toy-top-tide toy-top-gradient toy-top-coulomb toy-top-platform damped-gyrocompass \
-  unbalanced-gyro-600s unbalanced-gyro-hour fast-gyro-20s fast-gyro-40s fast-gyro-60s fast-gyro-day; do
+  unbalanced-gyro-600s unbalanced-gyro-hour fast-gyro-20s fast-gyro-40s fast-gyro-60s fast-gyro-day \
+  pivot-of-table table-frictionless table-rolling table-viscous table-contensou table-coulomb; do
   row "$scene" PROGRAM run "$scenes/$scene.json" --out "$work/out"
 done
 echo "Processor time of a study of 1,000 toy tops, on one thread (s)"

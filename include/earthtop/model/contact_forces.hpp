@@ -74,13 +74,12 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
       f.force_per_normal = S(-contact.coefficient) * regularised_direction(v_P, S(contact.slip_floor * contact.slip_floor));
       break;
     case ContactLaw::contensou: {
-      const S u = contact.patch_radius * w_z, au = contact.slip_of_spin * u;
-      const S bv_squared = contact.spin_of_slip * contact.spin_of_slip * inner(v_P, v_P);
-      f.force_per_normal = S(-contact.coefficient) * regularised_direction(v_P, S(au * au));
-      const S square = u * u + bv_squared;
+      const S R_squared = contact.patch_radius * contact.patch_radius, spin_squared = w_z * w_z;
+      const S a_squared = contact.slip_of_spin * contact.slip_of_spin, b_squared = contact.spin_of_slip * contact.spin_of_slip;
+      f.force_per_normal = S(-contact.coefficient) * regularised_direction(v_P, S(S(a_squared * R_squared) * spin_squared));
+      const S square = R_squared * spin_squared + b_squared * inner(v_P, v_P);
       if (is_above_zero(square))
-        f.moment_per_normal =
-            S(-(contact.moment_factor * contact.coefficient * contact.patch_radius) * u / sqrt(square)) * normal;
+        f.moment_per_normal = S(S(-contact.moment_factor * contact.coefficient * R_squared) * (w_z / sqrt(square))) * normal;
       break;
     }
   }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "earthtop/model/contact_forces.hpp"
+#include "earthtop/model/rolling_inertia.hpp"
 
 namespace earthtop {
 
@@ -26,12 +27,28 @@ struct InertialContactBody {
   Mat3<S> I_inverse;  ///< of the inertia about C
   Vec3<S> L_C;        ///< inertial angular momentum about C
   Mat3<S> S_BC;       ///< second moment about C; read only where the gradient acts or torques are left out
+  /// Of a symmetric body: its axis, that axis's derivative, L_C x w_IB, and the inverse of the inertia as
+  /// `across` + `beyond_across` n n^T. The matrix is then not set.
+  bool is_symmetric = false;
+  Vec3<S> n, n_dot, gyroscopic;
+  S across = S(0), beyond_across = S(0);
+
+  /// The inverse of the inertia times a vector that is normal to the axis of a symmetric body.
+  Vec3<S> inverse_times_across(const Vec3<S>& y) const {
+    return is_symmetric ? Vec3<S>(across * y) : Vec3<S>(times(I_inverse, y));
+  }
+  /// dw_IB/dt under a torque about C.   @param gyro  L_C x w_IB
+  Vec3<S> rate_under(const Vec3<S>& torque, const Vec3<S>& gyro) const {
+    if (is_symmetric) return across * Vec3<S>(torque + gyro) + S(beyond_across * inner(n, torque)) * n;
+    return times(I_inverse, Vec3<S>(torque + gyro));
+  }
 };
 template <class S>
 struct InertialContactRates {
   Vec3<S> X_C;  ///< V_C
   Vec3<S> v_P;
   Vec3<S> w_IB;
+  S w3 = S(0);       ///< of a symmetric body: of w_IB.n, as w_IB.dn/dt = 0
   Vec3<S> momentum;  ///< dL_C/dt
   ContactReaction<S> reaction;
 };
@@ -41,6 +58,7 @@ namespace inertial_contact {
 template <class S>
 struct Kinematics {
   Vec3<S> s, s_dot, V_C, r_c_dot, z_dot, acceleration;
+  Vec3<S> centripetal;         ///< w_IB x dr_c/dt
   Vec3<S> torque, gyroscopic;  ///< about C: of others than the table, and L_C x w_IB
 };
 template <class S>
@@ -50,12 +68,13 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   Kinematics<S> k;
   k.s = -(c.tip_radius * around.normal + body.r_c);
   k.z_dot = W.cross(around.normal);
-  k.r_c_dot = x.w_IB.cross(body.r_c);
+  k.r_c_dot = body.is_symmetric ? Vec3<S>(c.height_of_center * body.n_dot) : Vec3<S>(x.w_IB.cross(body.r_c));
   k.s_dot = -(c.tip_radius * k.z_dot + k.r_c_dot);
-  k.V_C = x.v_P - Vec3<S>(x.w_IB.cross(k.s)) + Vec3<S>(W.cross(Vec3<S>(x.X_C + k.s)));
+  k.centripetal = x.w_IB.cross(k.r_c_dot);
+  k.V_C = x.v_P + c.tip_radius * Vec3<S>(x.w_IB.cross(around.normal)) + k.r_c_dot + Vec3<S>(W.cross(Vec3<S>(x.X_C + k.s)));
   k.acceleration = around.gravity;
   k.torque = Vec3<S>(S(0), S(0), S(0));
-  k.gyroscopic = body.L_C.cross(x.w_IB);
+  k.gyroscopic = body.is_symmetric ? body.gyroscopic : Vec3<S>(body.L_C.cross(x.w_IB));
   if (c.has_gradient) {
     k.acceleration += times(around.gradient, x.X_C);
     k.torque += gradient_torque(around.gradient, body.S_BC);
@@ -71,9 +90,10 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
 
 /// The derivative of the slip for given accelerations of C and of the rate.
 template <class S>
-Vec3<S> slip_rate(const ContactSurroundings<S>& around, const InertialContactState<S>& x, const Kinematics<S>& k,
-                  const Vec3<S>& A_C, const Vec3<S>& w_dot) {
-  return A_C + Vec3<S>(w_dot.cross(k.s)) + Vec3<S>(x.w_IB.cross(k.s_dot)) - Vec3<S>(around.W.cross(Vec3<S>(k.V_C + k.s_dot)));
+Vec3<S> slip_rate(const Contact<S>& c, const ContactSurroundings<S>& around, const InertialContactState<S>& x,
+                  const Kinematics<S>& k, const Vec3<S>& A_C, const Vec3<S>& w_dot) {
+  return A_C + Vec3<S>(w_dot.cross(k.s)) - c.tip_radius * Vec3<S>(x.w_IB.cross(k.z_dot)) - k.centripetal -
+         Vec3<S>(around.W.cross(Vec3<S>(k.V_C + k.s_dot)));
 }
 
 }  // namespace inertial_contact
@@ -88,22 +108,52 @@ InertialContactRates<S> inertial_sliding(const Contact<S>& c, const ContactSurro
   const Vec3<S> A_0 = k.acceleration + per_mass * f.force, A_1 = per_mass * Vec3<S>(z + f.force_per_normal);
   const Vec3<S> torque_0 = k.torque + Vec3<S>(k.s.cross(f.force));
   const Vec3<S> torque_1 = Vec3<S>(k.s.cross(Vec3<S>(z + f.force_per_normal))) + f.moment_per_normal;
-  const Vec3<S> w_0 = times<S>(body.I_inverse, torque_0 + k.gyroscopic), w_1 = times(body.I_inverse, torque_1);
-  // z''.X_O + 2 z'.V_O + z.A_O = 0
+  // z''.X_O + 2 z'.V_O + z.A_O = 0 with A_O = A_C - w' x r_c - w x r_c', and z.(w' x r_c) = w'.(r_c x z)
   const Vec3<S> X_O = x.X_C - body.r_c, V_O = k.V_C - k.r_c_dot, z_ddot = W.cross(k.z_dot);
-  const Vec3<S> A_O_0 = A_0 - Vec3<S>(w_0.cross(body.r_c)) - Vec3<S>(x.w_IB.cross(k.r_c_dot));
-  const Vec3<S> A_O_1 = A_1 - Vec3<S>(w_1.cross(body.r_c));
-  const S slope = inner(z, A_O_1);
-  const S N = -(inner(z_ddot, X_O) + S(2) * inner(k.z_dot, V_O) + inner(z, A_O_0)) / slope;
+  const Vec3<S> tip = body.inverse_times_across(Vec3<S>(body.r_c.cross(z)));
+  const S slope = inner(z, A_1) - inner(tip, torque_1);
+  const S rest = inner(z, Vec3<S>(A_0 - k.centripetal)) - inner(tip, Vec3<S>(torque_0 + k.gyroscopic));
+  const S N = -(inner(z_ddot, X_O) + S(2) * inner(k.z_dot, V_O) + rest) / slope;
 
   InertialContactRates<S> rates;
   rates.X_C = k.V_C;
-  rates.w_IB = w_0 + N * w_1;
   rates.momentum = torque_0 + N * torque_1;
-  rates.v_P = inertial_contact::slip_rate(around, x, k, Vec3<S>(A_0 + N * A_1), rates.w_IB);
+  rates.w_IB = body.rate_under(rates.momentum, k.gyroscopic);
+  if (body.is_symmetric) rates.w3 = S(body.across + body.beyond_across) * inner(body.n, rates.momentum);
+  rates.v_P = inertial_contact::slip_rate(c, around, x, k, Vec3<S>(A_0 + N * A_1), rates.w_IB);
   rates.reaction = {N, S(c.mass * slope), Vec3<S>(f.force + N * f.force_per_normal), Vec3<S>(N * f.moment_per_normal)};
   return rates;
 }
+
+namespace inertial_contact {
+
+/// A symmetric body that rolls: with A_C = A - w' x s where the derivative of the slip is 0, and the force m (A_C - g),
+/// (Theta + m (s^2 1 - s s^T)) w' = torque + L_C x w + m s x (A - g) + N per_normal.
+template <class S>
+InertialContactRates<S> rolling_symmetric(const Contact<S>& c, const ContactSurroundings<S>& around,
+                                          const InertialContactBody<S>& body, const InertialContactState<S>& x,
+                                          const Kinematics<S>& k, const Vec3<S>& per_normal) {
+  const Vec3<S>& z = around.normal;
+  const RollingInertia<S> inertia(c, z, body.n);
+  const Vec3<S> none(S(0), S(0), S(0)), unturned = -slip_rate(c, around, x, k, none, none) - k.acceleration;
+  InertialContactRates<S> rates;
+  rates.X_C = k.V_C, rates.v_P = x.v_P;
+  rates.w_IB = inertia.solved(Vec3<S>(k.torque + k.gyroscopic + c.mass * Vec3<S>(k.s.cross(unturned))));
+  const auto force_of = [&](const Vec3<S>& w_dot) { return Vec3<S>(c.mass * Vec3<S>(unturned - Vec3<S>(w_dot.cross(k.s)))); };
+  S N = inner(z, force_of(rates.w_IB));
+  if (c.has_spinning_friction || c.has_rolling_resistance) {
+    const Vec3<S> w_dot_1 = inertia.solved(per_normal);
+    N = N / (S(1) + c.mass * inner(z, Vec3<S>(w_dot_1.cross(k.s))));
+    rates.w_IB += N * w_dot_1;
+  }
+  rates.w3 = inner(rates.w_IB, body.n);
+  const Vec3<S> force = force_of(rates.w_IB);
+  rates.momentum = k.torque + Vec3<S>(k.s.cross(force)) + N * per_normal;
+  rates.reaction = {N, S(1), Vec3<S>(force - N * z), Vec3<S>(N * per_normal)};
+  return rates;
+}
+
+}  // namespace inertial_contact
 
 /// Without slip; `v_P` of the state is taken to be 0.
 template <class S>
@@ -113,15 +163,16 @@ InertialContactRates<S> inertial_rolling(const Contact<S>& c, const ContactSurro
   const auto k = inertial_contact::kinematics(c, around, body, x);
   const Vec3<S>& z = around.normal;
   const Vec3<S> per_normal = friction(c, x.v_P, Vec3<S>(x.w_IB - around.W), z).moment_per_normal;
+  if (body.is_symmetric) return inertial_contact::rolling_symmetric(c, around, body, x, k, per_normal);
   const S per_mass = S(1) / c.mass;
   // The derivative of the slip is affine in the table's force: its part without a force, and that of each component.
-  const Vec3<S> w_0 = times<S>(body.I_inverse, k.torque + k.gyroscopic);
-  const Vec3<S> slip_0 = inertial_contact::slip_rate(around, x, k, k.acceleration, w_0);
+  const Vec3<S> w_0 = body.rate_under(k.torque, k.gyroscopic);
+  const Vec3<S> slip_0 = inertial_contact::slip_rate(c, around, x, k, k.acceleration, w_0);
   Mat3<S> w_of, slip_of;
   for (int j = 0; j < 3; ++j) {
     Vec3<S> unit(S(0), S(0), S(0));
     unit[j] = S(1);
-    const Vec3<S> w = times<S>(body.I_inverse, Vec3<S>(k.s.cross(unit)) + z[j] * per_normal);
+    const Vec3<S> w = times(body.I_inverse, Vec3<S>(Vec3<S>(k.s.cross(unit)) + z[j] * per_normal));
     w_of.col(j) = w;
     slip_of.col(j) = per_mass * unit + Vec3<S>(w.cross(k.s));
   }
@@ -149,19 +200,22 @@ InertialContactBody<S> inertial_body(const Contact<S>& c, const Vec3<S>& n, cons
   InertialContactBody<S> body;
   body.r_c = c.height_of_center * n;
   body.L_C = c.I1 * u + S(c.I3 * w3) * n;
-  const S across = S(1) / c.I1, along = S(1) / c.I3, s1 = c.I3 / S(2), s3 = c.I1 - s1;
+  const S s1 = c.I3 / S(2), s3 = c.I1 - s1;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const S nn = n[i] * n[j];
-      body.I_inverse(i, j) = (i == j ? across : S(0)) + (along - across) * nn;
-      body.S_BC(i, j) = (i == j ? s1 : S(0)) + (s3 - s1) * nn;
-    }
+    for (int j = 0; j < 3; ++j) body.S_BC(i, j) = (i == j ? s1 : S(0)) + (s3 - s1) * (n[i] * n[j]);
+  body.is_symmetric = true;
+  body.n = n, body.n_dot = u.cross(n);
+  body.gyroscopic = S((c.I1 - c.I3) * w3) * body.n_dot;
+  body.across = S(1) / c.I1, body.beyond_across = S(1) / c.I3 - body.across;
   return body;
 }
 /// Any body, with the attitude R_NB and the angular momentum L_C.
 template <class S>
 InertialContactBody<S> inertial_body(const Contact<S>& c, const Mat3<S>& R_NB, const Vec3<S>& L_C) {
-  return {times(R_NB, c.p_OC_B), turned_tensor(R_NB, c.I_BC_B_inverse), L_C, turned_tensor(R_NB, c.S_BC_B)};
+  InertialContactBody<S> body;
+  body.r_c = times(R_NB, c.p_OC_B), body.L_C = L_C;
+  body.I_inverse = turned_tensor(R_NB, c.I_BC_B_inverse), body.S_BC = turned_tensor(R_NB, c.S_BC_B);
+  return body;
 }
 
 }  // namespace earthtop

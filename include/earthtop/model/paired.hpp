@@ -18,6 +18,10 @@ struct Paired {
   Paired() = default;
   Paired(T constant) : ref(constant), rot(constant) {}  // NOLINT(google-explicit-constructor): the same in both
   Paired(T in_reference, T in_rotating, T difference) : ref(in_reference), rot(in_rotating), diff(difference) {}
+  /// @param difference  over epsilon
+  static Paired apart(const T& reference, const T& difference, const T& epsilon) {
+    return {reference, reference + epsilon * difference, difference};
+  }
 
   Paired& operator+=(const Paired& y) { return *this = *this + y; }
   Paired& operator-=(const Paired& y) { return *this = *this - y; }

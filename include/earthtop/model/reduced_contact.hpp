@@ -7,12 +7,18 @@
 ///   dn/dt = s' - W x n ,  du/dt = tau_perp/I1 - b s' - W x u ,  dw3/dt = tau.n/I3 ,  tau = s x (N z + F) + M + ...
 ///   a_C = g + f/m + (N z + F)/m ,  a_O = a_C - l n'' ,  dv_P/dt = a_O - r w' x z ,  dp_O/dt = v_O = v_P + r w x z
 ///
-/// Sliding: n'' is affine in N, and z.a_O = 0 gives N. Rolling: v_P = 0; with rho = -s,
+/// Sliding: n'' is affine in N, and z.a_O = 0 gives N. As n.n = 1 and u.n = 0,
+///   n'' = (tau x n)/I1 + b u - u^2 n - 2 W x s' + W x (W x n) ,
+///   z.((s x (N z + F)) x n) = -l N (1 - (z.n)^2) + (r + l z.n) F.n
+/// Rolling: v_P = 0; with rho = -s,
 ///   (Theta + m (rho^2 1 - rho rho^T)) w' = -w_IB x L_C + Theta (w x W) + ... - m rho x acc + M ,  N z + F = m (w' x rho + acc)
-/// with acc = w x (w x r_c) - g - f/m.
+/// with acc = w x (w x r_c) - g - f/m, and rho x (w x (w x r_c)) = -l ((w.n) v_C + r w^2 z x n).
+///
+/// The forms are those with the fewest products: each product of two variables costs a series its square of orders.
 #pragma once
 
 #include "earthtop/model/contact_forces.hpp"
+#include "earthtop/model/rolling_inertia.hpp"
 
 namespace earthtop {
 
@@ -36,21 +42,22 @@ namespace reduced_contact {
 /// What follows from a state without the forces.
 template <class S>
 struct Kinematics {
-  Vec3<S> s_dot, n_dot, w, r_c, s, v_O, v_C, field;
-  S b;
+  Vec3<S> s_dot, n_dot, w3_n, w, r_c, v_O, v_C, field;
+  S b, up;  ///< z.n
 };
 template <class S>
 Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& around, const ReducedContactState<S>& x) {
   Kinematics<S> k;
   k.s_dot = x.u.cross(x.n);
   k.n_dot = k.s_dot - Vec3<S>(around.W.cross(x.n));
-  k.w = x.u + x.w3 * x.n - around.W;
+  k.w3_n = x.w3 * x.n;
+  k.w = x.u + k.w3_n - around.W;
   k.r_c = c.height_of_center * x.n;
-  k.s = -(c.tip_radius * around.normal + k.r_c);
   k.v_O = x.v_P + c.tip_radius * Vec3<S>(k.w.cross(around.normal));
   k.v_C = k.v_O + c.height_of_center * k.n_dot;
   k.field = field_beside_gravity(c, around, Vec3<S>(x.p_O + k.r_c), k.v_C);
   k.b = (c.I3 / c.I1) * x.w3;
+  k.up = inner(around.normal, x.n);
   return k;
 }
 
@@ -68,20 +75,15 @@ Vec3<S> further_torque(const Contact<S>& c, const ContactSurroundings<S>& around
   return torque;
 }
 
-/// dn/dt, du/dt, dw3/dt and dp_O/dt under a torque about C.
-template <class S>
-ReducedContactRates<S> turning(const Contact<S>& c, const ContactSurroundings<S>& around, const ReducedContactState<S>& x,
-                               const Kinematics<S>& k, const Vec3<S>& torque) {
-  ReducedContactRates<S> rates;
-  const S along = inner(torque, x.n);
-  rates.n = k.n_dot;
-  rates.u = S(S(1) / c.I1) * Vec3<S>(torque - along * x.n) - k.b * k.s_dot - Vec3<S>(around.W.cross(x.u));
-  rates.w3 = along / c.I3;
-  rates.p_O = k.v_O;
-  return rates;
-}
-
 }  // namespace reduced_contact
+
+/// Whether the inertial spin is constant: nothing turns the body about its axis.
+template <class S>
+bool keeps_spin(const Contact<S>& c) {
+  const bool moments = c.law == ContactLaw::contensou || c.has_spinning_friction || c.has_rolling_resistance;
+  const bool no_arm = c.law == ContactLaw::frictionless || (c.tip_radius == S(0) && c.law != ContactLaw::rolling);
+  return no_arm && !moments && !c.omits_torques;
+}
 
 /// The time derivatives under a law of sliding friction.
 template <class S>
@@ -92,22 +94,33 @@ ReducedContactRates<S> reduced_sliding(const Contact<S>& c, const ContactSurroun
   const Vec3<S>& W = around.W;
   const Kinematics<S> k = kinematics(c, around, x);
   const Friction<S> f = friction(c, x.v_P, k.w, z);
-  const Vec3<S> torque_0 = Vec3<S>(k.s.cross(f.force)) + further_torque(c, around, x.n, k.w);
-  const Vec3<S> torque_1 = Vec3<S>(k.s.cross(Vec3<S>(z + f.force_per_normal))) + f.moment_per_normal;
+  const Vec3<S> further = further_torque(c, around, x.n, k.w);
+  const S across = S(1) / c.I1, along = S(1) / c.I3;
 
-  // n'' = du/dt x n + u x dn/dt - W x dn/dt = n''_0 + N (torque_1 x n)/I1
-  const S across = S(1) / c.I1;
-  const Vec3<S> n_ddot_0 = across * Vec3<S>(torque_0.cross(x.n)) - Vec3<S>(Vec3<S>(k.b * k.s_dot + W.cross(x.u)).cross(x.n)) +
-                           Vec3<S>(Vec3<S>(x.u - W).cross(k.n_dot));
-  const S numerator = c.height_of_center * inner(z, n_ddot_0) - inner(z, Vec3<S>(around.gravity + k.field));
-  const S denominator = S(1) - (c.mass * c.height_of_center * across) * inner(z, Vec3<S>(torque_1.cross(x.n)));
+  // n'' without the table's force and the further torque, and the parts of z.(tau x n) without and with N
+  const Vec3<S> bend = S(k.b) * x.u - inner(x.u, x.u) * x.n + Vec3<S>(W.cross(Vec3<S>(W.cross(x.n) - S(2) * k.s_dot)));
+  const S lever = c.tip_radius + c.height_of_center * k.up;
+  const S turn_0 = lever * inner(f.force, x.n) + inner(z, Vec3<S>(further.cross(x.n)));
+  const S turn_1 = lever * inner(f.force_per_normal, x.n) - c.height_of_center * (S(1) - k.up * k.up) +
+                   inner(z, Vec3<S>(f.moment_per_normal.cross(x.n)));
+  const S numerator = c.height_of_center * (inner(z, bend) + across * turn_0) - inner(z, Vec3<S>(around.gravity + k.field));
+  const S denominator = S(1) - (c.mass * c.height_of_center * across) * turn_1;
   const S N = c.mass * numerator / denominator;
 
-  ReducedContactRates<S> rates = turning(c, around, x, k, Vec3<S>(torque_0 + N * torque_1));
+  ReducedContactRates<S> rates;
   rates.reaction = {N, denominator, Vec3<S>(N * f.force_per_normal + f.force), Vec3<S>(N * f.moment_per_normal)};
-  const Vec3<S> n_ddot = n_ddot_0 + S(N * across) * Vec3<S>(torque_1.cross(x.n));
-  const Vec3<S> a_O = around.gravity + k.field + S(S(1) / c.mass) * rates.reaction.friction - c.height_of_center * n_ddot;
-  const Vec3<S> w_dot = rates.u + rates.w3 * x.n + x.w3 * k.n_dot;
+  const Vec3<S>& F = rates.reaction.friction;
+  // The torque of the force at the arm -l n is across the axis.
+  const Vec3<S> beside = rates.reaction.moment + further - c.tip_radius * Vec3<S>(z.cross(F));
+  const S twist = inner(beside, x.n);
+  const Vec3<S> torque = beside - c.height_of_center * Vec3<S>(x.n.cross(Vec3<S>(N * z + F)));
+  rates.n = k.n_dot;
+  rates.u = across * Vec3<S>(torque - twist * x.n) - k.b * k.s_dot - Vec3<S>(W.cross(x.u));
+  rates.w3 = along * twist;
+  rates.p_O = k.v_O;
+  const Vec3<S> n_ddot = bend + across * Vec3<S>(torque.cross(x.n));
+  const Vec3<S> a_O = around.gravity + k.field + S(S(1) / c.mass) * F - c.height_of_center * n_ddot;
+  const Vec3<S> w_dot = rates.u + rates.w3 * x.n + x.w3 * k.s_dot - Vec3<S>(W.cross(k.w3_n));
   rates.v_P = in_table_plane(Vec3<S>(a_O - c.tip_radius * Vec3<S>(w_dot.cross(z))), z);
   return rates;
 }
@@ -117,35 +130,40 @@ template <class S>
 ReducedContactRates<S> reduced_rolling(const Contact<S>& c, const ContactSurroundings<S>& around, ReducedContactState<S> x) {
   using namespace reduced_contact;
   const Vec3<S>& z = around.normal;
+  const Vec3<S>& W = around.W;
   x.v_P = Vec3<S>(S(0), S(0), S(0));
   const Kinematics<S> k = kinematics(c, around, x);
-  const Vec3<S> rho = -k.s, further = further_torque(c, around, x.n, k.w);
-  const Vec3<S> acc = k.w.cross(Vec3<S>(c.height_of_center * k.n_dot)) - around.gravity - k.field;
-  // -w_IB x L_C + Theta (w x W) with Theta = I1 + (I3 - I1) n n^T
-  const Vec3<S> wW = k.w.cross(around.W);
-  const S extra = c.I3 - c.I1;
-  const Vec3<S> gyroscopic = c.I1 * wW + S(extra * inner(x.n, wW)) * x.n - S(extra * x.w3) * k.s_dot;
-  const Vec3<S> right = gyroscopic + further - c.mass * Vec3<S>(rho.cross(acc));
-  const S diagonal = c.I1 + c.mass * inner(rho, rho);
-  Mat3<S> A;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) A(i, j) = (i == j ? diagonal : S(0)) + extra * (x.n[i] * x.n[j]) - c.mass * (rho[i] * rho[j]);
-  Vec3<S> w_dot = solved(A, right);
+  const RollingInertia<S> inertia(c, z, x.n);
+  const Vec3<S>& rho = inertia.arm();
+  const Vec3<S> further = further_torque(c, around, x.n, k.w), pull = around.gravity + k.field;
+  // -w_IB x L_C + Theta (w x W) with Theta = I1 + (I3 - I1) n n^T; n.(w x W) = -W.s'
+  const S extra = c.I3 - c.I1, W_turn = inner(W, k.s_dot);
+  const Vec3<S> gyroscopic = c.I1 * Vec3<S>(k.w.cross(W)) - S(extra * W_turn) * x.n - S(extra * x.w3) * k.s_dot;
+  const Vec3<S> swing = S(x.w3 - inner(W, x.n)) * k.v_C + S(c.tip_radius * inner(k.w, k.w)) * Vec3<S>(z.cross(x.n));
+  const Vec3<S> right = gyroscopic + further + c.mass * Vec3<S>(c.height_of_center * swing + Vec3<S>(rho.cross(pull)));
+  Vec3<S> w_dot = inertia.solved(right);
+  const Vec3<S> acc = k.w.cross(Vec3<S>(c.height_of_center * k.n_dot)) - pull;
   const auto normal_force = [&](const Vec3<S>& rate) { return S(c.mass * inner(z, Vec3<S>(Vec3<S>(rate.cross(rho)) + acc))); };
 
   S N = normal_force(w_dot), denominator = S(1);
   Vec3<S> moment(S(0), S(0), S(0));
   if (c.has_spinning_friction || c.has_rolling_resistance) {
     const Vec3<S> per_normal = friction(c, x.v_P, k.w, z).moment_per_normal;
-    const Vec3<S> w_dot_1 = solved(A, per_normal);
+    const Vec3<S> w_dot_1 = inertia.solved(per_normal);
     denominator = S(1) - c.mass * inner(z, Vec3<S>(w_dot_1.cross(rho)));
     N = N / denominator;
     w_dot += N * w_dot_1;
     moment = N * per_normal;
   }
-  const Vec3<S> force = c.mass * Vec3<S>(Vec3<S>(w_dot.cross(rho)) + acc);
-  ReducedContactRates<S> rates = turning(c, around, x, k, Vec3<S>(Vec3<S>(k.s.cross(force)) + moment + further));
+  ReducedContactRates<S> rates;
+  const S turn = inner(w_dot, x.n);
+  rates.n = k.n_dot;
+  // w_IB = u + w3 n, W does not change in these axes, and W.dn/dt = W.s'
+  rates.u = w_dot - turn * x.n - W_turn * x.n - x.w3 * k.s_dot + Vec3<S>(W.cross(k.w3_n));
+  rates.w3 = turn + W_turn;
+  rates.p_O = k.v_O;
   rates.v_P = x.v_P;
+  const Vec3<S> force = c.mass * Vec3<S>(Vec3<S>(w_dot.cross(rho)) + acc);
   rates.reaction = {N, denominator, in_table_plane(force, z), moment};
   return rates;
 }

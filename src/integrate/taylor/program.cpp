@@ -74,7 +74,8 @@ template <class T>
 void Program<T>::start(std::span<const T> x, T t) {
   for (std::size_t i = 0; i < given_.size(); ++i) given_[i].expand(t, given_rows_[i]);
   T *left = row(0), *right = row(0) + code_.lanes;
-  std::ranges::fill(sums_, T(0));
+  // The first order is odd; the sums of the even ones are made before they are read.
+  std::fill(sums_.begin() + code_.lanes, sums_.end(), T(0));
   T* zero = zero_.data();
   const auto at = [&](int place) { return zero[place]; };
   std::ranges::copy(x, zero);
@@ -83,10 +84,15 @@ void Program<T>::start(std::span<const T> x, T t) {
     if (run.kind == Kind::linear) {
       for (const Instruction& in : instructions) {
         T sum = in.number;
-        for (const auto *term = code_.start_terms.data() + in.first_term, *end = term + in.terms; term != end; ++term) {
-          const T factor = term->factor * at(term->held);
-          code_.factors[static_cast<std::size_t>(term->slot)] = factor;
-          sum += factor * at(term->place);
+        const auto *term = code_.start_terms.data() + in.first_term, *const end = term + in.terms;
+        if (in.holds) {
+          for (; term != end; ++term) {
+            const T factor = term->factor * at(term->held);
+            code_.factors[static_cast<std::size_t>(term->slot)] = factor;
+            sum += factor * at(term->place);
+          }
+        } else {
+          for (; term != end; ++term) sum += term->factor * at(term->place);
         }
         zero[in.out] = sum;
       }

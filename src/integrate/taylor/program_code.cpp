@@ -259,6 +259,7 @@ class Builder : ProgramSums<T> {
       made.first_term = static_cast<int>(code_.start_terms.size());
       made.terms = static_cast<int>(sums_[index(i)].terms.size());
       made.number = sums_[index(i)].number;
+      made.holds = std::ranges::any_of(sums_[index(i)].terms, [](const Term& term) { return term.held >= 0; });
       for (const Term& term : sums_[index(i)].terms)
         code_.start_terms.push_back({places_[index(term.operand)], term.factor,
                                      places_[index(term.held < 0 ? one() : term.held)], term.slot < 0 ? no_slot : term.slot});

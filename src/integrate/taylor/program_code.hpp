@@ -30,12 +30,13 @@ struct ProgramCode {
     int lane = -1;  ///< of the first product of series that it sums; -1: none, as it has no order but 0
     int first_term = 0, terms = 0;
     T number = T(0);
+    bool holds = false;  ///< whether a term of the sum has another factor that is held over the step
   };
   /// A term of a sum at the beginning of a step.
   struct Term {
     int place = -1;
     T factor = T(0);
-    int held = -1;  ///< place of another factor
+    int held = -1;  ///< place of another factor; read only where the sum holds one
     int slot = -1;  ///< where the product of both is kept for the other orders
   };
   /// Instructions of one kind, one after the other.

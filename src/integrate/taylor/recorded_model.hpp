@@ -4,6 +4,7 @@
 #pragma once
 
 #include "integrate/taylor/recorded.hpp"
+#include "integrate/taylor/recorded_pair.hpp"
 //
 #include "earthtop/frames/angle_spline.hpp"
 #include "earthtop/frames/tide.hpp"
