@@ -158,7 +158,8 @@ std::string seen_html(const Run& run) {
 
 std::string event_words(const std::string& word) {
   using enum ContactEventKind;
-  for (const ContactEventKind kind : {slip_stopped, slip_started, lifted_off, rim_touched, inverted, no_unique_force, patch_stopped})
+  for (const ContactEventKind kind :
+       {slip_stopped, slip_started, lifted_off, rim_touched, inverted, no_unique_force, patch_stopped})
     if (to_string(kind) == word) return std::string(in_words(kind));
   return word;
 }

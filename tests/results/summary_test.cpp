@@ -113,7 +113,8 @@ TEST(Summary, HasTheContactOfATopOnATableOnly) {
   EXPECT_FALSE(without.contains("contact"));
   EXPECT_EQ(summary.at("/drift/tip_final_x_m"_json_pointer), result.rows.back().contact->drift_tip_xy_m[0]);
   EXPECT_EQ(summary.at("/drift/tip_final_y_m"_json_pointer), result.rows.back().contact->drift_tip_xy_m[1]);
-  for (const char* key : {"tip_final_m", "tip_final_x_m", "tip_max_m", "tip_bound_m"}) EXPECT_FALSE(without.at("drift").contains(key)) << key;
+  for (const char* key : {"tip_final_m", "tip_final_x_m", "tip_max_m", "tip_bound_m"})
+    EXPECT_FALSE(without.at("drift").contains(key)) << key;
 }
 
 TEST(Summary, OfRowsWithAContactHasTheTipsDrift) {
