@@ -6,6 +6,7 @@
 #include <random>
 
 #include "earthtop/run.hpp"
+#include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
 
 namespace earthtop::contact_balance_run {
