@@ -11,8 +11,11 @@
 namespace earthtop {
 
 /// Growth of the change of axis and spin (over the spin at release), of three disturbances of attitude and rates that belong to no
-/// symmetry; the largest counts. Regular motions let it grow with the path s of the axis on the unit sphere: toy tops under every
-/// law to 2.5 (3 + s) at most, the 3 while slip and nutation settle.
+/// symmetry; the largest counts. Regular motions let it grow with the path s of the axis on the unit sphere, besides which the
+/// slip and nutation settle. Measured in 54 random scenes under the smooth laws (earthtop-bound-coverage --on-table 9 6 200
+/// --growth): at most 2.3 (3 + s) in 45 of them, and 3.6 to 16 (3 + s) in the other 9, tippe tops that turn over, tops that fall,
+/// and tops that roll with moments. A change of the start by 1e-6, followed by itself, grew 0.3 to 2.2 times as far (1.1 in the
+/// median): it changes the slip as well, which the three disturbances leave.
 struct ContactGrowth {
   std::optional<double> above_s;  ///< when it first exceeded kRegularContactGrowth (3 + s); none if it did not
   std::optional<double> again_s;  ///< from when on it no longer did; none if it did so to the end

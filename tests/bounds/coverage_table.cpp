@@ -145,7 +145,7 @@ std::pair<std::string, bool> growth_line(const Scenario& scenario) {
           "the path {:.2g} while regular, {:.2g} else",
           scenario.body.center_of_mass_m[2], g.end_s, g.largest, g.largest_ratio, check.largest, time(g.above_s),
           time(g.again_s), check.regular_ratio, check.irregular_ratio),
-      check.regular_ratio <= 1.5 * kRegularContactGrowth && g.completed};
+      check.regular_ratio <= 2.2 * kRegularContactGrowth && g.completed};
 }
 
 }  // namespace

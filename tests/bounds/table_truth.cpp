@@ -50,7 +50,7 @@ void slide_in_inertial_axes(const Scenario& scenario, double tolerance, TrueRun&
 
 }  // namespace
 
-TrueRun truth_on_table(const Scenario& scenario, bool extended) {
+TrueRun truth_on_table(const Scenario& scenario, bool extended, std::size_t rows) {
   constexpr double kAffordable = 1e4;  // evaluations by extrapolation in 113 bits, a second
   const ContactSpec& contact = *scenario.contact;
   const bool exact = contact.law == ContactLaw::coulomb && contact.regularisation_m_s == 0;
@@ -61,14 +61,14 @@ TrueRun truth_on_table(const Scenario& scenario, bool extended) {
     options.method = Method::extrapolation;
     options.relative_tolerance = 1e-22;
     if (!exact && Scene(scenario).cost(options).work.evaluations > kAffordable) options.method = Method::taylor;
-    TrueRun truth = integrate_truth<float128>(scenario, options);
+    TrueRun truth = integrate_truth<float128>(scenario, options, rows);
     if (exact && truth.rows.front().contact->state == ContactState::slide)
       slide_in_inertial_axes(scenario, options.relative_tolerance, truth);
     return truth;
   }
   options.method = Method::taylor;
   options.relative_tolerance = 1e-18;
-  return integrate_truth<long double>(scenario, options);
+  return integrate_truth<long double>(scenario, options, rows);
 }
 
 }  // namespace earthtop::testing

@@ -171,5 +171,41 @@ TEST(ContactRunEvents, SlipOnsetIsMarginalFromThenOn) {
   }
 }
 
+// A ball that only turns: the moment of the patch is constant, so that the turning ends at a known time, and a run ends where
+// 1e-5 of it is left.
+TEST(ContactEventsRun, APatchThatStopsEndsTheRun) {
+  const double I = 1.6e-5, spin = 2, patch = 5e-4, mu = 0.2, gravity = 9.80665, mass = 0.1;
+  ContactSpec contact{.tip_radius_m = 0.02, .law = ContactLaw::contensou, .friction_coefficient = mu, .patch_radius_m = patch};
+  Scenario s = testing::scenario_of({mass, 0, I, I, gravity, spin, 0, contact});
+  s.duration_s = 1, s.output_step_s = 0.1;
+  const RunResult result = run(s);
+  EXPECT_EQ(result.status, RunStatus::completed);
+  ASSERT_TRUE(result.contact && !result.contact->events.empty());
+  const double ends_s = spin * I / (3 * real::pi<double>() / 16 * mu * mass * gravity * patch);
+  for (const ContactEvent& event : result.contact->events) {
+    EXPECT_EQ(event.kind, ContactEventKind::patch_stopped);
+    EXPECT_NEAR(event.t_s / ((1 - 1e-5) * ends_s), 1, event.prediction == Prediction::reference ? 1e-10 : 1e-6);
+  }
+  EXPECT_LT(result.reached_s, ends_s);
+  EXPECT_GT(result.rows.size(), 4U);
+}
+
+// Dry friction cannot hold a tip that needs more than it gives; nor is a tip held in one prediction that slips in the other.
+TEST(ContactEventsRun, AReleaseThatDryFrictionCannotHoldIsRefused) {
+  ContactSpec contact{.tip_radius_m = 0, .law = ContactLaw::coulomb, .friction_coefficient = 0.02};
+  const auto errors = [](const Scenario& s) { return examine_scenario({"test", canonical_json(s), false}).errors; };
+  Scenario s = testing::scenario_of(testing::toy_on_table(contact));
+  s.duration_s = 0.1, s.output_step_s = 0.1;
+  ASSERT_EQ(errors(s).size(), 1U);
+  EXPECT_EQ(errors(s)[0].pointer, "/contact/friction_coefficient");
+  s.contact->friction_coefficient = 0.5;
+  EXPECT_TRUE(errors(s).empty());
+  s.contact->start = ContactStart::center_of_mass_at_rest;
+  EXPECT_TRUE(errors(s).empty());
+  s.release.rates_relative_to = RatesRelativeTo::inertial;
+  ASSERT_EQ(errors(s).size(), 1U);
+  EXPECT_EQ(errors(s)[0].pointer, "/contact/start");
+}
+
 }  // namespace
 }  // namespace earthtop::contact_events_run
