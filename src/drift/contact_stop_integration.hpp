@@ -54,6 +54,13 @@ DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, cons
     if (stop) part_times.push_back(std::max(part_times.back(), T(T(1 - kLeftOut) * std::min(stop->time.ref, stop->time.rot))));
     if (part_times.size() > 1 && part_times[part_times.size() - 2] == part_times.back()) part_times.pop_back();
     whole = integrate_system_at(part_times, drift, drift.initial_state(), part, options, watch, drift.largest_step());
+    if (whole.status == RunStatus::step_underflow && options.method == Method::taylor) {
+      // Where the direction of a small slip turns fast, a series may hold for less than the least step.
+      IntegrationOptions other = options;
+      other.method = Method::extrapolation;
+      Drift again(problem.model, table.contact, table.start, problem.release, problem.units);
+      whole = integrate_system_at(part_times, again, again.initial_state(), part, other, watch, again.largest_step());
+    }
     if (!stop || whole.status != RunStatus::completed) return whole;
     for (const ContactEvent& event : whole.contact_events)
       if (ends_run(event.kind)) return whole;

@@ -7,7 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drift/long_horizon_pair.hpp"
 #include "drift/long_horizon_work.hpp"
+#include "drift/rate_interpolation.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
 #include "drift/threshold_watch.hpp"
@@ -22,60 +24,9 @@ using long_horizon::kGoldenPart;
 using long_horizon::kNodeDrift;
 using long_horizon::kSmall;
 using Top = TiltedTop<T>;
-
-/// Both motions at one instant, without the spin w3 t that they share. (e_w, epsilon y) is the quaternion of R_ref^T R_rot.
-struct Pair {
-  Quaternion<T> ref_q_LF;
-  Complex<T> ref_across;
-  T e_w = T(1);
-  Vec3<T> y = Vec3<T>::Zero();
-  Complex<T> across;     ///< rate of the rotating motion's axis, in its own frame
-  T spin_excess = T(0);  ///< rate of the rotating motion along the axis relative to the laboratory, less w3
-};
-
-/// Gives a pair the interface of a system that a StepWatcher expects.
-class PairSystem {
- public:
-  using State = Pair;
-  PairSystem(T epsilon, T w3) : epsilon_(epsilon), w3_(w3) {}
-
-  void follow(const Pair& x) { followed_ = signed_like(followed_, x); }
-  DriftState<T> deviation_state(const Pair& pair, T) const {
-    const Pair x = signed_like(followed_, pair);
-    DriftState<T> s;
-    s.epsilon = epsilon_;
-    s.ref_q_LB = x.ref_q_LF;
-    s.e_w = x.e_w;
-    s.e_v_scaled = x.y;
-    return s;
-  }
-  DriftState<T> shared_state(const Pair& pair, T t) const {
-    const Pair x = signed_like(followed_, pair);
-    const Quaternion<T> spin = steady_turn(2, w3_, t);
-    const Mat3<T> R_FB = rotation_matrix(spin);
-    DriftState<T> s = deviation_state(pair, t);
-    s.ref_q_LB = x.ref_q_LF * spin;
-    s.e_v_scaled = transposed_times(R_FB, x.y);
-    s.q_LB = s.ref_q_LB * Quaternion<T>{x.e_w, epsilon_ * s.e_v_scaled}.normalized();
-    s.ref_w_LB_B = transposed_times(R_FB, Vec3<T>(x.ref_across.re, x.ref_across.im, w3_));
-    s.w_LB_B = transposed_times(R_FB, Vec3<T>(x.across.re, x.across.im, w3_ + x.spin_excess));
-    return s;
-  }
-
- private:
-  /// The pair with the signs of its two quaternions chosen to be close to those followed last.
-  Pair signed_like(const Pair& last, const Pair& pair) const {
-    Pair x = pair;
-    if (last.ref_q_LF.w * x.ref_q_LF.w + last.ref_q_LF.v.dot(x.ref_q_LF.v) < T(0)) x.ref_q_LF = {-x.ref_q_LF.w, -x.ref_q_LF.v};
-    if (last.e_w * x.e_w + (epsilon_ * last.y).dot(epsilon_ * x.y) < T(0)) x.e_w = -x.e_w, x.y = -x.y;
-    return x;
-  }
-  T epsilon_, w3_;
-  Pair followed_;
-
- public:
-  void start_from(const Quaternion<T>& q_LB) { followed_.ref_q_LF = q_LB; }
-};
+using Pair = LongHorizonPair<T>;
+using PairSystem = LongHorizonPairSystem<T>;
+using Joined = JoinedPair<T>;
 
 class LongHorizonDrift {
  public:
@@ -131,7 +82,6 @@ class LongHorizonDrift {
   static constexpr T kUnseenError = 5e-12;    ///< error of averaging that comparisons may not show, at the end (rad)
   static constexpr T kApart = 1e-3;           ///< phase of the fast motion between the states that rates come from (rad)
   static constexpr double kWalkShare = 0.75;  ///< share of the remaining work that is left after a walk, for the progress
-  static constexpr std::array<T, 4> kNodes{1, 0.5, -0.5, -1};
 
   Top top_at(T epsilon) const {
     return Top(model_, symmetric_, problem_.release.q_LB, w_XB_B_, problem_.release.X, Vec3<T>(epsilon * model_.W_IL_L_scaled));
@@ -220,7 +170,7 @@ class LongHorizonDrift {
     T begin = T(0);
     const T apart = T(kApart) / fast_rate();
     const auto pair_at = [&](T t) {
-      std::array<Pair, kNodes.size()> at;
+      std::array<Pair, kRateNodes.size()> at;
       for (std::size_t i = 0; i < walks.size(); ++i) {
         LongHorizonWalk<T> walk = walks[i];
         if (t != begin) walk.advance(t - begin, T(0), [](T, const TiltedTopState<T>&) {});
@@ -311,6 +261,7 @@ class LongHorizonDrift {
   void add_sample(const StepWatcher<T, PairSystem>& watcher, const Pair& p, std::size_t row, DriftTrajectory<T>& trajectory) {
     trajectory.samples.push_back(watcher.sample(p, times_[row], problem_.times_s[row]));
     trajectory.samples.back().drift_error = stated_error_ * times_[row];
+    if (row < interpolation_errors_.size()) trajectory.samples.back().drift_error += interpolation_errors_[row];
     if (row == 0) set_release_rates(problem_, trajectory.samples.front().state);
   }
   DriftTrajectory<T> finished(DriftTrajectory<T>& trajectory) const {
@@ -349,16 +300,16 @@ class LongHorizonDrift {
         node = std::min(most, T(node * std::clamp(T(kNodeDrift / reached), T(1e-6), T(1e3))));
         continue;
       }
-      std::array<std::vector<Pair>, kNodes.size()> at;
+      std::array<std::vector<Pair>, kRateNodes.size()> at;
       at[0] = pairs_;
       walked_.clear();
       walked_.push_back({top, plan, node});
-      for (std::size_t i = 1; i < kNodes.size(); ++i) {
+      for (std::size_t i = 1; i < kRateNodes.size(); ++i) {
         LongHorizonPlan<T> same = plan;
-        const Top other = top_at(kNodes[i] * node);
+        const Top other = top_at(kRateNodes[i] * node);
         same.filter = make_filter(other, plan.averaging, is_second());
-        walked_.push_back({other, same, kNodes[i] * node});
-        walk(other, same, kNodes[i] * node, T(0), quiet);
+        walked_.push_back({other, same, kRateNodes[i] * node});
+        walk(other, same, kRateNodes[i] * node, T(0), quiet);
         if (trajectory_status_ != RunStatus::completed) return reached;
         at[i] = pairs_;
       }
@@ -369,52 +320,17 @@ class LongHorizonDrift {
     return T(1);
   }
 
-  /// The pair at the rate epsilon, interpolated from the pairs at the four rates kNodes x node and the same time, and the size
-  /// of the cubic's term of third order.
-  struct Joined {
-    Pair pair;
-    Vec3<T> third_order_term = Vec3<T>::Zero();
-  };
-  static Joined joined(const std::array<Pair, kNodes.size()>& at, T epsilon, T node) {
-    const T x = epsilon / node;
-    std::array<T, kNodes.size()> weight;
-    for (std::size_t i = 0; i < kNodes.size(); ++i) {
-      weight[i] = T(1);
-      for (std::size_t j = 0; j < kNodes.size(); ++j)
-        if (j != i) weight[i] *= (x - kNodes[j]) / (kNodes[i] - kNodes[j]);
-    }
-    Joined joined{at[0]};
-    Pair& p = joined.pair;
-    Vec3<T> y = Vec3<T>::Zero();
-    Complex<T> rate;
-    T excess = T(0);
-    constexpr std::array<T, 4> kThird{1, -2, 2, -1};  // proportional to the third difference, and so to the third-order term
-    for (std::size_t i = 0; i < kNodes.size(); ++i) {
-      const Pair& q = at[i];
-      const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kNodes[i] * node);
-      y += weight[i] * side * q.y;
-      joined.third_order_term += kThird[i] * side * q.y;
-      rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
-      excess += weight[i] * scale * q.spin_excess;
-    }
-    p.y = y;
-    p.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
-    p.across = p.ref_across + epsilon * rate;
-    p.spin_excess = epsilon * excess;
-    return joined;
-  }
   /// Fills `pairs_` by interpolation. @returns whether the cubic's third-order term is small enough to trust the cubic
-  bool join(const std::array<std::vector<Pair>, kNodes.size()>& at, T epsilon, T node) {
-    T largest = T(0), third = T(0);
+  bool join(const std::array<std::vector<Pair>, kRateNodes.size()>& at, T epsilon, T node) {
+    InterpolationError<T> error;
+    interpolation_errors_.clear();
     for (std::size_t row = 0; row < pairs_.size(); ++row) {
       const Joined there = joined({at[0][row], at[1][row], at[2][row], at[3][row]}, epsilon, node);
       pairs_[row] = there.pair;
-      largest = std::max(largest, norm(there.pair.y));
-      third = std::max(third, norm(there.third_order_term));
+      error.include(norm(there.pair.y), norm(there.second_order_term), norm(there.third_order_term));
+      interpolation_errors_.push_back(T(2) * epsilon * error.fourth_order());
     }
-    // If the third-order term is so much smaller than the whole, the next term is smaller again by about the cube root of that
-    // ratio.
-    return third < T(1e-4) * largest;
+    return error.third_order_is_small();
   }
 
   const DriftProblem<T>& problem_;
@@ -431,7 +347,8 @@ class LongHorizonDrift {
   RunStatus trajectory_status_ = RunStatus::completed;
   std::optional<double> step_s_;
   std::optional<KickSteps> found_;
-  T stated_error_ = T(0);  ///< error of averaging per unit of time
+  T stated_error_ = T(0);                ///< error of averaging per unit of time
+  std::vector<T> interpolation_errors_;  ///< of the drift at each row (rad), where it is interpolated between larger rates
   std::vector<Pair> pairs_;
   /// The walks that the rows come from: one at the rate asked for, or one at each of four larger rates.
   struct Walked {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -150,6 +151,7 @@ std::pair<std::string, bool> growth_line(const Scenario& scenario) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);  // a survey takes minutes
   bool scenes = false, by_hand = false, on_table = false, json = false, agree = false, grow = false, truth = false;
   std::string only;
   std::vector<double> numbers;

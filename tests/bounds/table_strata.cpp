@@ -8,17 +8,17 @@
 namespace earthtop::testing {
 namespace {
 
-double sign(Random& random) { return random.coin() ? 1 : -1; }
+double random_sign(Random& random) { return random.coin() ? 1 : -1; }
 bool happens(Random& random, double probability) { return random.uniform(0, 1) < probability; }
 
 /// A place, a matching rule and a direction of the lean; gravity gradient and tide sometimes.
-Scenario somewhere(Random& random) {
+Scenario table_site(Random& random) {
   Scenario s;
   constexpr std::array kSpecial{90.0, -90.0, 0.0};
   const double where = random.uniform(0, 1);
   s.site = {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
             random.uniform(9.76, 9.84)};
-  if (happens(random, 0.1)) s.rotation_rate_rad_s = sign(random) * random.log_uniform(1e-9, 1e-2);
+  if (happens(random, 0.1)) s.rotation_rate_rad_s = random_sign(random) * random.log_uniform(1e-9, 1e-2);
   s.release.azimuth_deg = random.uniform(-180, 180);
   s.release.spin_angle_deg = random.uniform(-180, 180);
   s.release.rates_relative_to = random.coin() ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
@@ -63,7 +63,7 @@ void set_body(Scenario& s, double mass, double height_of_center, const std::arra
 
 /// A top that stands, from a little above its critical spin to far above it.
 Scenario toy(Random& random, bool symmetric) {
-  Scenario s = somewhere(random);
+  Scenario s = table_site(random);
   const double mass = random.log_uniform(0.01, 1), l = random.log_uniform(0.01, 0.06);
   const double I1 = mass * l * l * random.log_uniform(0.15, 1.5), I3 = I1 * random.uniform(0.4, 1.7);
   set_body(s, mass, l, {I1, I1, I3});
@@ -76,13 +76,13 @@ Scenario toy(Random& random, bool symmetric) {
   s.contact = table(random, r);
   const double critical = 2 * std::sqrt((I1 + mass * l * l) * mass * 9.8 * (l + r)) / I3;
   s.release.tilt_deg = happens(random, 0.15) ? 0.1 * random.uniform(0, 1) : random.uniform(2, 40);
-  s.release.spin_rad_s = sign(random) * critical * random.log_uniform(symmetric ? 1.1 : 1.5, 5);
+  s.release.spin_rad_s = random_sign(random) * critical * random.log_uniform(symmetric ? 1.1 : 1.5, 5);
   return s;
 }
 
 /// A tippe top, mostly one that turns over.
 Scenario tippe(Random& random, bool symmetric) {
-  Scenario s = somewhere(random);
+  Scenario s = table_site(random);
   const double mass = random.log_uniform(0.005, 0.05), R = random.log_uniform(0.01, 0.03), alpha = random.uniform(0.1, 0.35);
   const double I1 = random.uniform(0.3, 0.45) * mass * R * R, I3 = I1 * random.uniform(1 - 0.5 * alpha, 1 + 0.5 * alpha);
   set_body(s, mass, -alpha * R, {I1, symmetric ? I1 : 1.05 * I1, I3});
@@ -91,19 +91,19 @@ Scenario tippe(Random& random, bool symmetric) {
   const double threshold =
       std::sqrt(mass * 9.8 * R * R * R * I3 * alpha) * (1 + alpha) * (1 + alpha) / std::sqrt(1 + alpha - I1 / I3);
   s.release.tilt_deg = random.uniform(2, 15);
-  s.release.spin_rad_s = sign(random) * threshold / (I3 * R * (1 - alpha)) * random.uniform(0.9, 3);
+  s.release.spin_rad_s = random_sign(random) * threshold / (I3 * R * (1 - alpha)) * random.uniform(0.9, 3);
   return s;
 }
 
 /// A ball with its centre of mass in its centre, which rolls or slides.
 Scenario ball(Random& random) {
-  Scenario s = somewhere(random);
+  Scenario s = table_site(random);
   const double mass = random.log_uniform(0.01, 1), R = random.log_uniform(0.005, 0.05);
   const double I = random.uniform(0.35, 0.6) * mass * R * R;
   set_body(s, mass, 0, {I, I, I * random.uniform(0.8, 1.2)});
   s.contact = table(random, R);
   s.release.tilt_deg = random.uniform(0, 30);
-  s.release.spin_rad_s = sign(random) * random.log_uniform(20, 300);
+  s.release.spin_rad_s = random_sign(random) * random.log_uniform(20, 300);
   return s;
 }
 
@@ -148,7 +148,7 @@ Scenario rolling(Random& random) {
   return s;
 }
 
-constexpr Stratum kStrata[] = {
+constexpr Stratum kTableStrata[] = {
     {"frictionless", frictionless, true},
     {"viscous", viscous, true},
     {"viscous_load", viscous_load, true},
@@ -163,10 +163,10 @@ bool is_valid(const Scenario& s) { return !examine_scenario({"random", canonical
 
 }  // namespace
 
-std::span<const Stratum> table_strata() { return kStrata; }
+std::span<const Stratum> table_strata() { return kTableStrata; }
 
 Scenario random_scene_on_table(const Stratum& stratum, std::uint64_t index, double longest_s, double largest_phase) {
-  const auto number = static_cast<std::uint64_t>(&stratum - kStrata);
+  const auto number = static_cast<std::uint64_t>(&stratum - kTableStrata);
   for (std::uint64_t attempt = 0; attempt < 100; ++attempt) {
     Random random((number + 1) * 1'000'003 + index * 1009 + attempt * 7'777'777);
     Scenario s = stratum.make(random);
