@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 
 #include "drift/contact_run_watch.hpp"
 #include "drift/release_rates.hpp"
@@ -41,7 +42,8 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& times, System& syst
   const auto on_row = [&](std::size_t row, const typename System::State& state) {
     if (row >= problem.times_s.size()) return;
     trajectory.samples.push_back(watcher.sample(state, times[row], problem.times_s[row]));
-    if constexpr (HasContact<System, T>) trajectory.samples.back().contact = system.contact_state(state, times[row]);
+    if constexpr (HasContact<System, T>)
+      trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[row]));
     if (row == 0 && times[0] == T(0)) set_release_rates(problem, trajectory.samples.front().state);
   };
   if constexpr (HasContact<System, T>) {

@@ -10,13 +10,13 @@
 namespace earthtop {
 
 enum class ContactEventKind {
-  slip_stopped,    ///< exact dry friction has brought the slip to zero: the tip rolls on
-  slip_started,    ///< rolling took more friction than the table gives
-  lifted_off,      ///< the normal force fell to zero: the run ends
-  rim_touched,     ///< the tilt passed the largest that is allowed: the run ends
-  inverted,        ///< the axis passed the table's plane upward: a tippe top stands up
+  slip_stopped,     ///< exact dry friction has brought the slip to zero: the tip rolls on
+  slip_started,     ///< rolling took more friction than the table gives
+  lifted_off,       ///< the normal force fell to zero: the run ends
+  rim_touched,      ///< the tilt passed the largest that is allowed: the run ends
+  inverted,         ///< the axis passed the table's plane upward: a tippe top stands up
   no_unique_force,  ///< Painleve's paradox: no force, or several, keep the tip on the table: the run ends
-  patch_stopped     ///< a contact patch (`contensou`) neither slides nor turns any more, and dry friction holds it: the run ends
+  patch_stopped  ///< a contact patch (`contensou`) neither slides nor turns any more, and dry friction holds it: the run ends
 };
 std::string_view to_string(ContactEventKind kind);
 /// What happens, in a sentence without its end.

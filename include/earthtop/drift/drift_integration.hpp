@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -78,9 +79,10 @@ struct DriftSample {
   T spin = T(0);     ///< spin phase drift, continuous (rad)
   T azimuth = T(0);  ///< azimuth drift, continuous (rad); meaningless where `measures.azimuth_defined` is false
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
-  T attitude_error = T(0);                        ///< bound on the error of both attitudes
-  T drift_error = T(0);                           ///< bound on the error of the drift
-  std::optional<ContactDriftState<T>> contact{};  ///< of a top on a table, in natural units
+  T attitude_error = T(0);  ///< bound on the error of both attitudes
+  T drift_error = T(0);     ///< bound on the error of the drift
+  /// Of a top on a table, in natural units; apart, as samples of other tops would be twice as large.
+  std::shared_ptr<const ContactDriftState<T>> contact{};
 };
 
 /// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
