@@ -223,6 +223,7 @@ struct LagrangeTop<T>::Derivation {
 template <class T>
 LagrangeTop<T>::LagrangeTop(const SymmetricTop<T>& top, const Quaternion<T>& q0_NB, const Vec3<T>& w0_NB_B,
                             ClosedFormSpan span) {
+  // NOLINTNEXTLINE(bugprone-branch-clone): the same only for the widest type
   if (span == ClosedFormSpan::few_periods)
     Derivation<T>(*this, top, q0_NB, w0_NB_B).derive();
   else

@@ -118,6 +118,7 @@ class ContactBundle {
  private:
   static std::vector<Equations> equations_of(const std::vector<Drift>& drifts) {
     std::vector<Equations> each;
+    each.reserve(drifts.size());
     for (const Drift& drift : drifts) each.push_back(drift.equations());
     return each;
   }

@@ -191,15 +191,23 @@ std::optional<LedgerReport> assess_contact_ledger(const Scene& scene, const std:
   return ledger_report(*observer, std::move(ledger));
 }
 
-#define EARTHTOP_CONTACT_INVARIANTS(T)                                                                                      \
-  template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<T>>&,         \
-                                                                  std::size_t, const Watch&);                               \
-  template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<T>>&,         \
-                                                                  std::size_t);                                             \
-  template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<T>>&, std::size_t, \
-                                                             const Watch&);
-EARTHTOP_CONTACT_INVARIANTS(double)
-EARTHTOP_CONTACT_INVARIANTS(long double)
-EARTHTOP_CONTACT_INVARIANTS(float128)
+template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<double>>&,
+                                                                std::size_t, const Watch&);
+template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<double>>&,
+                                                                std::size_t);
+template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<double>>&, std::size_t,
+                                                           const Watch&);
+template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<long double>>&,
+                                                                std::size_t, const Watch&);
+template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<long double>>&,
+                                                                std::size_t);
+template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<long double>>&,
+                                                           std::size_t, const Watch&);
+template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<float128>>&,
+                                                                std::size_t, const Watch&);
+template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<float128>>&,
+                                                                std::size_t);
+template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<float128>>&, std::size_t,
+                                                           const Watch&);
 
 }  // namespace earthtop

@@ -49,6 +49,7 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
   const TableProblem<double>& table = *problem.table;
   const auto coefficients = coefficient_changes(table.contact);
   std::vector<ContactChange<double>> changes;
+  changes.reserve(coefficients.size() + 2);  // and the tilt about two axes
   for (const auto& [name, change] : coefficients) changes.push_back(change);
   const Vec3<double> gravity_H = in_table_axes(problem.model, table.start.q_LH).apparent_gravity_L;
   changes.push_back(table_tilt_change(gravity_H, SinCos<double>{0, 1}));

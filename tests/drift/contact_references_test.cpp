@@ -45,8 +45,9 @@ TEST(ContactMadeReferences, AreMetByEveryForm) {
     std::vector<double> figures;
     for (const auto& figure : known[i]["figures"]) figures.push_back(std::stod(figure.get<std::string>()));
     const testing::ContactProblem<double> problem(scene);
+    SCOPED_TRACE(name);
     const auto expect = [&](const auto& rows) {
-      EXPECT_LT(testing::worst_error(testing::figures_of(problem, rows[0]), figures), 1e-9) << name;
+      EXPECT_LT(testing::worst_error(testing::figures_of(problem, rows[0]), figures), 1e-9);
     };
     using testing::Form;
     if (symmetric) {
