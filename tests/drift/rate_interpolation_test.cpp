@@ -20,13 +20,13 @@ LongHorizonPair<double> turned(double about_z, double about_x, double epsilon) {
   return pair;
 }
 
-struct Case {
+struct Turns {
   double about_z, about_x;
 };
 
 TEST(RateInterpolation, ErrorOfTheCubicIsWithinWhatIsStated) {
   // One turn alone has terms of even order only; two of them have all.
-  for (const Case& c : {Case{1, 0}, {1, 1}, {1, -0.3}, {0.2, 1}}) {
+  for (const Turns& c : {Turns{1, 0}, {1, 1}, {1, -0.3}, {0.2, 1}}) {
     InterpolationError<double> stated;
     for (const double node : {0.02, 0.05, 0.1, 0.2}) {
       const double epsilon = 1e-7;
