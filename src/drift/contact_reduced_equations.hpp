@@ -91,17 +91,18 @@ class ContactReducedEquations {
   }
 
   void operator()(const State& x, State& dxdt, T t) const {
+    const Instant now = instant(x, t);
     ReducedContactRates<P> rates;
     Vec3<P> a_dot;
-    rates_of(x, t, rates, a_dot);
+    rates_of(now, rates, a_dot);
     store(x, rates, a_dot, dxdt);
-    store_integrals(x, t, rates.reaction, dxdt);
+    store_integrals(now, rates.reaction, dxdt);
   }
   /// The table's force on both motions.
   ContactReaction<P> reaction(const State& x, T t) const {
     ReducedContactRates<P> rates;
     Vec3<P> a_dot;
-    rates_of(x, t, rates, a_dot);
+    rates_of(instant(x, t), rates, a_dot);
     if constexpr (O == Observer::laboratory) return rates.reaction;
     const EarthTurn<T> turn(model_, t);
     return {rates.reaction.normal_force, rates.reaction.denominator, turn.from_inertial(rates.reaction.friction),
@@ -120,11 +121,16 @@ class ContactReducedEquations {
     }
     return top;
   }
+  /// Both motions, in the axes and variables of the state, and what acts on them.
+  struct Instant {
+    PairedTop<T> top;
+    ContactSurroundings<P> around;
+  };
+  Instant instant(const State& x, const T& t) const { return {load(x), surroundings(t)}; }
   /// The time derivatives as pairs, in the axes and variables of the state; `store` makes those of a state from them.
-  void rates_of(const State& x, T t, ReducedContactRates<P>& rates, Vec3<P>& a_dot) const {
-    const PairedTop<T> top = load(x);
+  void rates_of(const Instant& now, ReducedContactRates<P>& rates, Vec3<P>& a_dot) const {
+    const auto& [top, around] = now;
     const ReducedContactState<P>& s = top.state;
-    const ContactSurroundings<P> around = surroundings(t);
     if constexpr (O == Observer::laboratory) {
       rates = reduced_rates(pairs_, around, s);
       a_dot = Vec3<P>(s.u - around.W).cross(top.a);
@@ -151,10 +157,10 @@ class ContactReducedEquations {
   }
 
   /// The rates of the integrals; of those of the second half, the rotating motion's.
-  void store_integrals(const State& x, const T& t, const ContactReaction<P>& reaction, State& dxdt) const {
+  void store_integrals(const Instant& now, const ContactReaction<P>& reaction, State& dxdt) const {
     if constexpr (Shape::kHasIntegrals) {
-      const ReducedContactState<P> s = load(x).state;
-      const ContactSurroundings<P> around = surroundings(t);
+      const ReducedContactState<P>& s = now.top.state;
+      const ContactSurroundings<P>& around = now.around;
       const Vec3<P> w = s.u + s.w3 * s.n - around.W;
       for (const auto& [motion, half] : {std::pair(&P::ref, std::size_t(0)), std::pair(&P::rot, kHalf)}) {
         dxdt[half + Shape::kWork] = friction_power(contact_, reaction, s.v_P, w, motion);

@@ -46,7 +46,8 @@ class ContactSlipClock {
     const SlideState now = sliding_state(x);
     ReducedContactRates<P> rates;
     Vec3<P> a_dot;
-    slide_.rates_of(now, x[Shape::kTime], rates, a_dot);
+    const auto instant = slide_.instant(now, x[Shape::kTime]);
+    slide_.rates_of(instant, rates, a_dot);
     const P speed = slip(now);
     ReducedContactRates<P> scaled;
     scaled.n = speed * rates.n, scaled.u = speed * rates.u, scaled.w3 = speed * rates.w3;
@@ -58,7 +59,7 @@ class ContactSlipClock {
     rate[SlideShape::kPhase] = now[SlideShape::kSpin] * speed.ref;
     rate[kHalf + SlideShape::kPhase] = (P(w3, w3 + slide_.model().epsilon * k, k) * speed).diff;
     // The integrals, too, are each motion's own.
-    slide_.store_integrals(now, x[Shape::kTime], rates.reaction, rate);
+    slide_.store_integrals(instant, rates.reaction, rate);
     for (const std::size_t i : {SlideShape::kWork, SlideShape::kJellett}) rate[i] *= speed.ref, rate[kHalf + i] *= speed.rot;
     for (std::size_t i = 0; i < SlideShape::kSize; ++i) dxdt[i] = rate[i];
     dxdt[Shape::kTime] = speed.ref, dxdt[Shape::kTimeDifference] = speed.diff;
@@ -85,7 +86,7 @@ class ContactSlipClock {
     const SlideState now = sliding_state(x);
     ReducedContactRates<P> rates;
     Vec3<P> a_dot;
-    slide_.rates_of(now, x[Shape::kTime], rates, a_dot);
+    slide_.rates_of(slide_.instant(now, x[Shape::kTime]), rates, a_dot);
     const Vec3<P> v = slide_.top(now, T(0)).state.v_P;
     const P difference(x[Shape::kTime], x[Shape::kTime] + slide_.model().epsilon * x[Shape::kTimeDifference],
                        x[Shape::kTimeDifference]);
@@ -125,7 +126,8 @@ typename ContactReducedEquations<T, Observer::laboratory>::State at_reference_ti
   const auto rates = [&](const typename Equations::State& at) {
     ReducedContactRates<P> found;
     Vec3<P> a_dot;
-    equations.rates_of(at, t, found, a_dot);
+    const auto instant = equations.instant(at, t);
+    equations.rates_of(instant, found, a_dot);
     const auto rotating = [](const Vec3<P>& v) {
       return Vec3<P>(P(T(0), T(0), v[0].rot), P(T(0), T(0), v[1].rot), P(T(0), T(0), v[2].rot));
     };
@@ -134,7 +136,7 @@ typename ContactReducedEquations<T, Observer::laboratory>::State at_reference_ti
     moved.w3 = P(T(0), T(0), found.w3.rot);
     typename Equations::State rate;
     equations.store(at, moved, rotating(a_dot), rate);
-    equations.store_integrals(at, t, found.reaction, rate);
+    equations.store_integrals(instant, found.reaction, rate);
     for (const std::size_t i : {Shape::kWork, Shape::kJellett}) rate[Shape::kHalf + i] *= epsilon;
     rate[Shape::kHalf + Shape::kPhase] = equations.w3() + at[Shape::kSpin] + epsilon * at[Shape::kHalf + Shape::kSpin];
     return rate;

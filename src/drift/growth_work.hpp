@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How the growth of disturbances is followed: which equations, and in how many steps at least.
+/// The way in which the growth of disturbances is followed: the equations, and the least number of steps.
 #pragma once
 
 #include "earthtop/integrate/motion_integration.hpp"

@@ -53,7 +53,7 @@ JoinedPair<T> joined(const std::array<LongHorizonPair<T>, kRateNodes.size()>& at
   return joined;
 }
 
-/// What the cubic leaves out, from the sizes of its terms, the largest so far.
+/// An estimate of what the cubic leaves out, from the sizes of its terms, the largest so far.
 template <class T>
 class InterpolationError {
  public:

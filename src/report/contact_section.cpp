@@ -156,12 +156,10 @@ std::string seen_html(const Run& run) {
   return html + "</p>\n";
 }
 
-std::string event_words(const std::string& word) {
-  using enum ContactEventKind;
-  for (const ContactEventKind kind :
-       {slip_stopped, slip_started, lifted_off, rim_touched, inverted, no_unique_force, patch_stopped})
-    if (to_string(kind) == word) return std::string(in_words(kind));
-  return word;
+std::string event_words(const std::string& name) {
+  for (const ContactEventType& type : kContactEvents)
+    if (type.name == name) return std::string(type.words);
+  return name;
 }
 
 std::string events_html(const Run& run) {
@@ -202,7 +200,7 @@ std::string changes_html(const Run& run) {
                 "defined, the prediction is not.</p>\n");
 }
 
-/// What friction's work and the Earth do to the integrals of the motion, and how well both computed motions keep to it.
+/// The effect of friction's work and of the Earth on the integrals of the motion, and how well both computed motions keep to it.
 std::string balances_html(const Run& run) {
   std::vector<std::vector<std::string>> rows;
   for (const char* prediction : {"rotating", "reference"}) {

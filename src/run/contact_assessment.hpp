@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a top on a table conserves, along both predictions of a run, and its torque ledger.
+/// Checks what a top on a table conserves, along both predictions of a run, and its torque ledger.
 #pragma once
 
 #include <array>

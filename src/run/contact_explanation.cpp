@@ -100,6 +100,11 @@ std::vector<ContactForceSize> force_sizes(const Scene& scene, const DriftProblem
   return sizes;
 }
 
+/// The distance of the two contact points (m).
+double tip_drift_m(const DriftSample<double>& sample) {
+  return sample.state.epsilon * norm(motion_of(sample.contact->tip_L, &Paired<double>::diff));
+}
+
 }  // namespace
 
 ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
@@ -119,8 +124,7 @@ ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
   const DriftSample<double>& last = drift.samples.back();
   explained.followed_s = last.state.t_s;
   explained.drift_axis_rad = last.measures.axis;
-  const Vec3<double> apart = motion_of(last.contact->tip_L, &Paired<double>::diff);
-  explained.drift_tip_m = last.state.epsilon * norm(apart);
+  explained.drift_tip_m = tip_drift_m(last);
   explained.forces = force_sizes(scene, problem, drift.samples);
   const bool exact = contact.law == ContactLaw::coulomb && contact.slip_floor == 0;
   if (const double rate = slip_relaxation_rate_per_s(scene); rate > 0 && std::isfinite(rate))
@@ -137,7 +141,7 @@ ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
 
   double before_s = HUGE_VAL;
   for (const ContactEvent& event : drift.contact_events) {
-    if (ends_run(event.kind) && explained.ended_by.empty()) explained.ended_by = in_words(event.kind);
+    if (ends_run(event.kind) && explained.ended_by.empty()) explained.ended_by = type_of(event.kind).words;
     // Exact dry friction has no derivative where the slip stops.
     if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && exact))
       before_s = std::min(before_s, event.t_s);
@@ -146,8 +150,7 @@ ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
                                [&](const DriftSample<double>& sample) { return sample.state.t_s < before_s; });
   if (at == drift.samples.rend() || watch.asks_to_stop()) return explained;
   explained.inputs_at_s = at->state.t_s;
-  const double axis_rad = at->measures.axis,
-               tip_m = at->state.epsilon * norm(motion_of(at->contact->tip_L, &Paired<double>::diff));
+  const double axis_rad = at->measures.axis, tip_m = tip_drift_m(*at);
   for (const PredictionChange& change : prediction_changes(problem, explained.inputs_at_s, watch.part(0.5, 1))) {
     ContactInputNeed need{change.input, change.step, change.axis_rad, change.tip_m, std::nullopt, std::nullopt};
     // A change that is rounding of what does not change moves nothing.

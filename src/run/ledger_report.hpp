@@ -12,14 +12,9 @@ namespace earthtop {
 
 template <class To, class From>
 LedgerRow<To> ledger_cast(const LedgerRow<From>& row) {
-  const auto cast = [](const std::array<From, 3>& v) {
+  return ledger_row_from<To>(row, [](const std::array<From, 3>& v) {
     return std::array<To, 3>{static_cast<To>(v[0]), static_cast<To>(v[1]), static_cast<To>(v[2])};
-  };
-  LedgerRow<To> made{cast(row.tau_phys_A), cast(row.tau_cor_A), cast(row.tau_trans_A),
-                     cast(row.tau_cent_A), cast(row.dL_dt_A),   cast(row.residual_A)};
-  for (std::size_t i = 0; i < row.share_A.size(); ++i) made.share_A[i] = cast(row.share_A[i]);
-  made.force_table_A = cast(row.force_table_A);
-  return made;
+  });
 }
 
 template <class T>

@@ -11,19 +11,15 @@
 namespace earthtop::testing {
 namespace {
 
-double sign(Random& random) { return random.coin() ? 1 : -1; }
-double spin_rate(Random& random) { return sign(random) * random.log_uniform(1, 1e5); }
+double spin_rate(Random& random) { return random.sign() * random.log_uniform(1, 1e5); }
 
 /// A scene with random place, Earth, attitude and matching rule.
 Scenario somewhere(Random& random) {
   Scenario s;
-  constexpr std::array kSpecial{90.0, -90.0, 0.0};
-  const double where = random.uniform(0, 1);
-  s.site = {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
-            random.uniform(9.76, 9.84)};
+  s.site = random_site(random);
   const double rate = random.uniform(0, 1);
   if (rate < 0.1) s.rotation_rate_rad_s = random.log_uniform(1e-12, 1e-5);
-  if (rate > 0.9) s.rotation_rate_rad_s = sign(random) * random.log_uniform(1e-3, 1);
+  if (rate > 0.9) s.rotation_rate_rad_s = random.sign() * random.log_uniform(1e-3, 1);
   s.release.tilt_deg = random.uniform(1, 179);
   s.release.azimuth_deg = random.uniform(-180, 180);
   s.release.spin_angle_deg = random.uniform(-180, 180);
@@ -72,12 +68,12 @@ Scenario any_spin(Random& random) {
 }
 Scenario fast_top(Random& random) {
   Scenario s = symmetric_top(random);
-  s.release.spin_rad_s = sign(random) * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(2, 1e3));
+  s.release.spin_rad_s = random.sign() * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(2, 1e3));
   return s;
 }
 Scenario slow_top(Random& random) {
   Scenario s = symmetric_top(random);
-  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * random.log_uniform(0.01, 1);
+  s.release.spin_rad_s = random.sign() * numbers(s).critical_spin() * random.log_uniform(0.01, 1);
   return s;
 }
 Scenario precessing_top(Random& random) {
@@ -95,17 +91,17 @@ Scenario steady_top(Random& random) {
 Scenario sleeping_top(Random& random) {
   Scenario s = symmetric_top(random);
   s.release.tilt_deg = random.coin() ? 0 : random.log_uniform(1e-12, 1e-2);
-  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * (1 + random.log_uniform(1e-2, 10));
+  s.release.spin_rad_s = random.sign() * numbers(s).critical_spin() * (1 + random.log_uniform(1e-2, 10));
   return s;
 }
 Scenario falling_sleeper(Random& random) {
   Scenario s = sleeping_top(random);
-  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * random.uniform(0.05, 0.99);
+  s.release.spin_rad_s = random.sign() * numbers(s).critical_spin() * random.uniform(0.05, 0.99);
   return s;
 }
 Scenario critical_sleeper(Random& random) {
   Scenario s = sleeping_top(random);
-  s.release.spin_rad_s = sign(random) * numbers(s).critical_spin() * (1 + sign(random) * random.log_uniform(1e-6, 1e-1));
+  s.release.spin_rad_s = random.sign() * numbers(s).critical_spin() * (1 + random.sign() * random.log_uniform(1e-6, 1e-1));
   return s;
 }
 Scenario pendulum(Random& random) {
@@ -122,7 +118,7 @@ Scenario homoclinic_top(Random& random) {
   s.release.precession = Precession::given;
   s.release.precession_rate_rad_s = 2 * top.falling_rate() / std::sqrt(3.0);
   s.release.spin_rad_s =
-      std::sqrt(3.0) * top.falling_rate() * top.I1 / top.I3 * (1 + sign(random) * random.log_uniform(1e-12, 1e-2));
+      std::sqrt(3.0) * top.falling_rate() * top.I1 / top.I3 * (1 + random.sign() * random.log_uniform(1e-12, 1e-2));
   return s;
 }
 Scenario needle_or_disc(Random& random) {
@@ -130,14 +126,14 @@ Scenario needle_or_disc(Random& random) {
   const double size = random.log_uniform(1e-5, 1e-3), small = size * random.log_uniform(1e-9, 1e-3);
   const bool needle = random.coin();
   set_body(s, needle ? small : size, needle ? small : size, needle ? size : 0, s.body.mass_kg, s.body.center_of_mass_m);
-  s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(1, 1e3);
   return s;
 }
 Scenario nearly_symmetric(Random& random) {
   Scenario s = any_spin(random);
   auto& moments = s.body.inertia_kg_m2;
   moments[1][1] = moments[0][0] * (1 + random.log_uniform(1e-15, 1e-3));
-  s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(1, 1e3);
   return s;
 }
 Scenario balanced_gyro(Random& random) {
@@ -164,7 +160,7 @@ Scenario middle_axis(Random& random) {
 Scenario asymmetric_fast(Random& random) {
   Scenario s = asymmetric_body(random);
   const TopNumbers top = numbers(s);
-  const double rate = sign(random) * std::max(top.falling_rate(), 20.0) * random.log_uniform(5, 300);
+  const double rate = random.sign() * std::max(top.falling_rate(), 20.0) * random.log_uniform(5, 300);
   s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.2, 0.2), rate * random.uniform(-0.2, 0.2), rate};
   return s;
 }
@@ -177,7 +173,7 @@ Scenario asymmetric_slow(Random& random) {
 }
 Scenario on_platform(Random& random) {
   Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
-  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(10, 1e3);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = random.sign() * random.log_uniform(10, 1e3);
   constexpr std::array kMotions{PlatformMotion::constant, PlatformMotion::ramp, PlatformMotion::harmonic};
   s.platform = PlatformSpec{kMotions[static_cast<std::size_t>(random.uniform(0, 3))],
                             {random.uniform(-1, 1), random.uniform(-1, 1), 1},
@@ -196,28 +192,28 @@ Scenario torque_left_out(Random& random) {
 }
 Scenario long_horizon(Random& random) {
   Scenario s = fast_top(random);
-  s.release.spin_rad_s = sign(random) * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(3, 300));
+  s.release.spin_rad_s = random.sign() * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(3, 300));
   s.numerics.method = Method::long_horizon;  // in minutes where auto takes it from half an hour on
   return s;
 }
 
 Scenario in_long_double(Random& random) {
   Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
-  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(10, 1e3);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = random.sign() * random.log_uniform(10, 1e3);
   s.precision = Precision::bits64;
   s.numerics.relative_tolerance = default_tolerance(s.precision);
   return s;
 }
 Scenario other_observer(Random& random) {
   Scenario s = random.coin() ? precessing_top(random) : asymmetric_body(random);
-  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = sign(random) * random.log_uniform(1, 1e3);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = random.sign() * random.log_uniform(1, 1e3);
   s.numerics.observer = random.coin() ? Observer::inertial : Observer::body;
   return s;
 }
 
 Scenario with_effects(Random& random) {
   Scenario s = random.coin() ? symmetric_top(random) : asymmetric_body(random);
-  const double rate = sign(random) * random.log_uniform(3, 1e3);
+  const double rate = random.sign() * random.log_uniform(3, 1e3);
   s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.2, 0.2), rate * random.uniform(-0.2, 0.2), rate};
   AppliedTorquesSpec& applied = s.effects.applied;
   const double I3 = numbers(s).I3;
@@ -233,7 +229,7 @@ Scenario with_effects(Random& random) {
 /// A gyrocompass in motion, not a settled one: its spin is fast compared with the effect of its damping.
 Scenario level_gimbal(Random& random) {
   Scenario s = any_spin(random);
-  s.release.spin_rad_s = sign(random) * random.log_uniform(30, 3e3);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(30, 3e3);
   s.release.tilt_deg = 90;
   s.release.rates_relative_to = RatesRelativeTo::laboratory;
   if (random.coin()) s.body.center_of_mass_m = {0, 0, 0};
@@ -280,6 +276,13 @@ Method any_method(const Scenario& scenario, Random& random) {
 }
 
 }  // namespace
+
+Site random_site(Random& random) {
+  constexpr std::array kSpecial{90.0, -90.0, 0.0};
+  const double where = random.uniform(0, 1);
+  return {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
+          random.uniform(9.76, 9.84)};
+}
 
 std::span<const Stratum> strata() { return kStrata; }
 

@@ -7,7 +7,7 @@
 
 namespace earthtop::testing {
 
-/// How far two runs of a scene are apart that integrate the laboratory's and the inertial equations, in double and by the default
+/// The distance between two runs of a scene that integrate the laboratory's and the inertial equations, in double and by the default
 /// method: the largest distance over the larger of the two bounds, over all rows that both mark as reliable.
 struct Agreement {
   double axis = 0, attitude = 0, tip = 0;

@@ -8,17 +8,13 @@
 namespace earthtop::testing {
 namespace {
 
-double random_sign(Random& random) { return random.coin() ? 1 : -1; }
 bool happens(Random& random, double probability) { return random.uniform(0, 1) < probability; }
 
 /// A place, a matching rule and a direction of the lean; gravity gradient and tide sometimes.
 Scenario table_site(Random& random) {
   Scenario s;
-  constexpr std::array kSpecial{90.0, -90.0, 0.0};
-  const double where = random.uniform(0, 1);
-  s.site = {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
-            random.uniform(9.76, 9.84)};
-  if (happens(random, 0.1)) s.rotation_rate_rad_s = random_sign(random) * random.log_uniform(1e-9, 1e-2);
+  s.site = random_site(random);
+  if (happens(random, 0.1)) s.rotation_rate_rad_s = random.sign() * random.log_uniform(1e-9, 1e-2);
   s.release.azimuth_deg = random.uniform(-180, 180);
   s.release.spin_angle_deg = random.uniform(-180, 180);
   s.release.rates_relative_to = random.coin() ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
@@ -36,7 +32,7 @@ Scenario table_site(Random& random) {
   return s;
 }
 
-/// What every law needs of a table and a tip.
+/// The part of a contact that every law needs.
 ContactSpec table(Random& random, double tip_radius_m) {
   ContactSpec contact{.tip_radius_m = tip_radius_m};
   constexpr std::array kStarts{ContactStart::tip_at_rest, ContactStart::rolling, ContactStart::center_of_mass_at_rest,
@@ -76,7 +72,7 @@ Scenario toy(Random& random, bool symmetric) {
   s.contact = table(random, r);
   const double critical = 2 * std::sqrt((I1 + mass * l * l) * mass * 9.8 * (l + r)) / I3;
   s.release.tilt_deg = happens(random, 0.15) ? 0.1 * random.uniform(0, 1) : random.uniform(2, 40);
-  s.release.spin_rad_s = random_sign(random) * critical * random.log_uniform(symmetric ? 1.1 : 1.5, 5);
+  s.release.spin_rad_s = random.sign() * critical * random.log_uniform(symmetric ? 1.1 : 1.5, 5);
   return s;
 }
 
@@ -91,7 +87,7 @@ Scenario tippe(Random& random, bool symmetric) {
   const double threshold =
       std::sqrt(mass * 9.8 * R * R * R * I3 * alpha) * (1 + alpha) * (1 + alpha) / std::sqrt(1 + alpha - I1 / I3);
   s.release.tilt_deg = random.uniform(2, 15);
-  s.release.spin_rad_s = random_sign(random) * threshold / (I3 * R * (1 - alpha)) * random.uniform(0.9, 3);
+  s.release.spin_rad_s = random.sign() * threshold / (I3 * R * (1 - alpha)) * random.uniform(0.9, 3);
   return s;
 }
 
@@ -103,7 +99,7 @@ Scenario ball(Random& random) {
   set_body(s, mass, 0, {I, I, I * random.uniform(0.8, 1.2)});
   s.contact = table(random, R);
   s.release.tilt_deg = random.uniform(0, 30);
-  s.release.spin_rad_s = random_sign(random) * random.log_uniform(20, 300);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(20, 300);
   return s;
 }
 

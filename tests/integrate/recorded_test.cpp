@@ -244,7 +244,7 @@ TEST(Recorded, NeitherTheOrderOfRecordingNorOfFactorsChangesTheDigits) {
   const auto series = [](bool swap) {
     return series_of<double>(
         [&](const R& t) {
-          // As a compiler may compute the arguments of a sum from the right or from the left.
+          // A compiler may compute the arguments of a sum from the right or from the left.
           R u, v;
           const auto make_u = [&] { u = sin(R(0.7) * t) / (R(1.0) + t * t); };
           const auto make_v = [&] { v = sqrt(R(3.0) + t) - cos(t); };

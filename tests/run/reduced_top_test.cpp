@@ -187,7 +187,7 @@ TEST(ReducedTop, TheEstimateOfStepsDoesNotKnowTheSpinEither) {
 TEST(SteadyTurn, LosesNothingToManyTurns) {
   testing::Random random(7);
   for (int i = 0; i < 1000; ++i) {
-    const double rate = random.log_uniform(1e-3, 1e6) * (random.coin() ? 1 : -1), t = random.log_uniform(1e-3, 1e4);
+    const double rate = random.log_uniform(1e-3, 1e6) * random.sign(), t = random.log_uniform(1e-3, 1e4);
     const Quaternion<double> q = steady_turn(i % 3, rate, t);
     const Q half = Q(rate) * Q(t) / 2;
     EXPECT_NEAR(q.w, static_cast<double>(real::cos(half)), 4e-16);

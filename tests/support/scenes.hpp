@@ -86,6 +86,7 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   bool coin() { return (engine_() & 1) != 0; }
+  double sign() { return coin() ? 1 : -1; }
 
  private:
   std::mt19937_64 engine_;
@@ -100,7 +101,7 @@ inline Scenario random_scene(std::uint64_t seed, double radians) {
   const std::array<double, 5> special{90, -90, 0, 45, -30};
   const double latitude = seed % 3 == 0 ? special[(seed / 3) % 5] : random.uniform(-90, 90);
   s.site = {latitude, 0, 0, random.uniform(9.7, 9.9)};
-  s.rotation_rate_rad_s = (random.coin() ? 1 : -1) * (seed % 2 == 0 ? kEarthRateWgs84 : random.log_uniform(1e-6, 1));
+  s.rotation_rate_rad_s = random.sign() * (seed % 2 == 0 ? kEarthRateWgs84 : random.log_uniform(1e-6, 1));
   // Inertia from three positive second moments about the centre of mass: always a physical body.
   const double size = random.log_uniform(1e-5, 1e-3);
   double s1 = size * random.uniform(0.1, 1);

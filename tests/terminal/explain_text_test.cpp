@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop explain` tells of a top on a table: its numbers against closed forms and a run, and that nothing is said of what a
-/// scene does not have.
+/// Tests of what `earthtop explain` tells of a top on a table: its numbers against closed forms and a run, and that nothing
+/// is said of what a scene does not have.
 #include "explain_text.hpp"
 
 #include <gtest/gtest.h>

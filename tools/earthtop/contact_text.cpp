@@ -61,7 +61,7 @@ std::vector<LabelledLine> contact_event_lines(const RunResult& result) {
   if (!result.contact) return lines;
   for (const ContactEvent& event : result.contact->events) {
     lines.push_back({"Contact", fmt::format("t = {}, {} prediction: {}{}", time_with_bound(event.t_s, event.bound_s),
-                                            name_of(event.prediction), in_words(event.kind), other_time(event))});
+                                            name_of(event.prediction), type_of(event.kind).words, other_time(event))});
     if (!event.time_difference_s && !ends_run(event.kind))
       lines.push_back(
           {"",

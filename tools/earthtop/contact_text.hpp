@@ -27,8 +27,8 @@ std::vector<std::string> tip_drift_lines(const RunResult& result, const DriftRow
 /// The events of the contact in plain English.
 std::vector<LabelledLine> contact_event_lines(const RunResult& result);
 
-/// What friction's work and the Earth do to the integrals of the motion, and how well the computed motion keeps to it. Empty where
-/// the run has no such balances.
+/// The effect of friction's work and of the Earth on the integrals of the motion, and how well the computed motion keeps to
+/// it. Empty where the run has no such balances.
 std::vector<LabelledLine> contact_balance_lines(const RunResult& result);
 /// How far the prediction itself moves with the inputs of the contact, and what that means for the drift.
 std::vector<LabelledLine> prediction_change_lines(const RunResult& result);

@@ -150,8 +150,7 @@ Verb describe_explain() {
       "Tells of each torque how large it is, by how much it moves the axis, how much of that is drift, and "
       "whether the scenario models it. Below stands how well each input must be known if its error is to move "
       "the axis by less than the Earth does, and what a run would take. Of a top on a table it tells the size of every force, "
-      "of "
-      "its torque and of the drift, and how well friction and the table's tilt must be known. Nothing is written.");
+      "of its torque and of the drift, and how well friction and the table's tilt must be known. Nothing is written.");
   explain.example("earthtop explain toy-top.json", "prints the budget as a table");
   return explain;
 }

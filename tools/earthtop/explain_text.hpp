@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop explain` prints of a top on a table.
+/// The text that `earthtop explain` prints of a top on a table.
 #pragma once
 
 #include <string>

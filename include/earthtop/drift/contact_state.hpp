@@ -9,14 +9,14 @@
 
 namespace earthtop {
 
-/// Both motions on the table and their differences over epsilon, in the model's natural units.
-/// Integrals over one motion since its release.
+/// Integrals over one motion since its release, in the model's natural units.
 template <class T>
 struct ContactIntegrals {
   T work = T(0);                      ///< of friction's force and moment
   std::optional<T> jellett_change{};  ///< of r L_C.(W x z) + M.rho; only in the form for symmetric bodies
 };
 
+/// Both motions on the table and their differences over epsilon, in the model's natural units.
 template <class T>
 struct ContactDriftState {
   Vec3<Paired<T>> axis_L;  ///< body axis 3
@@ -27,7 +27,7 @@ struct ContactDriftState {
   Paired<T> relative_spin;              ///< rate about axis 3 relative to the laboratory
   Paired<T> turning;                    ///< rate about the table's normal relative to the laboratory
   ContactReaction<Paired<T>> reaction;  ///< vectors in L
-  /// Of the reference and of the rotating motion; none where the integration was in inertial axes.
+  /// Those of the reference, then those of the rotating motion; none where the integration was in inertial axes.
   std::optional<std::array<ContactIntegrals<T>, 2>> integrals{};
 };
 

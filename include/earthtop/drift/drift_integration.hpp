@@ -81,7 +81,7 @@ struct DriftSample {
   // Errors that the method itself states for the scene as given (rad); 0 where it states none.
   T attitude_error = T(0);  ///< bound on the error of both attitudes
   T drift_error = T(0);     ///< bound on the error of the drift
-  /// Of a top on a table, in natural units; apart, as samples of other tops would be twice as large.
+  /// The contact of a top on a table, in natural units; it is apart, as samples of other tops would be twice as large.
   std::shared_ptr<const ContactDriftState<T>> contact{};
 };
 

@@ -27,7 +27,7 @@ struct InertialContactBody {
   Mat3<S> I_inverse;  ///< of the inertia about C
   Vec3<S> L_C;        ///< inertial angular momentum about C
   Mat3<S> S_BC;       ///< second moment about C; read only where the gradient acts or torques are left out
-  /// Of a symmetric body: its axis, that axis's derivative, L_C x w_IB, and the inverse of the inertia as
+  /// A symmetric body's axis, that axis's derivative, L_C x w_IB, and the inverse of the inertia as
   /// `across` + `beyond_across` n n^T. The matrix is then not set.
   bool is_symmetric = false;
   Vec3<S> n, n_dot, gyroscopic;

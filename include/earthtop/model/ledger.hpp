@@ -28,12 +28,7 @@ struct LedgerEntry {
 /// The entry as a result stores it.
 template <class T>
 LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
-  const auto plain = [](const Vec3<T>& v) { return std::array<T, 3>{v[0], v[1], v[2]}; };
-  LedgerRow<T> row{plain(entry.tau_phys_A), plain(entry.tau_cor_A), plain(entry.tau_trans_A),
-                   plain(entry.tau_cent_A), plain(entry.dL_dt_A),   plain(entry.residual_A)};
-  for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = plain(entry.share_A[i]);
-  row.force_table_A = plain(entry.force_table_A);
-  return row;
+  return ledger_row_from<T>(entry, [](const Vec3<T>& v) { return std::array<T, 3>{v[0], v[1], v[2]}; });
 }
 
 /// The ledger of one state. Its two sides are computed independently from the state:

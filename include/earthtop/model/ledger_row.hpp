@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace earthtop {
@@ -28,6 +29,17 @@ struct LedgerRow {
   std::array<std::array<T, 3>, kAppliedShares.size()> share_A = {};  ///< parts of tau_phys_A, in the order of kAppliedShares
   std::array<T, 3> force_table_A = {};  ///< of a top on a table: the force of the table on the tip (N)
 };
+
+/// A row from anything with the members of a row or of a LedgerEntry.
+/// @param stored  makes the stored form of one vector
+template <class T, class Entry, class Store>
+LedgerRow<T> ledger_row_from(const Entry& entry, Store stored) {
+  LedgerRow<T> row{stored(entry.tau_phys_A), stored(entry.tau_cor_A), stored(entry.tau_trans_A),
+                   stored(entry.tau_cent_A), stored(entry.dL_dt_A),   stored(entry.residual_A)};
+  for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = stored(entry.share_A[i]);
+  row.force_table_A = stored(entry.force_table_A);
+  return row;
+}
 
 /// The largest norm of each torque over the rows of a ledger (N m).
 struct LedgerLargest {

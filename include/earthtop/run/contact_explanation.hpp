@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What acts on a top that stands on a table: the size of every force and of its torque, the drift to be expected, and how well
+/// The forces on a top that stands on a table: the size of every force and of its torque, the drift to be expected, and how well
 /// the inputs must be known for the Earth's effect to be seen.
 #pragma once
 
@@ -21,7 +21,8 @@ struct ContactForceSize {
   double torque_release_N_m = 0, torque_largest_N_m = 0;
 };
 
-/// How far an input of the contact moves the prediction itself, and what error of it moves it as far as the Earth does.
+/// The effect of an input of the contact on the prediction itself, and the error of it that moves the prediction as far as
+/// the Earth does.
 struct ContactInputNeed {
   std::string_view input;                       ///< as in PredictionChange
   std::string_view step;                        ///< "1 %" or "1 arcsec"

@@ -65,7 +65,7 @@ struct Paired<real::Recorded<U>> {
   static T common(const Paired& x, const Paired& y) { return x.is_apart ? x.epsilon : y.epsilon; }
 };
 
-/// Of pairs made by `apart`, a size above 0 is taken to stay so: it is a sum of squares, which ends at no step at 0. No guard is
+/// A size above 0 of pairs made by `apart` is taken to stay above 0: it is a sum of squares, which ends at no step at 0. No guard is
 /// noted, which every step would have to ask.
 template <class U>
 bool is_above_zero(const Paired<real::Recorded<U>>& size) {
