@@ -216,19 +216,32 @@ constexpr auto kMembers = [] {
       of_scenario(compared(
           "top.center_of_mass_m", input, any, kAtEnd, [](R r) { return r.scene.top().center_of_mass_m; }, vector)),
       of_scenario(compared(
-          "top.moments_about_pivot_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_pivot_kg_m2; }, vector)),
+          "top.moments_about_pivot_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_pivot_kg_m2; },
+          vector)),
       of_scenario(compared(
-          "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; }, vector)),
+          "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; },
+          vector)),
       of_scenario(compared("top.spin_rad_s", input, any, kAtEnd, [](R r) { return r.scene.top().spin_rad_s; })),
-      of_scenario(compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
-      of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().slow_precession_rad_s); })),
-      of_scenario(compared("top.fast_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().fast_precession_rad_s; })),
-      of_scenario(compared("top.fast_precession_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
+      of_scenario(
+          compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
+      of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().slow_precession_rad_s); })),
+      of_scenario(
+          compared("top.fast_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().fast_precession_rad_s; })),
+      of_scenario(compared("top.fast_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
+      of_scenario(
+          compared("top.mean_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().mean_precession_rad_s; })),
+      of_scenario(compared("top.mean_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().mean_precession_rad_s); })),
       of_scenario(compared("top.nutation_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().nutation_rad_s; })),
-      of_scenario(compared("top.nutation_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().nutation_rad_s); })),
+      of_scenario(
+          compared("top.nutation_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().nutation_rad_s); })),
       of_scenario(compared("top.nutation_kind", word, any, kAtEnd, [](R r) { return to_word(r.scene.top().nutation_kind); })),
-      of_scenario(compared("top.critical_spin_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().critical_spin_rad_s; })),
-      of_scenario(compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
+      of_scenario(
+          compared("top.critical_spin_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().critical_spin_rad_s; })),
+      of_scenario(
+          compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
       of_scenario(compared("top.rim_speed_m_s", derived, any, kAtEnd, [](R r) { return r.scene.top().rim_speed_m_s; })),
       told(
           "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),

@@ -35,11 +35,14 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
     spin += fmt::format(", {:.4g} of the critical spin of {}", *top.spin_over_critical, in_rpm(*top.critical_spin_rad_s));
   lines.emplace_back("spin", spin);
   if (top.rim_speed_m_s) lines.emplace_back("rim speed", fmt::format("{:.4g} m/s", *top.rim_speed_m_s));
+  if (top.mean_precession_rad_s)
+    lines.emplace_back("precession", fmt::format("{}; mean of this release, + is counterclockwise from above",
+                                                 with_period(*top.mean_precession_rad_s, "a turn in")));
   if (top.slow_precession_rad_s)
-    lines.emplace_back("slow precession", fmt::format("{}; steady at this tilt and spin, + is counterclockwise from above",
-                                                      with_period(*top.slow_precession_rad_s, "a turn in")));
+    lines.emplace_back("slow precession",
+                       fmt::format("{}; steady at this tilt and spin", with_period(*top.slow_precession_rad_s, "a turn in")));
   if (top.fast_precession_rad_s)
-    lines.emplace_back("fast precession", with_period(*top.fast_precession_rad_s, "a turn in"));
+    lines.emplace_back("fast precession", fmt::format("{}; the same", with_period(*top.fast_precession_rad_s, "a turn in")));
   if (top.nutation_rad_s)
     lines.emplace_back("nutation", fmt::format("{}, {}", with_period(*top.nutation_rad_s, "period"),
                                                top.nutation_kind == NutationKind::of_release

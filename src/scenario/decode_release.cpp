@@ -54,9 +54,10 @@ bool decode_rates(const Section& release, ReleaseSpec& spec) {
   }
   if (!radians && !revolutions && !whole) {
     if (!release.expects("spin_rpm"))
-      release.missing("spin_rad_s",
-                      "neither spin_rad_s nor angular_velocity_body_rad_s is given; give exactly one, the spin in spin_rad_s or "
-                      "spin_rpm");
+      release.missing(
+          "spin_rad_s",
+          "neither spin_rad_s nor angular_velocity_body_rad_s is given; give exactly one, the spin in spin_rad_s or "
+          "spin_rpm");
     return false;
   }
   if (whole && release.has("precession"))

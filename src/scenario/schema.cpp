@@ -175,8 +175,8 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2|matrix_kg_m2")});
   if (pattern == "/body/solids/*") return solid_rules();
   if (pattern == "/release")
-    return Json::array(
-        {exactly_one("tilt_deg|quaternion_LB"), exactly_one("spin_rad_s|spin_rpm|angular_velocity_body_rad_s"), release_rule()});
+    return Json::array({exactly_one("tilt_deg|quaternion_LB"), exactly_one("spin_rad_s|spin_rpm|angular_velocity_body_rad_s"),
+                        release_rule()});
   if (pattern == "/site") return Json::array({{{"dependencies", {{"gravity_m_s2", none_of("gravity_anomaly_m_s2")}}}}});
   if (pattern == "/motion")
     return Json::array(

@@ -27,7 +27,8 @@ std::array<double, 3> principal_moments(const Mat3<float128>& tensor) {
   float128 most = -1;
   do {
     float128 near = 0;
-    for (int i = 0; i < 3; ++i) near += axes(i, order[static_cast<std::size_t>(i)]) * axes(i, order[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i)
+      near += axes(i, order[static_cast<std::size_t>(i)]) * axes(i, order[static_cast<std::size_t>(i)]);
     if (near > most) most = near, best = order;
   } while (std::next_permutation(order.begin(), order.end()));
   std::array<double, 3> moments{};
@@ -52,7 +53,8 @@ std::string_view why_not_a_top_on_a_pivot(const Scenario& scenario) {
     return "precession, nutation and critical spin: the tip moves on the table, and the formulas are those of a fixed pivot";
   if (scenario.effects.applied.gimbal) return "precession, nutation and critical spin: the gimbal holds the axis level";
   if (scenario.platform && scenario.platform->pivot_offset_m != std::array<double, 3>{})
-    return "precession, nutation and critical spin: the platform carries the pivot round, so that gravity is not the only force";
+    return "precession, nutation and critical spin: the platform carries the pivot round, so that gravity is not the only "
+           "force";
   return "";
 }
 
@@ -96,10 +98,40 @@ void add_precession(TopFigures& top, const SymmetricTop<double>& body, double co
   }
   top.slow_precession_rad_s = finite(rates->slow);
   top.fast_precession_rad_s = finite(rates->fast);
-  if (cosine == 0)
-    top.left_out.emplace_back("fast precession: at a tilt of 90 degrees there is none");
+  if (cosine == 0) top.left_out.emplace_back("fast precession: at a tilt of 90 degrees there is none");
   if (std::abs(cosine) == 1) top.notes.emplace_back("the axis is vertical: the precessions are those of a small lean");
-  if (top.spin_rad_s == 0) top.notes.emplace_back("without spin the two precessions are those of a conical pendulum, either way round");
+  if (top.spin_rad_s == 0)
+    top.notes.emplace_back("without spin the two precessions are those of a conical pendulum, either way round");
+}
+
+/// The mean rate of the azimuth over one period of the tilt (rad/s), the mean of w_across.z / sin^2(tilt) at equal times: for a
+/// periodic function without singularities such means converge exponentially. Empty if they have not converged, as where the axis
+/// passes next to the vertical.
+std::optional<double> mean_precession(const LagrangeTop<double>& motion, double period_s) {
+  constexpr int kMostTimes = 1 << 13;
+  constexpr double kConverged = 1e-12;  // of a turn in a period; at() errs by some 20 eps
+  const auto rate_at = [&](double t_s) {
+    const ClosedFormState<double> state = motion.at(t_s);
+    const Vec3<double> up_B = rotation_matrix(state.q_NB).row(2).transpose();
+    return (up_B[0] * state.w_NB_B[0] + up_B[1] * state.w_NB_B[1]) / (up_B[0] * up_B[0] + up_B[1] * up_B[1]);
+  };
+  double sum = 0, before = 0;
+  for (int times = 16; times <= kMostTimes; times *= 2) {
+    const int stride = times == 16 ? 1 : 2;  // the times between those summed already
+    for (int i = stride - 1; i < times; i += stride) sum += rate_at(period_s * i / times);
+    const double mean = sum / times;
+    if (!std::isfinite(mean)) return std::nullopt;
+    if (times > 16 && std::abs(mean - before) <= kConverged * std::max(std::abs(mean), 2 * std::numbers::pi / period_s))
+      return mean;
+    before = mean;
+  }
+  return std::nullopt;
+}
+
+/// Whether the axis keeps away from the vertical, so that its azimuth has a mean rate.
+bool goes_round_the_vertical(LagrangeRegime regime) {
+  return regime == LagrangeRegime::steady || regime == LagrangeRegime::wavy || regime == LagrangeRegime::cusped ||
+         regime == LagrangeRegime::looping;
 }
 
 void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Release<double>& release, double cosine) {
@@ -125,6 +157,10 @@ void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Relea
   }
   give(2 * std::numbers::pi / period,
        regime == LagrangeRegime::steady ? NutationKind::small_amplitude : NutationKind::of_release);
+  if (goes_round_the_vertical(regime)) {
+    top.mean_precession_rad_s = mean_precession(motion, period);
+    if (!top.mean_precession_rad_s) top.left_out.emplace_back("mean precession: the axis passes too near the vertical");
+  }
   if (regime == LagrangeRegime::plane_swinging)
     top.notes.emplace_back("the top swings as a pendulum: its tilt has half the period of a swing there and back");
 }
@@ -140,7 +176,8 @@ void add_critical_spin(TopFigures& top, const SymmetricTop<double>& body, double
 
 bool has_friction(const Scenario& scenario) {
   const AppliedTorquesSpec& applied = scenario.effects.applied;
-  return applied.viscous_N_m_s != 0 || applied.quadratic_N_m_s2 != 0 || applied.coulomb_N_m != 0 || applied.air_drag.has_value();
+  return applied.viscous_N_m_s != 0 || applied.quadratic_N_m_s2 != 0 || applied.coulomb_N_m != 0 ||
+         applied.air_drag.has_value();
 }
 
 }  // namespace
@@ -175,7 +212,8 @@ TopFigures top_figures_of(const Scene& scene) {
     add_nutation(top, symmetric, release, cosine);
     add_critical_spin(top, symmetric, cosine);
   }
-  if (has_friction(scene.scenario()) && top.nutation_rad_s) top.notes.emplace_back("the rates are those at release, without friction");
+  if (has_friction(scene.scenario()) && top.nutation_rad_s)
+    top.notes.emplace_back("the rates are those at release, without friction");
   return top;
 }
 

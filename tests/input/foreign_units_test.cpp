@@ -34,7 +34,8 @@ TEST(ForeignUnits, NameTheRightKeyAndTheFactor) {
       {"/body/solids/*", "density_g_cm3", "give density_kg_m3; 1 g/cm^3 = 1000 kg/m^3"},
       {"/release", "spin_rps", "give spin_rad_s; 1 rps = 6.28318530717959 rad/s, or spin_rpm; 1 rps = 60 rpm"},
       {"/release", "spin_hz", "give spin_rad_s; 1 Hz = 6.28318530717959 rad/s, or spin_rpm; 1 Hz = 60 rpm"},
-      {"/release", "spin_deg_s", "give spin_rad_s; 1 deg/s = 0.0174532925199433 rad/s, or spin_rpm; 1 deg/s = 0.166666666666667 rpm"},
+      {"/release", "spin_deg_s",
+       "give spin_rad_s; 1 deg/s = 0.0174532925199433 rad/s, or spin_rpm; 1 deg/s = 0.166666666666667 rpm"},
       {"/release", "tilt_rad", "give tilt_deg; 1 rad = 57.2957795130823 deg"},
       {"/release", "precession_rpm", "give precession/rate_rad_s; 1 rpm = 0.10471975511966 rad/s"},
       {"/site", "lat_rad", "give latitude_deg; 1 rad = 57.2957795130823 deg"},
@@ -69,24 +70,36 @@ TEST(ForeignUnits, AnyCaseAndAHyphenWill) {
 TEST(ForeignUnits, OtherKeysAreMisspellings) {
   const struct {
     std::string object, key, meant;
-  } cases[] = {
-      {"/body", "mass_KG", "mass_kg"},          {"/body", "mass_mm", "mass_kg"},          {"/body", "mass_grams", "mass_kg"},
-      {"/site", "lat", "latitude_deg"},         {"/site", "latitude", "latitude_deg"},    {"/site", "lon", "longitude_deg"},
-      {"/site", "long", "longitude_deg"},       {"/release", "spin", "spin_rad_s"},       {"/release", "spinn", "spin_rad_s"},
-      {"/release", "spin_rmp", "spin_rpm"},     {"/release", "spin_rad", "spin_rad_s"},   {"/release", "spin_foo", "spin_rad_s"},
-      {"/release", "tilt", "tilt_deg"},         {"/motion", "duration_m", "duration_s"},  {"/site", "gravity_g", "gravity_m_s2"},
-      {"/release", "Spin_RPM", "spin_rpm"},     {"/effects", "coulomb_torque", "coulomb_torque_N_m"}};
+  } cases[] = {{"/body", "mass_KG", "mass_kg"},
+               {"/body", "mass_mm", "mass_kg"},
+               {"/body", "mass_grams", "mass_kg"},
+               {"/site", "lat", "latitude_deg"},
+               {"/site", "latitude", "latitude_deg"},
+               {"/site", "lon", "longitude_deg"},
+               {"/site", "long", "longitude_deg"},
+               {"/release", "spin", "spin_rad_s"},
+               {"/release", "spinn", "spin_rad_s"},
+               {"/release", "spin_rmp", "spin_rpm"},
+               {"/release", "spin_rad", "spin_rad_s"},
+               {"/release", "spin_foo", "spin_rad_s"},
+               {"/release", "tilt", "tilt_deg"},
+               {"/motion", "duration_m", "duration_s"},
+               {"/site", "gravity_g", "gravity_m_s2"},
+               {"/release", "Spin_RPM", "spin_rpm"},
+               {"/effects", "coulomb_torque", "coulomb_torque_N_m"}};
   for (const auto& [object, key, meant] : cases) {
-    EXPECT_NE(answer(object, key).find("did you mean \"" + meant + "\""), std::string::npos) << key << ": " << answer(object, key);
+    EXPECT_NE(answer(object, key).find("did you mean \"" + meant + "\""), std::string::npos)
+        << key << ": " << answer(object, key);
     EXPECT_EQ(unknown_key(scenario::fields(), key, object).meant, meant);
   }
 }
 
 /// Stems without an ending, endings of any bytes, and very long keys.
 TEST(ForeignUnits, HostileKeysGetAnAnswer) {
-  for (const std::string& key : {std::string("mass_"), std::string("mass__g"), std::string("mass_g_"), std::string("_g"),
-                                 std::string("mass_g9999999999"), std::string("mass_g0"), std::string("mass_\xff\xfe"), std::string("mass_g_g_g_g_g_g"),
-                                 "mass_" + std::string(100000, 'g'), std::string("mass_g\0g", 8), std::string()})
+  for (const std::string& key :
+       {std::string("mass_"), std::string("mass__g"), std::string("_g"), std::string("mass_g9999999999"),
+        std::string("mass_g0"), std::string("mass_\xff\xfe"), std::string("mass_g_g_g_g_g_g"),
+        "mass_" + std::string(100000, 'g'), std::string("mass_g\0g", 8), std::string()})
     EXPECT_NE(answer("/body", key).find("allowed here"), std::string::npos) << key.substr(0, 40);
 }
 

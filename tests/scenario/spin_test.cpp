@@ -18,7 +18,8 @@ TEST(SpinInRpm, IsTheNearestNumberInRadians) {
   const float128 pi = 3.141592653589793238462643383279502884197Q;
   std::mt19937_64 random(24);
   for (int i = 0; i < 20000; ++i) {
-    const double rpm = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -60 + static_cast<int>(random() % 30));
+    const double rpm =
+        std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -60 + static_cast<int>(random() % 30));
     const float128 exact = float128(rpm) * pi / 30;
     const double rad_s = rad_s_from_rpm(rpm);
     const double up = std::nextafter(rad_s, std::numeric_limits<double>::infinity()),

@@ -35,6 +35,10 @@ struct TopFigures {
   std::optional<double> slow_precession_rad_s;
   std::optional<double> fast_precession_rad_s;
 
+  /// The mean rate of the axis's azimuth over a nutation, by the closed form (rad/s, counterclockwise about Up): what a stopwatch
+  /// shows of this release. Empty where the axis passes through the vertical, or there is no torque of gravity.
+  std::optional<double> mean_precession_rad_s;
+
   /// Angular frequency of the nutation: 2 pi over the period of the tilt, from the closed form by elliptic functions at the
   /// amplitude of the release (LagrangeTop). Without a torque of gravity: |L|/I1, the rate at which the axis goes round the
   /// angular momentum. Where the release does not nutate, the limit of small amplitudes.
