@@ -205,7 +205,8 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
   }
   if (options.tolerances.profile != Profile::physics && !reference.has_some_rows_only)
     for (const auto& [path, value] : new_figures)
-      if (!value->is_null() && compared_member(path) && !find(old_figures, path))
+      if (const SummaryMember* member = compared_member(path);
+          !value->is_null() && member && !member->of_scenario && !find(old_figures, path))
         verdicts.push_back(failed(path, "is missing in the reference's summary"));
   return verdicts;
 }

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 
+#include "input/foreign_units.hpp"
 #include "input/node.hpp"
 #include "input/suggest.hpp"
 
@@ -38,6 +39,18 @@ std::string no_index(std::string_view token, std::size_t size) {
                             : fmt::format("\"{}\" is no index of an array of {}; allowed here: 0 to {}", shown, size, size - 1);
 }
 
+/// The key that was probably meant. A quantity without unit, or with a misspelled one, means its first key; another key for the
+/// same quantity is meant by a misspelling of that key only.
+std::optional<std::string_view> meant_key(const FieldTable& table, std::string_view key, std::string_view pattern,
+                                          std::vector<std::string_view> keys) {
+  if (const auto meant = abbreviated(table, key, pattern)) return meant;
+  for (const std::string_view second : keys_in_second_units(table, pattern)) {
+    if (is_one_letter_off(key, second)) return second;
+    std::erase(keys, second);
+  }
+  return suggest(key, keys);
+}
+
 }  // namespace
 
 std::optional<std::vector<std::string>> tokens_of(std::string_view pointer) {
@@ -66,9 +79,10 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
 }
 
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern) {
+  if (auto foreign = foreign_unit(table, key, pattern)) return {std::move(foreign->message), foreign->meant};
   const std::vector<std::string_view> keys = table.keys_below(pattern);
   const Field* object = table.find(pattern);
-  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), suggest(key, keys)};
+  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), meant_key(table, key, pattern, keys)};
   unknown.message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
   if (unknown.meant) {
     unknown.message += fmt::format("; did you mean \"{}\"", *unknown.meant);

@@ -114,6 +114,8 @@ void Section::missing(std::string_view key, std::string message) const {
     findings_->add(place_, std::move(pointer), std::move(message));
 }
 
+bool Section::expects(std::string_view key) const { return findings_->expected(fmt::format("{}/{}", pointer_, key)); }
+
 bool Section::is_required(std::string_view key) const {
   const Field* field = table_->find(fmt::format("{}/{}", pattern_, key));
   return field && field->required;

@@ -49,6 +49,8 @@ class Section {
   void warn(std::string_view key, std::string message) const;
   /// Adds an error about a missing key, placed at the object, unless a misspelled key probably meant it.
   void missing(std::string_view key, std::string message) const;
+  /// Returns whether a misspelled key probably meant this one.
+  bool expects(std::string_view key) const;
   /// Adds an error as `missing` does if the key is not given. @returns whether it is given
   bool require(std::string_view key) const;
 

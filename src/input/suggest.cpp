@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::size_t kLongestWord = 48;  // a longer word is no misspelling, and a hostile one would cost time
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return lower;
-}
-
 /// Returns the least number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string
 /// alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -68,6 +60,19 @@ std::optional<std::string_view> with_part(const std::string& word, const std::ve
 }
 
 }  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return lower;
+}
+
+bool is_one_letter_off(std::string_view given, std::string_view word) {
+  if (given.size() > kLongestWord || word.size() > kLongestWord) return false;
+  return edit_distance(lower_case(given), lower_case(word)) <= 1;
+}
 
 std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates) {
   if (given.empty() || given.size() > kLongestWord) return std::nullopt;

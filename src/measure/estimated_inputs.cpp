@@ -71,6 +71,8 @@ EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::p
   };
   if (has("") && (has("/earth/rotation_rate_rad_s") || has("/site/latitude_deg")))
     refuse_estimate(std::string(kVerticalRate), "stands for the rotation rate and the latitude; estimate it, or these");
+  if (has("/release/spin_rpm") && has("/release/spin_rad_s"))
+    refuse_estimate("/release/spin_rpm", "is the spin in another unit; estimate it, or spin_rad_s");
 }
 
 void EstimatedInputs::add(const std::string& name) {

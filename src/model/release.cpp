@@ -75,6 +75,12 @@ Release<T> released(const ReleaseSpec& spec, const SteadyRate& steady_rate) {
 }
 }  // namespace
 
+double rad_s_from_rpm(double rpm) {
+  // The two roundings at 113 bits move the product by 2e-34 of itself: the rounding to double is that of the exact product but
+  // for one number in 1e17.
+  return static_cast<double>(float128(rpm) * real::pi<float128>() / float128(30));
+}
+
 template <class T>
 Quaternion<T> release_attitude(double tilt_deg, double azimuth_deg, double spin_angle_deg) {
   return about_axis(2, T(90) - T(azimuth_deg)) * about_axis(1, T(tilt_deg)) * about_axis(2, T(spin_angle_deg));

@@ -10,6 +10,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
+#include "earthtop/results/top_lines.hpp"
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
 #include "report/pages.hpp"
@@ -221,6 +222,12 @@ std::string ledger_section(const Run& run, Page& page) {
   }
 }
 
+std::string top_section(const Run& run) {
+  Facts facts;
+  for (const auto& [label, text] : top_lines(run.scene->top())) facts.emplace_back(label, escaped(text));
+  return facts_html(facts);
+}
+
 std::string invariants_section(const Run& run) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& invariant : run.results.summary->value("invariants", Json::array())) {
@@ -298,6 +305,7 @@ Report run_page(const std::filesystem::path& directory) {
   page.headline(headline_of(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page);
+  if (run.scene) page.section("your-top", "Your top", top_section(run));
   const std::string thinned =
       run.results.stated_rows.value_or(0) > run.rows.size()
           ? fmt::format(" Drawn: {} of {} rows, {}.", run.rows.size(), *run.results.stated_rows, kThinningRule)

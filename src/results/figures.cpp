@@ -12,6 +12,7 @@
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/scene/top_figures.hpp"
 #include "scenario/quantities.hpp"
 #include "text/json.hpp"
 
@@ -63,6 +64,11 @@ std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
+
+Json to_word(const std::optional<NutationKind>& kind) {
+  if (!kind) return {};
+  return *kind == NutationKind::of_release ? "of_release" : "small_amplitude";
+}
 
 /// A value that only a top on a table has; left out for others.
 Json of_contact(R r, const std::optional<double>& value) {
@@ -171,6 +177,11 @@ constexpr SummaryMember of_rows(SummaryMember member) {
   return member;
 }
 
+constexpr SummaryMember of_scenario(SummaryMember member) {
+  member.of_scenario = true;
+  return member;
+}
+
 constexpr std::string_view kLabel = "it names what is beside it", kOfScenario = "the scenario says it, whose keys are compared",
                            kWords = "it says in words what figures say", kIsRow = "it is a row's, and the rows are compared",
                            kRowCount = "rows that are missing or too many are findings of their own",
@@ -198,6 +209,44 @@ constexpr auto kMembers = [] {
       told("matching_rule.rates_relative_to", kAtEnd, kOfScenario,
            [](R r) { return to_word(r.scene.scenario().release.rates_relative_to); }),
       told("matching_rule.statement", kAtEnd, kOfScenario, [](R r) { return matching_rule(r.scene.scenario()); }),
+
+      // The body and its motion without Earth rotation. Body axes; precession is counted counterclockwise about Up.
+      object("top"),
+      of_scenario(compared("top.mass_kg", input, any, kAtEnd, [](R r) { return r.scene.top().mass_kg; })),
+      of_scenario(compared(
+          "top.center_of_mass_m", input, any, kAtEnd, [](R r) { return r.scene.top().center_of_mass_m; }, vector)),
+      of_scenario(compared(
+          "top.moments_about_pivot_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_pivot_kg_m2; },
+          vector)),
+      of_scenario(compared(
+          "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; },
+          vector)),
+      of_scenario(compared("top.spin_rad_s", input, any, kAtEnd, [](R r) { return r.scene.top().spin_rad_s; })),
+      of_scenario(
+          compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
+      of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().slow_precession_rad_s); })),
+      of_scenario(
+          compared("top.fast_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().fast_precession_rad_s; })),
+      of_scenario(compared("top.fast_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
+      of_scenario(
+          compared("top.mean_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().mean_precession_rad_s; })),
+      of_scenario(compared("top.mean_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().mean_precession_rad_s); })),
+      of_scenario(compared("top.nutation_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().nutation_rad_s; })),
+      of_scenario(
+          compared("top.nutation_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().nutation_rad_s); })),
+      of_scenario(compared("top.nutation_kind", word, any, kAtEnd, [](R r) { return to_word(r.scene.top().nutation_kind); })),
+      of_scenario(
+          compared("top.critical_spin_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().critical_spin_rad_s; })),
+      of_scenario(
+          compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
+      of_scenario(compared("top.rim_speed_m_s", derived, any, kAtEnd, [](R r) { return r.scene.top().rim_speed_m_s; })),
+      told(
+          "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),
+      told(
+          "top.left_out", kAtEnd, kWords, [](R r) { return r.scene.top().left_out; }, words),
 
       of_rows(object("drift")),
       compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; }),

@@ -76,6 +76,9 @@ struct SummaryMember {
   std::optional<std::size_t> (*count)(const RunResult&);
   bool left_out;  ///< whether an object or list that the result does not have is left out instead of being null
   bool of_rows;   ///< a top-level member whose numbers come from the rows: all are null without a row after the release
+  /// Whether the figure follows from the scenario alone, so that a summary that was written before there was such a figure needs
+  /// none.
+  bool of_scenario = false;
 };
 
 /// All members in the document's order; an object or a list comes right before what is in it.

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "input/check.hpp"
@@ -95,6 +96,21 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   return body && release && gravity && (scenario.contact || !root.has("contact"));
 }
 
+/// Removes the spin of the text where a change gives the spin in another unit, which takes its place as a change of the same key
+/// does. Where changes give both, both stay, and the decoder refuses them.
+template <class Changes, class PointerOf>
+void replace_spin(input::Node& root, const Changes& changes, const PointerOf& pointer_of) {
+  input::Node* release = root.kind == input::JsonKind::object ? root.find("release") : nullptr;
+  if (!release || release->kind != input::JsonKind::object) return;
+  const auto gives = [&](std::string_view pointer) {
+    return std::any_of(changes.begin(), changes.end(), [&](const auto& change) { return pointer_of(change) == pointer; });
+  };
+  const bool radians = gives("/release/spin_rad_s"), revolutions = gives("/release/spin_rpm");
+  if (radians == revolutions) return;
+  std::erase_if(release->children,
+                [&](const input::Node& child) { return child.key == (radians ? "spin_rpm" : "spin_rad_s"); });
+}
+
 }  // namespace
 
 Document::Document(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides)
@@ -102,7 +118,9 @@ Document::Document(ScenarioSource source, const std::vector<std::pair<std::strin
   const input::ReadOutcome outcome = input::read_json(text(), "", false, root_, findings_);
   // After a syntax error nothing is decoded, because the rest would be guesswork.
   is_whole_ = outcome != input::ReadOutcome::not_json && outcome != input::ReadOutcome::refused;
-  if (is_whole_ && root_.kind == input::JsonKind::object) apply_overrides(root_, overrides, findings_);
+  if (!is_whole_ || root_.kind != input::JsonKind::object) return;
+  replace_spin(root_, overrides, [](const auto& change) -> const std::string& { return change.first; });
+  apply_overrides(root_, overrides, findings_);
 }
 
 std::string_view Document::text() const {
@@ -114,7 +132,10 @@ std::string_view Document::text() const {
 Decoded Document::decode(const std::vector<input::TreeChange>& changes) const {
   Decoded decoded{text(), root_, findings_, {}, is_whole_, false};
   if (!is_whole_) return decoded;
-  if (root_.kind == input::JsonKind::object) input::apply_changes(decoded.root, changes, decoded.findings);
+  if (root_.kind == input::JsonKind::object) {
+    replace_spin(decoded.root, changes, [](const input::TreeChange& change) -> const std::string& { return change.pointer; });
+    input::apply_changes(decoded.root, changes, decoded.findings);
+  }
   check_structure(decoded.root, decoded.findings, fields());
   decoded.has_start = scenario::decode(decoded.section(), source_, decoded.scenario);
   return decoded;

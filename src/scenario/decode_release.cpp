@@ -42,13 +42,22 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
 
 bool decode_rates(const Section& release, ReleaseSpec& spec) {
   constexpr std::string_view kWhole = "angular_velocity_body_rad_s";
-  const bool spin = release.has("spin_rad_s"), whole = release.has(kWhole);
-  if (spin && whole) {
-    release.refuse_key(kWhole, "spin_rad_s and angular_velocity_body_rad_s are both given; give exactly one");
+  const bool whole = release.has(kWhole), radians = release.has("spin_rad_s"), revolutions = release.has("spin_rpm");
+  const std::string_view spin = revolutions && !radians ? "spin_rpm" : "spin_rad_s";
+  if (radians && revolutions) {
+    release.refuse_key("spin_rpm", "spin_rad_s and spin_rpm are both given; give exactly one");
     return false;
   }
-  if (!spin && !whole) {
-    release.missing("spin_rad_s", "neither spin_rad_s nor angular_velocity_body_rad_s is given; give exactly one");
+  if ((radians || revolutions) && whole) {
+    release.refuse_key(kWhole, fmt::format("{} and angular_velocity_body_rad_s are both given; give exactly one", spin));
+    return false;
+  }
+  if (!radians && !revolutions && !whole) {
+    if (!release.expects("spin_rpm"))
+      release.missing(
+          "spin_rad_s",
+          "neither spin_rad_s nor angular_velocity_body_rad_s is given; give exactly one, the spin in spin_rad_s or "
+          "spin_rpm");
     return false;
   }
   if (whole && release.has("precession"))

@@ -106,6 +106,8 @@ constexpr Field kFields[] = {
      "frame of the rates, and what both predictions have in common at the start"},
     {"/release/angular_velocity_body_rad_s", vector3, "rad/s", kRates, "", "", "rates in body axes"},
     {"/release/spin_rad_s", number, "rad/s", kRates, "", "", "whole rate about body axis 3, precession's share included"},
+    {"/release/spin_rpm", number, "rpm", from(-9.5e9, 9.5e9), "", "",
+     "the same in revolutions per minute instead: 2 pi/60 rad/s each"},
     {"/release/precession", object_or_word, "", any(), WordsOf<kPrecessions>::text, "\"none\"",
      "precession at the start, or {\"rate_rad_s\": ...}"},
     {"/release/precession/rate_rad_s", number, "rad/s", kRates, "", "", "counterclockwise about Up", kRequired},

@@ -89,11 +89,25 @@ void attitude_keys(Codec& codec, S& release) {
   codec.key("spin_angle_deg", release.spin_angle_deg);
 }
 
+/// Describes the spin. It is written in rad/s, so that the canonical text has the number that the run used.
+template <class Codec, class S>
+void spin_keys(Codec& codec, S& release) {
+  if constexpr (!Codec::kWrites) {
+    if (codec.takes("spin_rpm", false)) {
+      double rpm = 0;
+      codec.key("spin_rpm", rpm);
+      release.spin_rad_s = rad_s_from_rpm(rpm);
+      return;
+    }
+  }
+  codec.key("spin_rad_s", release.spin_rad_s);
+}
+
 template <class Codec, class S>
 void rates_keys(Codec& codec, S& release) {
   if (codec.takes("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s.has_value()))
     return codec.key("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s);
-  codec.key("spin_rad_s", release.spin_rad_s);
+  spin_keys(codec, release);
   if constexpr (!Codec::kWrites)
     if (codec.is_object("precession")) release.precession = Precession::given;
   if (release.precession == Precession::given)

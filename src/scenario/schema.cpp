@@ -20,7 +20,12 @@ Json none_of(std::string_view keys) {
   for (const std::string_view key : split_words(keys)) any.push_back(required(key));
   return {{"not", {{"anyOf", any}}}};
 }
-Json exactly_one(std::string_view a, std::string_view b) { return {{"oneOf", Json::array({required(a), required(b)})}}; }
+/// Returns the rule that exactly one of the keys is given.
+Json exactly_one(std::string_view keys) {
+  Json one = Json::array();
+  for (const std::string_view key : split_words(keys)) one.push_back(required(key));
+  return {{"oneOf", one}};
+}
 /// Returns the rule that a key is given with a value that satisfies the schema.
 Json has(std::string_view key, Json schema) {
   Json rule = required(key);
@@ -33,7 +38,7 @@ Json when(std::string_view key, std::string_view word, Json then, Json otherwise
 }
 
 Json solid_rules() {
-  Json rules = Json::array({exactly_one("mass_kg", "density_kg_m3")});
+  Json rules = Json::array({exactly_one("mass_kg|density_kg_m3")});
   for (const ShapeRule& rule : kShapeRules) {
     Json properties = Json::object(), needed = Json::array();
     const auto member = [&](std::string_view key, Need need) {
@@ -167,11 +172,11 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
   if (pattern == "/criteria/*") return criterion_rules();
   if (pattern == "/body") return Json::array({body_rule()});
-  if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2", "matrix_kg_m2")});
+  if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2|matrix_kg_m2")});
   if (pattern == "/body/solids/*") return solid_rules();
   if (pattern == "/release")
-    return Json::array(
-        {exactly_one("tilt_deg", "quaternion_LB"), exactly_one("spin_rad_s", "angular_velocity_body_rad_s"), release_rule()});
+    return Json::array({exactly_one("tilt_deg|quaternion_LB"), exactly_one("spin_rad_s|spin_rpm|angular_velocity_body_rad_s"),
+                        release_rule()});
   if (pattern == "/site") return Json::array({{{"dependencies", {{"gravity_m_s2", none_of("gravity_anomaly_m_s2")}}}}});
   if (pattern == "/motion")
     return Json::array(

@@ -4,6 +4,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "earthtop/scene/top_figures.hpp"
 
 namespace earthtop {
 
@@ -19,6 +20,9 @@ DriftProblem<T> problem_of(const Scene& scene);
 extern template DriftProblem<double> problem_of(const Scene&);
 extern template DriftProblem<long double> problem_of(const Scene&);
 extern template DriftProblem<float128> problem_of(const Scene&);
+
+// top_figures.cpp: the figures of the body and of its motion without Earth rotation.
+TopFigures top_figures_of(const Scene& scene);
 
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);

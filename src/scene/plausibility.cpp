@@ -54,7 +54,7 @@ void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
 }
 
 /// Warns of grams or millimetres in place of SI units, which show as an impossible density or distance from the pivot.
-void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s) {
+void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s, bool in_rpm) {
   const BodySpec& spec = scene.scenario().body;
   const Body<double>& body = scene.body<double>();
   const double arm = norm(body.p_PBcm_B);
@@ -88,9 +88,11 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s)
   }
   constexpr double kFastestRim = 2000;  // m/s: carbon fibre bursts below this
   if (std::abs(spin_rad_s) * radius > kFastestRim)
-    section.warn(place, fmt::format("at {:.4g} rad/s its rim would move at about {:.2g} m/s and burst; is the spin in "
-                                    "revolutions a minute (then it is {:.4g} rad/s)?",
-                                    spin_rad_s, std::abs(spin_rad_s) * radius, spin_rad_s * std::numbers::pi / 30));
+    section.warn(place, fmt::format("at {:.4g} rad/s its rim would move at about {:.2g} m/s and burst{}", spin_rad_s,
+                                    std::abs(spin_rad_s) * radius,
+                                    in_rpm ? ""
+                                           : fmt::format("; is the spin in revolutions a minute (then it is {:.4g} rad/s)?",
+                                                         spin_rad_s * std::numbers::pi / 30)));
 }
 
 }  // namespace
@@ -105,7 +107,7 @@ void warn_of_implausible(const Section& root, const Scene& scene) {
     warn_of_radians(release, key, 2 * std::numbers::pi);
   const auto& rates = given.angular_velocity_body_rad_s;
   const double spin = rates ? real::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : given.spin_rad_s;
-  if (has_body) warn_of_body(root.section("body"), scene, spin);
+  if (has_body) warn_of_body(root.section("body"), scene, spin, release.has("spin_rpm"));
   if (has_body && scene.scenario().contact) warn_of_contact(root.section("contact"), scene);
 }
 

@@ -40,6 +40,7 @@ struct Scene::Parts {
   std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
   Once<std::string> identity, sha256;
   Once<int> symmetry_axis;
+  Once<TopFigures> top;
   Once<NaturalUnits> units;
   Once<PlatformDemand> platform_demand;
   Once<double> fastest_rate;
@@ -67,6 +68,9 @@ const std::string& Scene::sha256() const {
 bool Scene::is_plain() const { return !scenario().platform && !scenario().contact && scenario().effects.plain(); }
 int Scene::symmetry_axis() const {
   return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
+}
+const TopFigures& Scene::top() const {
+  return parts_->top.get([this] { return top_figures_of(*this); });
 }
 bool Scene::is_reducible_when_driven() const {
   const EffectsSpec& effects = scenario().effects;

@@ -52,9 +52,21 @@ on_stdout '"pointer": "/release/tilt_degrees"'
 # check: all files, all errors, nothing run.
 expect 0 check top.json
 on_stdout 'top.json: ok, "cli-top", 1001 rows'
+on_stdout 'Your top'
+on_stdout '  mass  *0.1 kg'
+on_stdout '  slow precession'
 nothing_on_stderr
+expect 0 check top.json --quiet
+nothing_on_stdout
+expect 0 check top.json --json
+on_stdout '"slow_precession_rad_s": '
+expect 0 check top.json --set /release/spin_rpm=1800
+on_stdout '  spin  *188.496 rad/s (1800 rpm)'
+expect 1 check top.json --set /release/spin_rps=30
+on_stderr 'error: /release/spin_rps: give spin_rad_s; 1 rps = 6.28318530717959 rad/s, or spin_rpm; 1 rps = 60 rpm'
 expect 1 check top.json faulty.json
 on_stdout 'top.json: ok'
+if grep -q 'Your top' out.txt; then fault "several files at once fill the screen with figures"; fi
 on_stdout 'faulty.json: 2 errors'
 on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /release/tilt_degrees: .*did you mean "tilt_deg"'
 on_stderr 'faulty.json:[0-9]*:[0-9]*: error: /body/mass_kg'

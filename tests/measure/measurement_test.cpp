@@ -291,6 +291,24 @@ TEST_F(MeasurementTest, NumbersAreFoundWhereverTheyStand) {
   EXPECT_EQ(varied->scenario().release.spin_angle_deg, 33);
 }
 
+/// The spin is estimated in the unit that is asked for, whichever the scenario gives it in.
+TEST_F(MeasurementTest, TheSpinIsEstimatedInEitherUnit) {
+  const ScenarioSource source{"", R"({"site": {"latitude_deg": 30}, "motion": {"duration_s": 1},
+    "body": {"mass_kg": 1, "center_of_mass_m": [0, 0, 0.1], "inertia": {"principal_kg_m2": [0.02, 0.02, 0.01]}},
+    "release": {"tilt_deg": 20, "spin_rpm": 1500}})"};
+  const Scene base = parse_scenario(source);
+  for (const char* name : {"/release/spin_rpm", "spin_rad_s"}) {
+    const measure::EstimatedInputs inputs(source, {}, base, {name});
+    const bool in_rpm = std::string(name) != "spin_rad_s";
+    EXPECT_EQ(inputs.list()[0].start, in_rpm ? 1500 : rad_s_from_rpm(1500));
+    EXPECT_EQ(inputs.list()[0].unit, in_rpm ? "rpm" : "rad/s");
+    const auto varied = inputs.scene({160});
+    ASSERT_TRUE(varied) << name;
+    EXPECT_EQ(varied->scenario().release.spin_rad_s, in_rpm ? rad_s_from_rpm(160) : 160);
+  }
+  EXPECT_THROW(measure::EstimatedInputs(source, {}, base, {"/release/spin_rpm", "spin_rad_s"}), ScenarioError);
+}
+
 /// A straight line through azimuths: its intercept is the azimuth at release, its slope Omega sin(latitude). Standard errors
 /// and correlation are those of textbook linear regression.
 TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {

@@ -157,7 +157,7 @@ TEST(ContactKeys, WrongValuesAreRefusedAtTheirPlace) {
       {R"({"tip_radius_m": -0.002, "law": "frictionless"})", "5:30 /contact/tip_radius_m", "-0.002 is out of range"},
       {R"({"tip_radius_m": "2 mm", "law": "frictionless"})", "5:30 /contact/tip_radius_m", "is \"2 mm\"; must be a number"},
       {R"({"tip_radius_m": 1e4, "law": "frictionless"})", "5:30 /contact/tip_radius_m", "is out of range"},
-      {R"({"tip_radius_mm": 2, "law": "frictionless"})", "5:14 /contact/tip_radius_mm", "did you mean \"tip_radius_m\""},
+      {R"({"tip_radius_mm": 2, "law": "frictionless"})", "5:14 /contact/tip_radius_mm", "give tip_radius_m; 1 mm = 0.001 m"},
       {R"({"tip_radius_m": 0.002, "law": "frictionless", "mu": 0.2})", "5:60 /contact/mu", "unknown key"},
       {with(kFree, R"("friction_coefficient": 0.2)"), "5:60 /contact/friction_coefficient",
        "belongs to the law \"coulomb\" or \"contensou\", not to \"frictionless\", which takes no coefficient"},

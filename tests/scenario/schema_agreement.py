@@ -37,6 +37,7 @@ def scene(**sections):
 # Between them these hold every key of the schema.
 WHOLE = [
     scene(),
+    scene(release={"tilt_deg": 20, "spin_rpm": 1910, "precession": "steady_slow"}),
     scene(**{"$schema": "earthtop-scenario-1.json", "title": "t", "purpose": "p", "_note": 1, "//": [None]},
           site={"latitude_deg": -90, "longitude_deg": 10, "height_m": 100, "gravity_m_s2": 9.8},
           earth={"rotation_rate_rad_s": -1}, report={"threshold_rad": 0.1}, accuracy={},

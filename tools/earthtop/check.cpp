@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command_line.hpp"
+#include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "json_object.hpp"
@@ -58,12 +59,20 @@ std::string verdict(const CheckedFile& checked) {
   return text + '\n';
 }
 
+/// What the scenario's top is: its figures, one line each.
+std::string top_text(const Scene& scene) {
+  std::string text = "Your top\n";
+  for (const auto& [label, line] : top_lines(scene.top())) text += fmt::format("  {:<17}{}\n", label, line);
+  return text;
+}
+
 void report_text(const std::vector<CheckedFile>& files, bool quiet) {
   for (const CheckedFile& checked : files) {
     report_errors(checked.file, checked.report.errors, false, kDone);
     if (quiet) continue;
     report_warnings(checked.file, checked.report.warnings);
     print(verdict(checked));
+    if (files.size() == 1 && checked.report.scene) print(top_text(*checked.report.scene));
   }
 }
 
@@ -75,6 +84,7 @@ void report_json(const std::vector<CheckedFile>& files) {
     entry.put("file", checked.file).put("valid", scenario.has_value());
     scenario ? entry.put("name", scenario->name) : entry.put_null("name");
     entry.put("errors", checked.report.error_count).put("warnings", checked.report.warnings.size());
+    checked.report.scene ? entry.put_json("top", top_json(*checked.report.scene)) : entry.put_null("top");
     list.push_back(std::move(entry));
     for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
     for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));
@@ -108,7 +118,8 @@ Verb describe_check() {
   check.describe(
       "Reads every file as run does and tells of everything that is wrong, each with line, column and JSON "
       "pointer, and of values that can hardly be meant. Of a sound file it tells how many rows a run would have "
-      "and how long it would take.");
+      "and how long it would take; of a single one also mass, centre of mass and moments of the top, how fast it precesses "
+      "and nutates, and how its spin stands to the critical one.");
   check.example("earthtop check scenarios/*.json", "checks all files of a directory");
   return check;
 }

@@ -42,6 +42,11 @@ JsonObject& JsonObject::put_null(std::string_view key) {
   return *this;
 }
 
+JsonObject& JsonObject::put_json(std::string_view key, std::string_view json) {
+  content_->json[std::string(key)] = Json::parse(json);
+  return *this;
+}
+
 template <class Number>
 requires std::is_arithmetic_v<Number> JsonObject& JsonObject::put(std::string_view key, Number number) {
   content_->json[std::string(key)] = number;

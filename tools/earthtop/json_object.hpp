@@ -24,6 +24,8 @@ class JsonObject {
   JsonObject& put(std::string_view key, const std::vector<JsonObject>& objects);
   JsonObject& put(std::string_view key, const JsonObject& object);
   JsonObject& put_null(std::string_view key);
+  /// Puts a text that is JSON.
+  JsonObject& put_json(std::string_view key, std::string_view json);
   /// Puts a number or a truth value; a number that is not finite becomes null.
   template <class Number>
   requires std::is_arithmetic_v<Number> JsonObject& put(std::string_view key, Number number);

@@ -12,6 +12,7 @@
 #include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/results/top_lines.hpp"
 #include "number_text.hpp"
 
 namespace earthtop::tool {
@@ -82,6 +83,11 @@ void write_scene(Page& page, const Scene& scene, double reached_s) {
                                   reached_s, turn, pictured(turn)));
   page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
   page.entry("", matching_rule(scene.scenario()));
+}
+
+void write_top(Page& page, const Scene& scene) {
+  page.heading("Your top");
+  for (const auto& [label, text] : top_lines(scene.top())) page.line("  {:<17}{}", label, text);
 }
 
 /// The summary of the drift over the rows that can be trusted, which are mostly all of them.
@@ -278,6 +284,8 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   if (result.status != RunStatus::completed)
     page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
                                                    result.reached_s, scenario.duration_s)));
+  page.line("");
+  write_top(page, result.scene);
   page.line("");
   write_drift(page, result);
   page.line("");

@@ -12,6 +12,9 @@ namespace earthtop {
 enum class RatesRelativeTo { laboratory, inertial };
 enum class Precession { none, steady_slow, steady_fast, given };
 
+/// Returns a rate in revolutions per minute as rad/s: the double nearest to rpm pi/30.
+double rad_s_from_rpm(double rpm);
+
 /// A release as a scenario gives it. If given, the quaternion (w, x, y, z) replaces the three angles, and the body rates
 /// replace spin and precession.
 struct ReleaseSpec {

@@ -25,6 +25,7 @@ struct Model;
 template <class T>
 struct DriftProblem;
 struct NaturalUnits;
+struct TopFigures;
 
 /// The method that a run uses, and the reason.
 struct MethodChoice {
@@ -109,6 +110,9 @@ class Scene {
   const Release<T>& release() const;
   template <class T>
   const Model<T>& model() const;
+  /// Returns mass, centre of mass and moments of the body, and the rates of precession and nutation of its motion without Earth
+  /// rotation (top_figures.hpp). @throws ScenarioError where the release does not exist
+  const TopFigures& top() const;
   /// Returns the natural units: in these the rates and moments of the scene are near 1.
   const NaturalUnits& units() const;
   /// Returns the input of the integrations, in natural units.

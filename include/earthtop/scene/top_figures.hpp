@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What can be checked of a top with a balance and a stopwatch before any run: mass, centre of mass, moments, and the rates of
+/// precession and nutation of the non-rotating top with this release.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace earthtop {
+
+class Scene;
+
+/// To which motion a nutation belongs.
+enum class NutationKind {
+  of_release,      ///< the motion that the release starts, at its full amplitude
+  small_amplitude  ///< the release does not nutate: the limit of small amplitudes about its motion
+};
+
+/// A figure is empty where its theory does not apply; `left_out` says why. All rates are those of the motion without Earth
+/// rotation and without friction, from the attitude and the rates of the release, which both predictions share.
+struct TopFigures {
+  double mass_kg = 0;
+  std::array<double, 3> center_of_mass_m{};  ///< from the pivot, body axes; on a table from the centre of the tip's sphere
+  /// Principal moments about the pivot and about the centre of mass. Without products of inertia they are I1, I2 and I3 of the
+  /// body axes; otherwise each stands in the place of the body axis that its principal axis is nearest to.
+  std::array<double, 3> moments_about_pivot_kg_m2{};
+  std::array<double, 3> moments_about_center_kg_m2{};
+  double spin_rad_s = 0;  ///< component of the rate at release along body axis 3
+
+  /// The steady precessions of a symmetric top at this tilt and spin (rad/s, counterclockwise about Up): the roots of
+  /// I1 cos(tilt) x^2 - I3 w3 x + m g l = 0 [Landau and Lifshitz, Mechanics, section 35]. If the axis is vertical: the rates of a
+  /// small lean.
+  std::optional<double> slow_precession_rad_s;
+  std::optional<double> fast_precession_rad_s;
+
+  /// The mean rate of the axis's azimuth over a nutation, by the closed form (rad/s, counterclockwise about Up): what a stopwatch
+  /// shows of this release. Empty where the axis passes through the vertical, or there is no torque of gravity.
+  std::optional<double> mean_precession_rad_s;
+
+  /// Angular frequency of the nutation: 2 pi over the period of the tilt, from the closed form by elliptic functions at the
+  /// amplitude of the release (LagrangeTop). Without a torque of gravity: |L|/I1, the rate at which the axis goes round the
+  /// angular momentum. Where the release does not nutate, the limit of small amplitudes.
+  std::optional<double> nutation_rad_s;
+  std::optional<NutationKind> nutation_kind;
+
+  /// The spin above which the top sleeps upright, 2 sqrt(I1 m g l)/I3, and this spin over it, both sizes. Empty where the centre
+  /// of mass is at or below the pivot.
+  std::optional<double> critical_spin_rad_s;
+  std::optional<double> spin_over_critical;
+
+  /// For a body of solids: the largest of their outer radii times the size of the whole rate at release. This is the largest speed
+  /// of a point of that circle relative to the circle's centre on axis 3, in whatever direction the rate points (m/s).
+  std::optional<double> rim_speed_m_s;
+
+  std::vector<std::string> left_out;  ///< what does not apply, and why, each a sentence without its full stop
+  std::vector<std::string> notes;     ///< what holds of the figures that are given, in the same form
+};
+
+/// The period of a rate: 2 pi over its size (s); empty where there is no rate, or a rate of 0.
+std::optional<double> period_of(const std::optional<double>& rate_rad_s);
+
+}  // namespace earthtop

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/results/top_lines.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "earthtop/run.hpp"
+#include "results/figures.hpp"
+#include "text/json.hpp"
+
+namespace earthtop {
+namespace {
+
+std::string listed(const std::array<double, 3>& numbers) {
+  return fmt::format("{:.6g}, {:.6g}, {:.6g}", numbers[0], numbers[1], numbers[2]);
+}
+std::string in_rpm(double rad_s) { return fmt::format("{:.6g} rad/s ({:.6g} rpm)", rad_s, rad_s * 30 / std::numbers::pi); }
+std::string with_period(double rad_s, std::string_view name) {
+  const auto period = period_of(rad_s);
+  return period ? fmt::format("{:.6g} rad/s, {} {:.6g} s", rad_s, name, *period) : fmt::format("{:.6g} rad/s", rad_s);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  lines.emplace_back("mass", fmt::format("{:.6g} kg", top.mass_kg));
+  lines.emplace_back("centre of mass", fmt::format("({}) m from the pivot, body axes", listed(top.center_of_mass_m)));
+  lines.emplace_back("I1, I2, I3", fmt::format("{} kg m² about the pivot", listed(top.moments_about_pivot_kg_m2)));
+  lines.emplace_back("the same", fmt::format("{} kg m² about the centre of mass", listed(top.moments_about_center_kg_m2)));
+  std::string spin = in_rpm(top.spin_rad_s) + " about axis 3";
+  if (top.critical_spin_rad_s && top.spin_over_critical)
+    spin += fmt::format(", {:.4g} of the critical spin of {}", *top.spin_over_critical, in_rpm(*top.critical_spin_rad_s));
+  lines.emplace_back("spin", spin);
+  if (top.rim_speed_m_s) lines.emplace_back("rim speed", fmt::format("{:.4g} m/s", *top.rim_speed_m_s));
+  if (top.mean_precession_rad_s)
+    lines.emplace_back("precession", fmt::format("{}; mean of this release, + is counterclockwise from above",
+                                                 with_period(*top.mean_precession_rad_s, "a turn in")));
+  if (top.slow_precession_rad_s)
+    lines.emplace_back("slow precession",
+                       fmt::format("{}; steady at this tilt and spin", with_period(*top.slow_precession_rad_s, "a turn in")));
+  if (top.fast_precession_rad_s)
+    lines.emplace_back("fast precession", fmt::format("{}; the same", with_period(*top.fast_precession_rad_s, "a turn in")));
+  if (top.nutation_rad_s)
+    lines.emplace_back("nutation", fmt::format("{}, {}", with_period(*top.nutation_rad_s, "period"),
+                                               top.nutation_kind == NutationKind::of_release
+                                                   ? "at the amplitude of this release"
+                                                   : "of small amplitude; this release does not nutate"));
+  for (const std::string& note : top.notes) lines.emplace_back("note", note);
+  for (const std::string& what : top.left_out) lines.emplace_back("left out", what);
+  return lines;
+}
+
+std::string top_json(const Scene& scene) {
+  RunResult result;
+  result.scene = scene;
+  return written(summary_part(result, "top"));
+}
+
+}  // namespace earthtop
