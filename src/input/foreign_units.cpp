@@ -224,6 +224,9 @@ void each_below(const FieldTable& table, std::string_view pattern, const Visit& 
 std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_view key, std::string_view pattern) {
   if (key.size() > kLongestKey) return std::nullopt;
   const std::string lower = lower_case(key);
+  const std::vector<std::string_view> keys = table.keys_below(pattern);
+  const auto is_key = [&](std::string_view known) { return lower_case(known) == lower; };
+  if (std::any_of(keys.begin(), keys.end(), is_key)) return std::nullopt;  // in another case only
   ForeignUnit found;
   each_below(table, pattern, [&](const Field& field) {
     const std::string stem = stem_of(field);

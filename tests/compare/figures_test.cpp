@@ -88,10 +88,12 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   other.sensitivities->unavailable = "a reason";
   other.scene = testing::changed(other.scene, [](Scenario& s) { s.precision = Precision::bits113; });
   other.extended_rows.resize(other.rows.size());
+  RunResult braked = test::made_up_run();  // the figures of its top have a note about friction
+  braked.scene = testing::changed(braked.scene, [](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-9; });
   RunResult contact = test::made_up_contact_run();
   for (ContactBalances* balances : {&contact.contact->rotating, &contact.contact->reference})
     *balances = {ContactBalance{1, 3, 1.5, 0.5, 4}, ContactBalance{10, 7, -2, -1, 8}};
-  for (const RunResult& result : {full, other, contact}) {
+  for (const RunResult& result : {full, other, braked, contact}) {
     Json summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
   }
