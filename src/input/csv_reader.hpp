@@ -14,6 +14,7 @@ namespace earthtop::input {
 
 struct CsvFormat {
   char delimiter = ',';
+  bool or_tabs = false;  ///< whether tabs separate the cells of a file whose header has them and no delimiter
   char comment = '#';  ///< lines that begin with this character are skipped
 };
 

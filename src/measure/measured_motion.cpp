@@ -106,6 +106,16 @@ std::vector<double> measured_times(const Measurement& measurement) {
   return times;
 }
 
+std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<CurvePoint> points;
+  points.reserve(motion.axes.size());
+  for (const PredictedAxis& axis : motion.axes)
+    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
+                      drift ? axis.drift_azimuth_rad.value_or(kNone) : kNone, drift ? axis.drift_tilt_rad : kNone});
+  return points;
+}
+
 bool has_drifts(const Measurement& measurement) {
   return std::any_of(measurement.values.begin(), measurement.values.end(), [](const MeasuredValue& value) {
     return value.quantity == MeasuredQuantity::drift_azimuth || value.quantity == MeasuredQuantity::drift_tilt;

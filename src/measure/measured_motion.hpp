@@ -34,6 +34,9 @@ struct PredictedMotion {
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
 PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
 
+/// The angles of a motion for a picture. @param drift  whether it was computed with drifts
+std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift);
+
 bool has_drifts(const Measurement& measurement);
 
 /// The verdict on a run of the scenario to `end_s`, prepared as for `predict`.

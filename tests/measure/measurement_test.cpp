@@ -157,7 +157,7 @@ TEST_F(MeasurementTest, UnitsAndWholeTurnsChangeNothing) {
       const double measured = azimuth(free_axis(n0, kNorthward45, kVertical45, t)) + (i % 3 - 1) * 1e-5;
       csv += fmt::format("{},{},{}\n", t, (measured + v.turn) / v.rad, 1e-5 / v.error_rad);
     }
-    const auto report = compare_with_measurement(shipped("free-gyro"), north, read(csv), {"omega_sin_latitude_rad_s"});
+    const auto report = compare_with_measurement(shipped("free-gyro"), north, read(csv), {{"omega_sin_latitude_rad_s"}});
     ASSERT_EQ(report.fit, FitOutcome::converged) << v.unit;
     if (first == 0) {
       first = report.as_given.value;
@@ -188,7 +188,7 @@ TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   const Measurement measurement = read("t_s,drift_azimuth_rad,drift_azimuth_se_rad\n60,0.0035970975670805857,1e-8\n");
   const auto source = shipped("steady-precession-slow");
   const auto report =
-      compare_with_measurement(source, {{"/earth/rotation_rate_rad_s", "6e-5"}}, measurement, {"rotation_rate_rad_s"});
+      compare_with_measurement(source, {{"/earth/rotation_rate_rad_s", "6e-5"}}, measurement, {{"rotation_rate_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_EQ(rate.start, 6e-5);
@@ -215,7 +215,7 @@ TEST_F(MeasurementTest, TheVerticalRateAlone) {
     csv += fmt::format("{},{},{},{},1e-6\n", 30 * i, n[0], n[1], n[2]);
     squares += 900.0 * i * i;
   }
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"omega_sin_latitude_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"omega_sin_latitude_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& estimate = report.estimates[0];
   EXPECT_NEAR(estimate.start, kVertical45, 1e-15 * kOmega);
@@ -241,7 +241,7 @@ TEST_F(MeasurementTest, ANumberAtTheEndOfItsRange) {
     squares += std::pow(kOmega * 60 * i, 2);
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "90"}}, read(csv), {"latitude_deg"});
+      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "90"}}, read(csv), {{"latitude_deg"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double expected_error = 1e-6 / std::sqrt(squares) / kDegree;
   EXPECT_NEAR(*report.estimates[0].estimate, latitude, 1.1e-3 * expected_error);
@@ -305,7 +305,7 @@ TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {
     squares += t * t;
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"/release/azimuth_deg", "omega_sin_latitude_rad_s"});
+      compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"/release/azimuth_deg", "omega_sin_latitude_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double spread = squares - sum * sum / rows;
   const double slope_error = error / std::sqrt(spread), intercept_error = error * std::sqrt(squares / rows / spread);
@@ -344,7 +344,7 @@ TEST_F(MeasurementTest, ErrorsOfEstimatesAreWhatIsStated) {
       n /= norm(n);
       csv += fmt::format("{},{},{},{},{}\n", 20 * i, n[0], n[1], n[2], error);
     }
-    const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"latitude_deg", "rotation_rate_rad_s"});
+    const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"latitude_deg", "rotation_rate_rad_s"}});
     ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
     const double pulls[] = {(*report.estimates[0].estimate - latitude) / *report.estimates[0].standard_error,
                             (*report.estimates[1].estimate - kOmega) / *report.estimates[1].standard_error};
@@ -376,7 +376,7 @@ TEST_F(MeasurementTest, ScatterAboveTheStatedErrorsWidensTheScaledOne) {
   for (int i = 1; i <= 40; ++i)
     csv += fmt::format("{},{},1e-6\n", 3 * i,
                        azimuth(free_axis(kEast, kNorthward45, kVertical45, 3 * i)) + (i % 2 == 0 ? 3e-6 : -3e-6));
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"rotation_rate_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"rotation_rate_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged);
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_NEAR(*rate.standard_error_scaled / *rate.standard_error, std::sqrt(report.fitted->value / 39), 1e-12);
@@ -390,7 +390,7 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
     csv += fmt::format("{},{},1e-6\n", 6 * i, azimuth(free_axis(kEast, kNorthward45, kVertical45, 6 * i)));
   const Measurement measurement = read(csv);
   const auto outcome = [&](const std::vector<std::string>& names, const std::string& named) {
-    const auto report = compare_with_measurement(shipped("free-gyro"), {}, measurement, names);
+    const auto report = compare_with_measurement(shipped("free-gyro"), {}, measurement, {names});
     EXPECT_EQ(report.fit, FitOutcome::not_determined) << names[0];
     EXPECT_NE(report.fit_reason.find(named), std::string::npos) << report.fit_reason;
     EXPECT_FALSE(report.fitted);
@@ -416,7 +416,7 @@ TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {
     csv += fmt::format("{},{},{},{},1e-5\n", 60 * i, n[0], n[1], n[2]);
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {"latitude_deg"});
+      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {{"latitude_deg"}});
   EXPECT_EQ(report.fit, FitOutcome::not_converged);
   EXPECT_NE(report.fit_reason.find("beyond a number's range"), std::string::npos) << report.fit_reason;
   EXPECT_FALSE(report.agrees());
@@ -426,7 +426,7 @@ TEST_F(MeasurementTest, NamesThatCannotBeEstimatedAreRefused) {
   const Measurement measurement = read("t_s,azimuth_rad,azimuth_se_rad\n10,1.57,1e-3\n20,1.57,1e-3\n");
   const auto refused = [&](const std::vector<std::string>& names, const std::string& words, const Overrides& set = {}) {
     try {
-      compare_with_measurement(shipped("free-gyro"), set, measurement, names);
+      compare_with_measurement(shipped("free-gyro"), set, measurement, {names});
       ADD_FAILURE() << "accepted: " << names[0];
     } catch (const ScenarioError& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -585,7 +585,7 @@ TEST_F(MeasurementTest, TheDocumentHasEverything) {
   std::string csv = "t_s,azimuth_rad,azimuth_se_rad\n";
   for (int i = 1; i <= 4; ++i)
     csv += fmt::format("{},{},1e-6\n", 15 * i, azimuth(free_axis(kEast, kNorthward45, kVertical45, 15 * i)) + (i % 2) * 1e-6);
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"rotation_rate_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"rotation_rate_rad_s"}});
   const auto document = testing::parse_json(measurement_json(report));
   EXPECT_EQ(document.at("$schema"), "earthtop-measurement-1.json");
   EXPECT_EQ(document.at("scenario").at("name"), "free-gyro");
