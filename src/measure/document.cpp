@@ -26,14 +26,14 @@ Json chi_squared_json(const ChiSquared& chi_squared) {
           {"of_priors", chi_squared.of_priors}};
 }
 
-Json estimate_json(const ParameterEstimate& estimate) {
+Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
   return {{"name", estimate.name},
           {"unit", estimate.unit},
           {"start", estimate.start},
           {"estimate", or_nothing(estimate.estimate)},
           {"standard_error", or_nothing(estimate.standard_error)},
           {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
-          {"sentence", estimate_sentence(estimate)}};
+          {"sentence", estimate_sentence(estimate, by_scatter)}};
 }
 
 Json prior_json(const Prior& prior) {
@@ -135,7 +135,7 @@ std::string measurement_json(const MeasurementReport& report) {
        unused_priors = Json::array();
   for (const auto& [quantity, values] : report.quantities)
     quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
-  for (const ParameterEstimate& estimate : report.estimates) estimates.push_back(estimate_json(estimate));
+  for (const ParameterEstimate& estimate : report.estimates) estimates.push_back(estimate_json(estimate, report.scatters_more()));
   for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
   for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
   for (const UnusedPrior& prior : report.unused_priors)

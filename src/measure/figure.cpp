@@ -10,13 +10,13 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "measure/measured_motion.hpp"
 #include "results/time_unit.hpp"
 
 namespace earthtop {
 namespace measure {
 namespace {
 
-constexpr double kWholeTurn = 2 * std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kAllUpTo = 600, kSpans = 300;  // values of a quantity in a picture
 
@@ -104,16 +104,16 @@ void unwrap(std::vector<Point>& points) {
   points = std::move(broken);
 }
 
-struct AngleUnit {
+struct ShownUnit {
   const char* name;
   double per_rad;
 };
 /// Degrees, or seconds of arc where all is within a quarter of a degree of 0.
-AngleUnit unit_for(const std::vector<Point>& points) {
+ShownUnit unit_for(const std::vector<Point>& points) {
   double largest = 0;
   for (const Point& point : points) largest = std::isfinite(point.angle_rad) ? std::max(largest, std::abs(point.angle_rad)) : largest;
   constexpr double kDegrees = 180 / std::numbers::pi;
-  return largest > 0.25 / kDegrees ? AngleUnit{"deg", kDegrees} : AngleUnit{"arcsec", 3600 * kDegrees};
+  return largest > 0.25 / kDegrees ? ShownUnit{"deg", kDegrees} : ShownUnit{"arcsec", 3600 * kDegrees};
 }
 
 /// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".
@@ -144,10 +144,9 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
   const std::string_view quantity = series.front()->quantity;
   std::vector<Point> model = model_of(report, series);
   if (is_azimuth(quantity) && quantity != "drift_azimuth") unwrap(model);  // a drift is continuous already
-  const AngleUnit unit = unit_for(model);
+  const ShownUnit unit = unit_for(model);
   Panel panel{{spoken(quantity), unit.name}, {}, 240};
-  Line line{label(report, series, "model"), {}, {}, LineColor::grey};
-  line.style = report.curve.empty() ? LineStyle::thin : LineStyle::solid;
+  Line line{label(report, series, "model"), {}, {}, LineColor::grey, LineStyle::thin};
   for (const Point& point : model) {
     line.x.push_back(point.t_s * per_s);
     line.y.push_back(point.angle_rad * unit.per_rad);

@@ -14,8 +14,6 @@
 namespace earthtop::measure {
 namespace {
 
-constexpr double kWholeTurn = 2 * std::numbers::pi;
-
 double horizontal_part(const Vec3<double>& n_L) { return real::hypot(n_L[0], n_L[1]); }
 double tilt_of(const Vec3<double>& n_L) { return real::atan2(horizontal_part(n_L), n_L[2]); }
 double azimuth_of(const Vec3<double>& n_L) {

@@ -2,6 +2,7 @@
 /// The motion that a scenario predicts at measured times, and the residuals of a measurement against it.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "earthtop/watch.hpp"
 
 namespace earthtop::measure {
+
+inline constexpr double kWholeTurn = 2 * std::numbers::pi;  // rad
 
 /// The measured times (s), each once, ascending; the first is that of the release, 0.
 std::vector<double> measured_times(const Measurement& measurement);

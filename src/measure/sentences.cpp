@@ -55,10 +55,10 @@ std::string with_standard_error(double value, double error) {
   return fmt::format("{0:.{2}f}e{3:.0f} ± {1:.{2}f}e{3:.0f}", value / unit, error / unit, digits, decade);
 }
 
-std::string estimate_sentence(const ParameterEstimate& given) {
+std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   using namespace measure;
   if (!given.estimate || !given.standard_error) return "";
-  const double error = given.standard_error_scaled.value_or(*given.standard_error);
+  const double error = by_scatter ? given.standard_error_scaled.value_or(*given.standard_error) : *given.standard_error;
   const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
                                    [&](const SpokenInput& input) { return input.name == given.name; });
   const bool is_known = known != std::end(kSpokenInputs);
@@ -66,7 +66,7 @@ std::string estimate_sentence(const ParameterEstimate& given) {
                                  with_standard_error(*given.estimate, error), given.unit.empty() ? "" : " ", given.unit);
   if (!(error > 0) || !std::isfinite(error)) return text;
   if (error > *given.standard_error)
-    text += fmt::format(" by the scatter, which is {:.2g} times what the stated errors explain", error / *given.standard_error);
+    text += fmt::format(" (the error by the scatter, {:.2g} times what the stated errors explain)", error / *given.standard_error);
   constexpr double kSeen = 3;  // below this number of standard errors, one in 370 absent effects looks as large
   if (is_known && known->may_be_seen) {
     const double distance = std::abs(*given.estimate) / error;

@@ -13,7 +13,7 @@
 namespace earthtop::report {
 namespace {
 
-std::string text_of(const Json& json, const char* key) {
+std::string words_of(const Json& json, const char* key) {
   const Json value = json.value(key, Json());
   return value.is_string() ? value.get<std::string>() : "";
 }
@@ -35,7 +35,7 @@ std::string chi_squared_html(const Json& chi_squared) {
 std::vector<std::string> sentences(const Json& document) {
   std::vector<std::string> list;
   for (const Json& estimate : document.at("estimates"))
-    if (const std::string sentence = text_of(estimate, "sentence"); !sentence.empty()) list.push_back(escaped(sentence));
+    if (const std::string sentence = words_of(estimate, "sentence"); !sentence.empty()) list.push_back(escaped(sentence));
   return list;
 }
 
@@ -81,13 +81,13 @@ std::string correlation_html(const Json& document) {
 std::string priors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& prior : document.value("priors", Json::array())) {
-    const std::string unit = text_of(prior, "unit");
-    rows.push_back({escaped(text_of(prior, "input")), number_or_nothing(prior.at("mean"), unit, 9),
+    const std::string unit = words_of(prior, "unit");
+    rows.push_back({escaped(words_of(prior, "input")), number_or_nothing(prior.at("mean"), unit, 9),
                     number_or_nothing(prior.at("standard_error"), unit, 3), number_or_nothing(prior.at("pull"), "", 3)});
   }
   std::vector<std::string> unused;
   for (const Json& prior : document.value("unused_priors", Json::array()))
-    unused.push_back(escaped(text_of(prior, "name") + " did not enter: " + text_of(prior, "reason")));
+    unused.push_back(escaped(words_of(prior, "name") + " did not enter: " + words_of(prior, "reason")));
   if (rows.empty() && unused.empty()) return "";
   return "<h3>Known beforehand</h3>\n" +
          (rows.empty() ? ""

@@ -65,7 +65,7 @@ struct MeasurementResidual {
   double standard_error_rad = 0;
   /// Where errors are correlated in time: what is new in the normalised residual beside those before it, in its own standard
   /// errors. These are independent of each other.
-  std::optional<double> whitened;
+  std::optional<double> whitened = {};
   double normalised() const { return residual_rad / standard_error_rad; }
   /// The number whose square chi-squared takes.
   double independent() const { return whitened ? *whitened : normalised(); }
@@ -172,6 +172,8 @@ struct MeasurementReport {
   std::optional<std::size_t> largest;            ///< index of the residual whose normalised size is largest
   std::vector<std::string> notes;
 
+  /// Whether the residuals after the fit scatter by more than the stated errors explain.
+  bool scatters_more() const { return fitted && fitted->p_value && *fitted->p_value < kLeastPValue; }
   /// Whether measurement and scenario agree: the prediction reached the last row, a fit that was asked for converged, and the
   /// p-value of the residuals is at least kLeastPValue. Without degrees of freedom there is no p-value to contradict.
   bool agrees() const;
@@ -193,10 +195,10 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Watch& watch = {});
 
 /// What the data say of an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the
-/// scenario's 5.1563e-5 is 0.1 sigma below it". The error is the larger one of the two standard errors, and said to be the
-/// scatter's where that is it. "Seen" is said of the Earth's rate alone, whose absence means something. Empty without an
-/// estimate.
-std::string estimate_sentence(const ParameterEstimate& estimate);
+/// scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means something. Empty
+/// without an estimate.
+/// @param by_scatter  take the standard error scaled by the scatter, and say so
+std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
 
 /// "5.16e-5 ± 0.30e-5": a value and its standard error, both down to the error's second digit.
 std::string with_standard_error(double value, double error);
