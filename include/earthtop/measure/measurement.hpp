@@ -134,7 +134,7 @@ struct MeasurementOptions {
   ///     gives no gravity, the ellipsoid's gravity changes with the latitude;
   ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
   ///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one.
-  std::vector<std::string> estimates;
+  std::vector<std::string> estimates = {};
   /// Whether the scenario's `uncertainty` block enters the fit, as a normal prior on each estimated input that it names.
   bool priors = false;
   /// Above 0: the errors of each measured quantity are correlated in time, by exp(-dt / correlation_time_s) between errors in
