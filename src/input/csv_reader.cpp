@@ -94,7 +94,7 @@ bool CsvReader::next() {
   if (cells_.size() != header_.size())
     refuse(fmt::format("{} cells, where the header names {} columns{}", cells_.size(), header_.size(),
                        format_.delimiter == ',' && cells_.size() > header_.size() && cells_.size() <= 2 * header_.size()
-                           ? "; of decimal commas, make points: 0.1, not 0,1"
+                           ? "; are there decimal commas? write 0.1, not 0,1"
                            : ""));
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const std::string_view cell = cells_[wanted_[i]];

@@ -2,10 +2,14 @@
 // Puts the estimates of a fit into the text of its scenario.
 #include <fmt/core.h>
 
+#include <functional>
+#include <nlohmann/json.hpp>
+
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "input/text_edit.hpp"
 #include "measure/estimated_inputs.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -27,6 +31,22 @@ Scenario read_in_place(const ScenarioSource& source, const std::string& text, co
   ScenarioReport report = examine_scenario({file, text, source.may_name_files});
   if (!report.scenario) throw ScenarioError(std::move(report.errors), file);
   return std::move(*report.scenario);
+}
+
+/// Puts in what inputs without a place of their own in the text have changed: a component of the Earth's rate changes rate and
+/// latitude, a ratio of moments the body.
+std::string with_combined_inputs(std::string text, const Scenario& wanted,
+                                 const std::function<Scenario(const std::string&)>& read) {
+  const Scenario before = read(text);
+  const auto put = [&](std::string_view pointer, double now, double number) {
+    if (now != number) text = with_number(text, pointer, number);
+  };
+  put("/earth/rotation_rate_rad_s", before.rotation_rate_rad_s, wanted.rotation_rate_rad_s);
+  put("/site/latitude_deg", before.site.latitude_deg, wanted.site.latitude_deg);
+  put("/effects/excess_length_of_day_ms", before.excess_length_of_day_ms, wanted.excess_length_of_day_ms);
+  put("/site/gravity_m_s2", read(text).site.gravity_m_s2, wanted.site.gravity_m_s2);  // by default it follows the latitude
+  if (before.body != wanted.body) text = input::with_value(text, "/body", written(json_of(canonical_json(wanted)).at("body")));
+  return text;
 }
 
 /// Whether two scenarios differ at most in their names: without one in the text a scenario has its file's.
@@ -62,23 +82,9 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
   const Scenario& fitted = scene->scenario();
 
   std::string text = with_overrides(source.text, overrides);
-  bool is_turned = false;  // whether components of the Earth's rate were estimated
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string& pointer = inputs.list()[i].pointer;
-    if (pointer.empty())
-      is_turned = true;
-    else
-      text = with_number(text, pointer, values[i]);
-  }
-  if (is_turned) {
-    text = with_number(text, "/earth/rotation_rate_rad_s", fitted.rotation_rate_rad_s);
-    text = with_number(text, "/site/latitude_deg", fitted.site.latitude_deg);
-    const Scenario written = read_in_place(source, text, file);
-    if (written.site.gravity_m_s2 != fitted.site.gravity_m_s2)  // the default, which follows the latitude
-      text = with_number(text, "/site/gravity_m_s2", fitted.site.gravity_m_s2);
-    if (written.excess_length_of_day_ms != fitted.excess_length_of_day_ms)
-      text = with_number(text, "/effects/excess_length_of_day_ms", fitted.excess_length_of_day_ms);
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
+  text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });
   if (!are_alike(read_in_place(source, text, file), fitted))
     throw ScenarioError("", "no scenario's text has exactly these estimates");
   return text;

@@ -25,9 +25,11 @@ constexpr InputPlace kPlaces[] = {{"latitude_deg", "/site/latitude_deg", 1},
                                   {"rotation_rate_rad_s", "/earth/rotation_rate_rad_s", 1}};
 constexpr std::string_view kAxialMoment = "/body/inertia/principal_kg_m2/2", kAxialCenter = "/body/center_of_mass_m/2";
 
-/// The standard error of the number at a pointer, where it is the input of this name; none where it is not.
-std::optional<double> standard_error_at(std::string_view pointer, std::string_view name, double standard_error,
+/// The standard error of an estimated input, where it is the input of this name; none where it is not.
+std::optional<double> standard_error_of(const EstimatedInput& input, std::string_view name, double standard_error,
                                         const Scene& scene) {
+  if (input.name == name) return standard_error;
+  const std::string& pointer = input.pointer;
   for (const InputPlace& place : kPlaces)
     if (place.name == name && place.pointer == pointer) return standard_error * place.per_unit;
   const Body<double>& body = scene.body<double>();
@@ -41,13 +43,6 @@ std::optional<double> standard_error_at(std::string_view pointer, std::string_vi
 /// Whether another estimated input than the axial moment changes the ratio of the moments.
 bool moves_other_moments(const EstimatedInput& input) {
   return input.pointer.starts_with("/body/") && input.pointer != kAxialMoment;
-}
-
-std::string why_unused(std::string_view name) {
-  std::string what(name);
-  if (name == "inertia_ratio") what = fmt::format("{} alone of the body's numbers", kAxialMoment);
-  if (name == "center_of_mass_m") what = kAxialCenter;
-  return fmt::format("it is no estimated input; --estimate {} lets it enter", what);
 }
 
 }  // namespace
@@ -65,14 +60,15 @@ FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& i
     bool used = false;
     for (std::size_t j = 0; j < inputs.size(); ++j) {
       const EstimatedInput& input = inputs[j];
-      if (name == "inertia_ratio" && std::any_of(inputs.begin(), inputs.end(), moves_other_moments)) continue;
-      const auto standard_error = standard_error_at(input.pointer, name, (*uncertainty)[i], scene);
+      if (name == "inertia_ratio" && input.name != name && std::any_of(inputs.begin(), inputs.end(), moves_other_moments))
+        continue;
+      const auto standard_error = standard_error_of(input, name, (*uncertainty)[i], scene);
       if (!standard_error) continue;
       found.used.push_back({std::string(name), input.name, input.unit, input.start, *standard_error, {}});
       found.of_fit.push_back({j, *standard_error});
       used = true;
     }
-    if (!used) found.unused.push_back({std::string(name), why_unused(name)});
+    if (!used) found.unused.push_back({std::string(name), fmt::format("it is not estimated; --estimate {} lets it enter", name)});
   }
   return found;
 }

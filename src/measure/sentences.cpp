@@ -32,6 +32,8 @@ constexpr SpokenInput kSpokenInputs[] = {
     {"/release/tilt_deg", "the tilt at release", false},
     {"/release/azimuth_deg", "the azimuth at release", false},
     {"/release/spin_angle_deg", "the spin angle at release", false},
+    {"inertia_ratio", "the ratio I3/I1 of the moments", false},
+    {"center_of_mass_m", "the distance of the centre of mass", false},
 };
 
 /// A number of standard errors as one says it: "17", "3.4", "0.1".
