@@ -47,13 +47,13 @@ Json prior_json(const Prior& prior) {
 
 Json residual_json(const MeasurementResidual& residual) {
   Json json = {{"t_s", residual.t_s},
-          {"quantity", std::string(residual.quantity)},
-          {"line", residual.line},
-          {"measured_rad", residual.measured_rad},
-          {"predicted_rad", residual.predicted_rad},
-          {"residual_rad", residual.residual_rad},
-          {"standard_error_rad", residual.standard_error_rad},
-          {"normalised", residual.normalised()}};
+               {"quantity", std::string(residual.quantity)},
+               {"line", residual.line},
+               {"measured_rad", residual.measured_rad},
+               {"predicted_rad", residual.predicted_rad},
+               {"residual_rad", residual.residual_rad},
+               {"standard_error_rad", residual.standard_error_rad},
+               {"normalised", residual.normalised()}};
   if (residual.whitened) json["whitened"] = *residual.whitened;
   return json;
 }
@@ -119,9 +119,8 @@ MeasurementReport measurement_of(const Json& document) {
   for (const Json& t_s : curve.at("t_s")) {
     CurvePoint point{number_or_nan(t_s), 0, 0, 0, 0};
     for (const CurveAngle& column : kCurveAngles)
-      point.*column.angle = curve.contains(column.name)
-                                ? number_or_nan(curve.at(column.name).at(report.curve.size()))
-                                : std::numeric_limits<double>::quiet_NaN();
+      point.*column.angle = curve.contains(column.name) ? number_or_nan(curve.at(column.name).at(report.curve.size()))
+                                                        : std::numeric_limits<double>::quiet_NaN();
     report.curve.push_back(point);
   }
   return report;
@@ -135,7 +134,8 @@ std::string measurement_json(const MeasurementReport& report) {
        unused_priors = Json::array();
   for (const auto& [quantity, values] : report.quantities)
     quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
-  for (const ParameterEstimate& estimate : report.estimates) estimates.push_back(estimate_json(estimate, report.scatters_more()));
+  for (const ParameterEstimate& estimate : report.estimates)
+    estimates.push_back(estimate_json(estimate, report.scatters_more()));
   for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
   for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
   for (const UnusedPrior& prior : report.unused_priors)

@@ -111,7 +111,8 @@ struct ShownUnit {
 /// Degrees, or seconds of arc where all is within a quarter of a degree of 0.
 ShownUnit unit_for(const std::vector<Point>& points) {
   double largest = 0;
-  for (const Point& point : points) largest = std::isfinite(point.angle_rad) ? std::max(largest, std::abs(point.angle_rad)) : largest;
+  for (const Point& point : points)
+    largest = std::isfinite(point.angle_rad) ? std::max(largest, std::abs(point.angle_rad)) : largest;
   constexpr double kDegrees = 180 / std::numbers::pi;
   return largest > 0.25 / kDegrees ? ShownUnit{"deg", kDegrees} : ShownUnit{"arcsec", 3600 * kDegrees};
 }
@@ -154,7 +155,8 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
   Line data{label(report, series, "measured"), {}, {}, color, LineStyle::points, Marker::circle};
   auto beside = model.begin();
   for (const MeasurementResidual* residual : thinned(series)) {
-    while (beside->t_s < residual->t_s || !(std::isfinite(beside->angle_rad) || !std::isfinite(residual->predicted_rad))) ++beside;
+    while (beside->t_s < residual->t_s || !(std::isfinite(beside->angle_rad) || !std::isfinite(residual->predicted_rad)))
+      ++beside;
     data.x.push_back(residual->t_s * per_s);
     data.y.push_back(measured_beside(*residual, beside->angle_rad) * unit.per_rad);
     data.error.push_back(residual->standard_error_rad * unit.per_rad);
@@ -223,8 +225,9 @@ Figure residuals_histogram(const MeasurementReport& report) {
     normal.y.push_back(n * width * normal_density(normal.x.back()));
   }
   return {"How often each size occurs",
-          beyond > 0 ? fmt::format("{} of {} values are beyond 5 standard errors, and are counted at the ends", beyond, values.size())
-                     : fmt::format("{} values", values.size()),
+          beyond > 0
+              ? fmt::format("{} of {} values are beyond 5 standard errors, and are counted at the ends", beyond, values.size())
+              : fmt::format("{} values", values.size()),
           {report.correlation_time_s > 0 ? "Whitened residual" : "Residual", "standard errors"},
           {{{"Number of values", ""}, {std::move(bars), std::move(normal)}, 240}}};
 }

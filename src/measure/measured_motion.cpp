@@ -109,8 +109,8 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
   std::vector<CurvePoint> points;
   points.reserve(motion.axes.size());
   for (const PredictedAxis& axis : motion.axes)
-    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
-                      drift ? axis.drift_azimuth_rad.value_or(kNone) : kNone, drift ? axis.drift_tilt_rad : kNone});
+    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L), drift ? axis.drift_azimuth_rad.value_or(kNone) : kNone,
+                      drift ? axis.drift_tilt_rad : kNone});
   return points;
 }
 

@@ -82,14 +82,15 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
 /// some iterations.
 double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
 
-void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs,
-                   FoundPriors priors, const Watch& watch) {
+void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
+                   const Watch& watch) {
   const std::vector<double> times = measured_times(measurement);
   const bool drift = has_drifts(measurement);
   if (report.residuals.size() + priors.used.size() < inputs.list().size())
-    throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones{}",
-                                                  inputs.list().size(), report.residuals.size(),
-                                                  priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
+    throw ScenarioError(
+        "--estimate",
+        fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(), report.residuals.size(),
+                    priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
   std::vector<MeasurementResidual> latest;
   FitProblem problem;
   problem.whitening = whitening_of(report);
@@ -211,10 +212,10 @@ void note_correlated_errors(MeasurementReport& report) {
     }
     const double correlation = products / squares, step_s = usual_step_s(list);
     if (!(correlation > kSignificant / std::sqrt(n)) || !(correlation < 1) || !(step_s > 0)) continue;
-    report.notes.push_back(
-        fmt::format("neighbouring residuals of {} are alike (correlation {:.2f}): if their errors last, as for some {:.1g} s, the "
-                    "standard errors of estimates are too small; state it by --correlation-time",
-                    quantity, correlation, -step_s / real::log(correlation)));
+    report.notes.push_back(fmt::format(
+        "neighbouring residuals of {} are alike (correlation {:.2f}): if their errors last, as for some {:.1g} s, the "
+        "standard errors of estimates are too small; state it by --correlation-time",
+        quantity, correlation, -step_s / real::log(correlation)));
   }
 }
 

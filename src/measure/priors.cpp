@@ -50,9 +50,10 @@ bool moves_other_moments(const EstimatedInput& input) {
 FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& inputs) {
   const auto& uncertainty = scene.scenario().uncertainty;
   if (!uncertainty)
-    throw ScenarioError("--priors",
-                        "the scenario has no uncertainty block; write one with the standard errors of the inputs that are known "
-                        "beforehand, e.g. \"uncertainty\": {\"tilt_deg\": 0.1}");
+    throw ScenarioError(
+        "--priors",
+        "the scenario has no uncertainty block; write one with the standard errors of the inputs that are known "
+        "beforehand, e.g. \"uncertainty\": {\"tilt_deg\": 0.1}");
   FoundPriors found;
   for (std::size_t i = 0; i < kInputNames.size(); ++i) {
     const std::string_view name = kInputNames[i];
@@ -68,7 +69,8 @@ FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& i
       found.of_fit.push_back({j, *standard_error});
       used = true;
     }
-    if (!used) found.unused.push_back({std::string(name), fmt::format("it is not estimated; --estimate {} lets it enter", name)});
+    if (!used)
+      found.unused.push_back({std::string(name), fmt::format("it is not estimated; --estimate {} lets it enter", name)});
   }
   return found;
 }

@@ -175,8 +175,7 @@ void draw_points(std::string& out, const Line& line, const Mapping& x, const Map
   for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
     if (!drawable(line.x[i], x.scale) || !drawable(line.y[i], y.scale)) continue;
     const double error = error_of(line, i), low = line.y[i] - error;
-    if (error > 0)
-      draw_error_bar(out, line, x(line.x[i]), drawable(low, y.scale) ? y(low) : y.from, y(line.y[i] + error));
+    if (error > 0) draw_error_bar(out, line, x(line.x[i]), drawable(low, y.scale) ? y(low) : y.from, y(line.y[i] + error));
     draw_marker(out, line, x(line.x[i]), y(line.y[i]));
   }
 }

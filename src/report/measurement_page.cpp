@@ -90,8 +90,9 @@ std::string priors_html(const Json& document) {
     unused.push_back(escaped(words_of(prior, "name") + " did not enter: " + words_of(prior, "reason")));
   if (rows.empty() && unused.empty()) return "";
   return "<h3>Known beforehand</h3>\n" +
-         (rows.empty() ? ""
-                       : wide_table({"input", "known as", "standard error", "the estimate lies off by, in these errors"}, rows)) +
+         (rows.empty()
+              ? ""
+              : wide_table({"input", "known as", "standard error", "the estimate lies off by, in these errors"}, rows)) +
          list_html(unused);
 }
 
@@ -107,7 +108,8 @@ std::string agreement_html(const Json& document) {
   if (const std::string fitted = chi_squared_html(document.at("chi_squared").at("fitted")); !fitted.empty())
     facts.emplace_back("chi-squared after the fit", fitted);
   if (const Json time = document.value("correlation_time_s", Json()); time.is_number())
-    facts.emplace_back("errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared is of what is new in each");
+    facts.emplace_back(
+        "errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared is of what is new in each");
   std::vector<std::string> notes;
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
@@ -143,18 +145,20 @@ Report measurement_page(const Json& document) {
   if (report.residuals.empty()) return page.finish();
   Figure over_time = measurement_figure(report);
   std::vector<double> times = measured_times(over_time);
-  page.section("data", "Data and model",
-               page.chart("data", std::move(over_time),
-                          "Measured values, the model, and measured less model in standard errors. Azimuths are counted on over "
-                          "whole turns where the model's are near enough to each other.",
-                          std::move(times)));
-  page.section("residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
-               page.chart("residuals", residuals_histogram(report),
-                          report.correlation_time_s > 0
-                              ? "What is new in each residual beside those before it, and the numbers that normal errors of the "
-                                "stated size and correlation would give."
-                              : "Residuals in standard errors, and the numbers that normal, independent errors of the stated size "
-                                "would give."));
+  page.section(
+      "data", "Data and model",
+      page.chart("data", std::move(over_time),
+                 "Measured values, the model, and measured less model in standard errors. Azimuths are counted on over "
+                 "whole turns where the model's are near enough to each other.",
+                 std::move(times)));
+  page.section(
+      "residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
+      page.chart("residuals", residuals_histogram(report),
+                 report.correlation_time_s > 0
+                     ? "What is new in each residual beside those before it, and the numbers that normal errors of the "
+                       "stated size and correlation would give."
+                     : "Residuals in standard errors, and the numbers that normal, independent errors of the stated size "
+                       "would give."));
   return page.finish();
 }
 

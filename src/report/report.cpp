@@ -31,8 +31,8 @@ bool is_document(const std::filesystem::path& what) {
 
 Report document_page(const std::filesystem::path& file) {
   const input::FileUse use{"document", false, kMostDocument_MiB};
-  const std::string text = file == kStandardInput ? input::read_standard_input(use)
-                                                  : input::read_regular_file(file.string(), file.string(), use);
+  const std::string text =
+      file == kStandardInput ? input::read_standard_input(use) : input::read_regular_file(file.string(), file.string(), use);
   if (text.empty()) compare::refuse_path(file, "is empty");
   const Json document = json_or_discarded(text);
   if (document.is_discarded() || !document.is_object())

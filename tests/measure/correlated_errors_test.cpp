@@ -83,8 +83,8 @@ TEST(CorrelatedErrors, WholeTurnsChangeNothing) {
 }
 
 TEST(CorrelatedErrors, TwoValuesAtOneTimeAreRefused) {
-  const std::vector<MeasurementResidual> residuals = {{1, 2, "tilt", 0, 0, 0, 1e-4}, {1, 3, "azimuth", 0, 0, 0, 1e-4},
-                                                      {1, 4, "tilt", 0, 0, 0, 1e-4}};
+  const std::vector<MeasurementResidual> residuals = {
+      {1, 2, "tilt", 0, 0, 0, 1e-4}, {1, 3, "azimuth", 0, 0, 0, 1e-4}, {1, 4, "tilt", 0, 0, 0, 1e-4}};
   try {
     const Whitening whitening(residuals, 2, "m.csv");
     ADD_FAILURE();

@@ -2,6 +2,7 @@
 /// A thousand seeded measurements whose errors are correlated in time, and what must be true of the fits to them.
 #pragma once
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,12 +68,18 @@ struct Scores {
 /// Three standard errors of a thousand draws' shares within one and, rounded, two standard errors.
 inline constexpr double kWithinOne = 0.683, kOneSlack = 0.045, kWithinTwo = 0.954, kTwoSlack = 0.02;
 
+inline void show(const Scores& scores) {
+  fmt::print("{:.1f} and {:.1f} % within one and two standard errors; Kolmogorov {:.2f} of the limit\n",
+             100 * scores.share_within(1), 100 * scores.share_within(2), scores.kolmogorov());
+}
 inline void expect_errors_as_stated(const Scores& scores) {
+  show(scores);
   EXPECT_NEAR(scores.share_within(1), kWithinOne, kOneSlack);
   EXPECT_NEAR(scores.share_within(2), kWithinTwo, kTwoSlack);
   EXPECT_LT(scores.kolmogorov(), 1);
 }
 inline void expect_errors_too_small(const Scores& scores) {
+  show(scores);
   EXPECT_LT(scores.share_within(1), kWithinOne - kOneSlack);
   EXPECT_LT(scores.share_within(2), kWithinTwo - kTwoSlack);
   EXPECT_GT(scores.kolmogorov(), 1);

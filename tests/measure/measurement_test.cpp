@@ -284,7 +284,8 @@ TEST_F(MeasurementTest, ErrorsOfEstimatesAreWhatIsStated) {
       n /= norm(n);
       csv += fmt::format("{},{},{},{},{}\n", 20 * i, n[0], n[1], n[2], error);
     }
-    const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"latitude_deg", "rotation_rate_rad_s"}});
+    const auto report =
+        compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"latitude_deg", "rotation_rate_rad_s"}});
     ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
     const double pulls[] = {(*report.estimates[0].estimate - latitude) / *report.estimates[0].standard_error,
                             (*report.estimates[1].estimate - kOmega) / *report.estimates[1].standard_error};

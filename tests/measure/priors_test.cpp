@@ -32,8 +32,8 @@ TEST_F(Priors, WeighAsDataDo) {
   const auto free = compare_with_measurement(shipped("free-gyro"), {}, data, alone);
   ASSERT_TRUE(free.fitted);
   const double s = *free.estimates[0].standard_error, p = 0.7 * s;
-  const auto bound = compare_with_measurement(shipped("free-gyro"), with(fmt::format("{{\"rotation_rate_rad_s\": {}}}", p)), data,
-                                              {.estimates = {"rotation_rate_rad_s"}, .priors = true});
+  const auto bound = compare_with_measurement(shipped("free-gyro"), with(fmt::format("{{\"rotation_rate_rad_s\": {}}}", p)),
+                                              data, {.estimates = {"rotation_rate_rad_s"}, .priors = true});
   ASSERT_TRUE(bound.fitted);
   const double w = 1 / (s * s), v = 1 / (p * p), moved = *free.estimates[0].estimate - kOmega;
   const double rate = kOmega + moved * w / (w + v);
@@ -73,8 +73,8 @@ TEST_F(Priors, OfMomentsAndCentreAreMapped) {
   const auto source = shipped("toy-top");
   const Measurement data = read("t_s,tilt_deg,tilt_se_deg\n0.5,20,1\n1,20,1\n1.5,20,1\n");
   const Overrides set = with(R"({"inertia_ratio": 0.01, "center_of_mass_m": 1e-4})");
-  const auto report = compare_with_measurement(
-      source, set, data, {.estimates = {"/body/inertia/principal_kg_m2/2"}, .priors = true});
+  const auto report =
+      compare_with_measurement(source, set, data, {.estimates = {"/body/inertia/principal_kg_m2/2"}, .priors = true});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   ASSERT_EQ(report.priors.size(), 1u);
   EXPECT_EQ(report.priors[0].name, "inertia_ratio");
@@ -96,8 +96,10 @@ TEST_F(Priors, AreReported) {
 
 TEST_F(Priors, ThatCannotEnterAreRefused) {
   const Measurement data = faster_earth(0);
-  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), {}, data, {.estimates = {"tilt_deg"}, .priors = true}), ScenarioError);
-  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), with(R"({"tilt_deg": 1})"), data, {.priors = true}), ScenarioError);
+  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), {}, data, {.estimates = {"tilt_deg"}, .priors = true}),
+               ScenarioError);
+  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), with(R"({"tilt_deg": 1})"), data, {.priors = true}),
+               ScenarioError);
 }
 
 TEST(Sentences, SayWhatWasSeen) {
@@ -118,7 +120,8 @@ TEST(Sentences, SayWhatWasSeen) {
        "the Earth's rate is 4.0e-5 ± 8.0e-5 rad/s: not seen, 0.5 sigma from 0; the scenario's 7.3e-05 is 0.4 sigma above it"},
       {"latitude_deg", "deg", 45, 45.7, 0.35, 0.35, false,
        "the latitude is 45.70 ± 0.35 deg; the scenario's 45 is 2.0 sigma below it"},
-      {"/body/mass_kg", "kg", 0.1, 0.1, 0.02, 0.02, false, "/body/mass_kg is 0.100 ± 0.020 kg; the scenario's 0.1 is 0.0 sigma above it"},
+      {"/body/mass_kg", "kg", 0.1, 0.1, 0.02, 0.02, false,
+       "/body/mass_kg is 0.100 ± 0.020 kg; the scenario's 0.1 is 0.0 sigma above it"},
       {"spin_rad_s", "rad/s", 2e7, 2.5e7, 1e6, 1e6, false,
        "the spin is 2.50e7 ± 0.10e7 rad/s; the scenario's 20000000 is 5.0 sigma below it"},
   };

@@ -27,7 +27,7 @@ struct CompareArguments {
   std::string reference, candidate;
   std::string profile, tolerances, mapping, junit, svg, reason;
   std::vector<std::string> may_change;
-  std::vector<std::string> estimates, sets;   // for a measurement, as are the next four
+  std::vector<std::string> estimates, sets;  // for a measurement, as are the next four
   std::string fitted;
   std::optional<double> correlation_time_s;
   bool priors = false, force = false;
@@ -231,7 +231,8 @@ Verb describe_compare() {
       .called("R")
       .within(1e-9, 1e9);
   compare.add("--junit", &a.junit, "write the verdicts as JUnit XML").called("FILE");
-  compare.add("--svg", &a.svg, "write a picture: of the differences over time, or of a measurement and the model").called("FILE");
+  compare.add("--svg", &a.svg, "write a picture: of the differences over time, or of a measurement and the model")
+      .called("FILE");
   compare.add("--update", &a.update, "make NEW the reference; needs --reason")
       .without("--junit")
       .without("--svg")

@@ -219,7 +219,7 @@ std::string measurement_json(const MeasurementReport& report);
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                             const MeasurementReport& report, const std::string& file);
 /// Checks beforehand that a scenario with these overrides can be written to that place. @throws ScenarioError
-void require_writable_scenario(const ScenarioSource& source,
-                               const std::vector<std::pair<std::string, std::string>>& overrides, const std::string& file);
+void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
+                               const std::string& file);
 
 }  // namespace earthtop
