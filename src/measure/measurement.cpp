@@ -159,10 +159,11 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
   if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
   if ((verdict.verdict != Verdict::unstable && verdict.verdict != Verdict::chaotic) || !verdict.from_s) return;
   for (const MeasuredValue& value : measurement.values)
-    if (value.t_s >= *verdict.from_s) {
-      const std::string message = fmt::format(
-          "from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave later rows out",
-          *verdict.from_s, to_string(verdict.verdict), verdict.reason);
+    if (!verdict.trusts(value.t_s)) {
+      const std::string message =
+          fmt::format("from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave {} out",
+                      *verdict.from_s, to_string(verdict.verdict), verdict.reason,
+                      verdict.until_s ? fmt::format("the rows up to {:.6g} s", *verdict.until_s) : "later rows");
       throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement.file);
     }
 }
@@ -267,8 +268,6 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   const Scene given = parse_scene(source, overrides);
   if (given.scenario().effects.automatic)
     throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
-  if (given.scenario().contact)
-    throw ScenarioError("/contact", "a measurement is held against the motion of a top on a fixed pivot only");
   const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
   const Scene scene = parse_scene(source, longer);
   const EstimatedInputs inputs(source, longer, scene, estimates);

@@ -75,6 +75,28 @@ TEST_F(FittedScenario, HasTheVerticalRate) {
                      {{"/site/gravity_m_s2", "9.8"}, {"/earth/rotation_rate_rad_s", "-1e-3"}});
 }
 
+// A coefficient of a table's friction from the axis of a top that slips on it, as `run` computes it.
+TEST_F(FittedScenario, HasACoefficientOfFriction) {
+  const auto top = shipped("toy-top-on-table");
+  std::string csv = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
+  for (const DriftRow& row : run(parse_scenario(top, {{"/motion/duration_s", "1"}, {"/motion/output_step_s", "0.1"}})).rows) {
+    const auto& q = row.q_LB;
+    const Vec3<double> n_L = rotation_matrix(Quaternion<double>{q[0], Vec3<double>(q[1], q[2], q[3])}).col(2);
+    csv += fmt::format("{},{},{},{},1e-5\n", row.t_s, n_L[0], n_L[1], n_L[2]);
+  }
+  const Measurement data = read(csv);
+  const Overrides more = {{"/contact/friction_coefficient", "0.201"}};
+  const auto fit = compare_with_measurement(top, more, data, {.estimates = {"/contact/friction_coefficient"}});
+  ASSERT_TRUE(fit.fitted) << fit.fit_reason;
+  // The fit ends within a thousandth of a standard error of the least sum, which is 0; the data have no errors of their own but
+  // twelve digits.
+  EXPECT_NEAR(*fit.estimates[0].estimate, 0.2, 2e-3 * *fit.estimates[0].standard_error);
+  EXPECT_LT(*fit.estimates[0].standard_error, 1e-3) << "the data must determine it";
+  const std::string file = (directory_.path() / "fitted.json").string();
+  EXPECT_EQ(compare_with_measurement({file, fitted_scenario(top, more, fit, file)}, {}, data).as_given.value,
+            fit.fitted->value);
+}
+
 TEST_F(FittedScenario, IsRefusedWithoutAFit) {
   const Measurement data = measurement({});
   const auto report = compare_with_measurement(source(), {}, data, {.estimates = {"/release/spin_angle_deg"}});

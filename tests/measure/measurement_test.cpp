@@ -436,6 +436,11 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
       {header + "10,1,nan\n", 2, 6, "needs a standard error above 0"},
       {header + "10,1,inf\n", 2, 6, "needs a standard error above 0"},
       {header + "10,x,1\n", 2, 4, "is no number"},
+      {"t_s;azimuth_deg;azimuth_se_deg\n0,1;12,5;0,1\n", 1, 1, "semicolons separate these columns"},
+      {"t_s;azimuth_deg;azimuth_se_deg\n0.1;12.5;0.1\n", 1, 1, "separate them by commas or tabs"},
+      {header + "0,1,12,5,0,1\n", 2, 1, "are there decimal commas?"},
+      {"t_s\tazimuth_deg\tazimuth_se_deg\n1\t12,5\t0,1\n", 2, 3, "write decimal points: 0.1"},
+      {"\xFF\xFEt_s\n", 1, 1, "is UTF-16"},
       {header + "10,,1\n", 2, 1, "no measured value"},
       {header, 1, 1, "no measured value"},
       {"t_s,tilt_rad,tilt_se_rad\n0,20,1\n", 2, 3, "at most 180 deg"},
@@ -458,6 +463,15 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
   EXPECT_NE(diagnostics.back().message.find("10 more errors"), std::string::npos);
 }
 
+/// As spreadsheets write it: a byte order mark, tabs, the line ends of Windows.
+TEST_F(MeasurementTest, ReadsTabsAndAByteOrderMark) {
+  const Measurement m = read("\xEF\xBB\xBFt_s\ttilt_deg\ttilt_se_deg\r\n0.5\t20.25\t0.5\r\n1\t\t\r\n");
+  EXPECT_EQ(m.rows, 2u);
+  ASSERT_EQ(m.values.size(), 1u);
+  EXPECT_EQ(m.values[0].t_s, 0.5);
+  EXPECT_NEAR(m.values[0].angle_rad, 20.25 * kDegree, 1e-15);
+}
+
 TEST_F(MeasurementTest, ReadsWhatIsThere) {
   const Measurement m = read("# by theodolite\n_note,tilt_arcsec,t_s,tilt_se_deg\nfoo,3600,1,0.5\nbar,,2,\nbaz,7200,2,0.25\n");
   EXPECT_EQ(m.rows, 3u);
@@ -471,7 +485,7 @@ TEST_F(MeasurementTest, ReadsWhatIsThere) {
 
 /// If no drift is measured, only one motion is integrated, and for a symmetric top only its axis; otherwise both are. Either
 /// way it is the motion that `run` writes: for an asymmetric body, with a platform, with dry friction, and for a body symmetric
-/// about another axis than the third.
+/// about another axis than the third, and for a top on a table.
 TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
   struct Scene {
     std::string name;
@@ -481,8 +495,9 @@ TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
                                  {"/body/inertia/principal_kg_m2", "[3e-4, 2e-4, 2e-4]"},
                                  {"/body/center_of_mass_m", "[0.01, 0, 0]"}};
   const Overrides stops = {{"/effects/coulomb_torque_N_m", "0.05"}};
-  for (const Scene& scene : {Scene{"toy-top", {}}, Scene{"asymmetric-top", {}}, Scene{"turntable", {}},
-                             Scene{"dzhanibekov", {}}, Scene{"toy-top", stops}, Scene{"north-pole", about_first}}) {
+  for (const Scene& scene :
+       {Scene{"toy-top", {}}, Scene{"asymmetric-top", {}}, Scene{"turntable", {}}, Scene{"dzhanibekov", {}},
+        Scene{"toy-top", stops}, Scene{"north-pole", about_first}, Scene{"toy-top-on-table", {}}}) {
     const auto source = shipped(scene.name);
     Overrides set = scene.set;
     set.insert(set.end(), {{"/motion/duration_s", "0.5"}, {"/motion/output_step_s", "0.1"}});

@@ -47,8 +47,8 @@ std::string estimates_text(const MeasurementReport& report, bool color) {
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const ParameterEstimate& e = report.estimates[j];
     const std::string value = with_standard_error(*e.estimate, *e.standard_error);
-    text += fmt::format("  {}  {} {}\n      {}\n", printable(e.name), strong(value, "1", color), e.unit,
-                        printable(estimate_sentence(e, report.scatters_more())));
+    text += fmt::format("  {}  {}{}{}\n      {}\n", printable(e.name), strong(value, "1", color), e.unit.empty() ? "" : " ",
+                        e.unit, printable(estimate_sentence(e, report.scatters_more())));
     for (const Prior& prior : report.priors)
       if (prior.input == e.name)
         text += fmt::format("      known beforehand as {} {}; the estimate is {:+.2f} of these errors off\n",
