@@ -38,11 +38,16 @@ add_library(earthtop-workbench
   measure/columns.cpp
   measure/document.cpp
   measure/estimated_inputs.cpp
+  measure/figure.cpp
   measure/file.cpp
+  measure/fitted_scenario.cpp
   measure/measured_motion.cpp
   measure/measurement.cpp
+  measure/priors.cpp
   measure/scaled_problem.cpp
+  measure/sentences.cpp
   measure/weighted_fit.cpp
+  measure/whitening.cpp
   report/bars.cpp
   report/contact_section.cpp
   report/content_policy.cpp

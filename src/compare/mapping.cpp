@@ -126,7 +126,7 @@ double unit_value(std::span<const Unit> units, const std::optional<std::string>&
 
 Mapping decode_mapping(const Section& root) {
   Mapping mapping;
-  mapping.format = {decode_character(root, "separator"), decode_character(root, "comment")};
+  mapping.format = {decode_character(root, "separator"), decode_character(root, "comment"), false};
   const Section time = root.section("time");
   if (root.require("time") && time.require("column")) mapping.time_column = time.word("column").value_or("");
   mapping.time_unit_s = unit_value(kTimeUnits, time.word("unit"));

@@ -30,6 +30,17 @@ std::string_view trimmed(std::string_view cell) {
   return cell;
 }
 
+/// Whether a cell is a number with a decimal comma.
+bool has_decimal_comma(std::string_view cell) {
+  std::string text(cell);
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return false;
+  text[comma] = '.';
+  return cell_number(text).is_number;
+}
+
+constexpr std::string_view kPointHint = "; write decimal points: 0.1, not 0,1";
+
 /// Parses a cell. @returns whether it is a number, a word for one (nan, inf), or empty
 bool parse(std::string_view cell, double& number, CellKind& kind) {
   number = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +63,9 @@ CsvReader::CsvReader(std::string file, CsvFormat format)
   if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
   if (!read_line(line)) refuse("is empty; a header line and rows of numbers are needed");
+  if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")) refuse("is UTF-16; save it as UTF-8");
   if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  if (format_.or_tabs && line.find('\t') != line.npos && line.find(format_.delimiter) == line.npos) format_.delimiter = '\t';
   split(line);
   for (const std::string_view cell : cells_) header_.emplace_back(cell);
   std::unordered_set<std::string_view> names;
@@ -79,7 +92,10 @@ bool CsvReader::next() {
   if (!read_line(line)) return false;
   split(line);
   if (cells_.size() != header_.size())
-    refuse(fmt::format("{} cells, where the header names {} columns", cells_.size(), header_.size()));
+    refuse(fmt::format("{} cells, where the header names {} columns{}", cells_.size(), header_.size(),
+                       format_.delimiter == ',' && cells_.size() > header_.size() && cells_.size() <= 2 * header_.size()
+                           ? "; are there decimal commas? write 0.1, not 0,1"
+                           : ""));
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const std::string_view cell = cells_[wanted_[i]];
     if (!words_[i].empty() && !cell.empty()) {
@@ -90,7 +106,8 @@ bool CsvReader::next() {
       numbers_[i] = static_cast<double>(word - words_[i].begin());
       kinds_[i] = CellKind::number;
     } else if (!parse(cell, numbers_[i], kinds_[i]))
-      refuse(fmt::format("column {}: \"{}\" is no number", header_[wanted_[i]], excerpt(cell)),
+      refuse(fmt::format("column {}: \"{}\" is no number{}", header_[wanted_[i]], excerpt(cell),
+                         has_decimal_comma(cell) ? kPointHint : ""),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
   return true;

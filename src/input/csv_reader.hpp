@@ -14,7 +14,8 @@ namespace earthtop::input {
 
 struct CsvFormat {
   char delimiter = ',';
-  char comment = '#';  ///< lines that begin with this character are skipped
+  char comment = '#';    ///< lines that begin with this character are skipped
+  bool or_tabs = false;  ///< whether tabs separate the cells of a file whose header has them and no delimiter
 };
 
 enum class CellKind : char { number, empty, not_finite };

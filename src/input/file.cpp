@@ -37,8 +37,8 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
     if (got < 0) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
     if (got == 0) return text;
     text.append(chunk, 0, static_cast<std::size_t>(got));
-    if (text.size() > kLargestText)
-      refuse_file(name, fmt::format("has more than 16 MiB, the most a {0} may have; is it a {0}?", use.noun));
+    if (text.size() > use.most_MiB << 20)
+      refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@ namespace earthtop::input {
 struct FileUse {
   std::string_view noun;           ///< e.g. "scenario file"
   bool or_standard_input = false;  ///< whether '-' may be given instead
+  std::size_t most_MiB = 16;       ///< larger ones are refused
 };
 
 /// Owns an open file and closes it on destruction; the standard streams stay open.
@@ -41,7 +43,7 @@ Descriptor open_regular_file(const std::string& path, const std::string& name, c
 std::size_t read_some(const Descriptor& file, const std::string& name, char* bytes, std::size_t size);
 
 /// Reads a whole file. @param name  name of the file in error messages
-/// @throws ScenarioError, with one diagnostic, for a missing, unreadable or oversized (over 16 MiB) file, a directory, a FIFO
+/// @throws ScenarioError, with one diagnostic, for a missing, unreadable or oversized file, a directory, a FIFO
 /// or a device; ReadError where reading fails
 std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use);
 

@@ -37,6 +37,12 @@ class HeaderReader {
   explicit HeaderReader(const std::vector<std::string>& header) : header_(header) {}
 
   MeasurementColumns read() && {
+    if (header_.size() == 1 && header_.front().find(';') != std::string::npos) {
+      columns_.errors.emplace_back(
+          "semicolons separate these columns, as spreadsheets write them where the comma is the decimal sign; separate them by "
+          "commas or tabs, and write decimal points: 0.1, not 0,1");
+      return std::move(columns_);
+    }
     refuse_unknown_columns();
     if (!columns_.errors.empty()) return std::move(columns_);  // a misspelled column is not missing as well
     if (const auto time = find("t_s"))

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/document.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "earthtop/measure/measurement.hpp"
 #include "text/json.hpp"
 #include "text/utf8.hpp"
 
@@ -19,39 +22,124 @@ Json chi_squared_json(const ChiSquared& chi_squared) {
   return {{"value", chi_squared.value},
           {"degrees_of_freedom", freedom},
           {"per_degree_of_freedom", freedom > 0 ? Json(chi_squared.value / static_cast<double>(freedom)) : Json(nullptr)},
-          {"p_value", or_nothing(chi_squared.p_value)}};
+          {"p_value", or_nothing(chi_squared.p_value)},
+          {"of_priors", chi_squared.of_priors}};
 }
 
-Json estimate_json(const ParameterEstimate& estimate) {
+Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
   return {{"name", estimate.name},
           {"unit", estimate.unit},
           {"start", estimate.start},
           {"estimate", or_nothing(estimate.estimate)},
           {"standard_error", or_nothing(estimate.standard_error)},
-          {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)}};
+          {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
+          {"sentence", estimate_sentence(estimate, by_scatter)}};
+}
+
+Json prior_json(const Prior& prior) {
+  return {{"name", prior.name},
+          {"input", prior.input},
+          {"unit", prior.unit},
+          {"mean", prior.mean},
+          {"standard_error", prior.standard_error},
+          {"pull", or_nothing(prior.pull)}};
 }
 
 Json residual_json(const MeasurementResidual& residual) {
-  return {{"t_s", residual.t_s},
-          {"quantity", std::string(residual.quantity)},
-          {"line", residual.line},
-          {"measured_rad", residual.measured_rad},
-          {"predicted_rad", residual.predicted_rad},
-          {"residual_rad", residual.residual_rad},
-          {"standard_error_rad", residual.standard_error_rad},
-          {"normalised", residual.normalised()}};
+  Json json = {{"t_s", residual.t_s},
+               {"quantity", std::string(residual.quantity)},
+               {"line", residual.line},
+               {"measured_rad", residual.measured_rad},
+               {"predicted_rad", residual.predicted_rad},
+               {"residual_rad", residual.residual_rad},
+               {"standard_error_rad", residual.standard_error_rad},
+               {"normalised", residual.normalised()}};
+  if (residual.whitened) json["whitened"] = *residual.whitened;
+  return json;
+}
+
+/// The angles of a curve's points, and their names in the document.
+struct CurveAngle {
+  const char* name;
+  double CurvePoint::*angle;
+};
+constexpr CurveAngle kCurveAngles[] = {{"azimuth_rad", &CurvePoint::azimuth_rad},
+                                       {"tilt_rad", &CurvePoint::tilt_rad},
+                                       {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
+                                       {"drift_tilt_rad", &CurvePoint::drift_tilt_rad}};
+
+Json curve_json(const std::vector<CurvePoint>& curve) {
+  if (curve.empty()) return nullptr;
+  Json json;
+  for (const CurvePoint& point : curve) json["t_s"].push_back(point.t_s);
+  for (const CurveAngle& column : kCurveAngles) {
+    const auto known = [&](const CurvePoint& point) { return std::isfinite(point.*column.angle); };
+    if (std::none_of(curve.begin(), curve.end(), known)) continue;
+    for (const CurvePoint& point : curve) json[column.name].push_back(point.*column.angle);
+  }
+  return json;
+}
+
+double number_or_nan(const Json& json) {
+  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The names of residuals' quantities last as long as the program.
+std::string_view quantity_named(const std::string& name) {
+  for (const std::string_view known : {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt"})
+    if (known == name) return known;
+  throw Json::type_error::create(302, "no measured quantity: " + name, nullptr);
 }
 
 }  // namespace
+
+MeasurementReport measurement_of(const Json& document) {
+  MeasurementReport report;
+  report.scenario_name = document.at("scenario").at("name").get<std::string>();
+  report.file = document.at("file").get<std::string>();
+  report.rows = document.at("rows").get<std::uint64_t>();
+  report.correlation_time_s = document.value("correlation_time_s", Json(0)).is_number()
+                                  ? document.value("correlation_time_s", Json(0)).get<double>()
+                                  : 0;
+  if (document.at("residuals_of") == "fitted") report.fitted.emplace();
+  for (const Json& json : document.at("residuals")) {
+    MeasurementResidual residual;
+    residual.t_s = json.at("t_s").get<double>();
+    residual.line = json.at("line").get<std::uint64_t>();
+    residual.quantity = quantity_named(json.at("quantity").get<std::string>());
+    residual.measured_rad = number_or_nan(json.at("measured_rad"));
+    residual.predicted_rad = number_or_nan(json.at("predicted_rad"));
+    residual.residual_rad = number_or_nan(json.at("residual_rad"));
+    residual.standard_error_rad = number_or_nan(json.at("standard_error_rad"));
+    if (json.contains("whitened")) residual.whitened = number_or_nan(json.at("whitened"));
+    report.residuals.push_back(residual);
+  }
+  const Json curve = document.value("curve", Json());
+  if (!curve.is_object()) return report;
+  for (const Json& t_s : curve.at("t_s")) {
+    CurvePoint point{number_or_nan(t_s), 0, 0, 0, 0};
+    for (const CurveAngle& column : kCurveAngles)
+      point.*column.angle = curve.contains(column.name) ? number_or_nan(curve.at(column.name).at(report.curve.size()))
+                                                        : std::numeric_limits<double>::quiet_NaN();
+    report.curve.push_back(point);
+  }
+  return report;
+}
+
 }  // namespace measure
 
 std::string measurement_json(const MeasurementReport& report) {
   using namespace measure;
-  Json quantities = Json::array(), estimates = Json::array(), residuals = Json::array();
+  Json quantities = Json::array(), estimates = Json::array(), residuals = Json::array(), priors = Json::array(),
+       unused_priors = Json::array();
   for (const auto& [quantity, values] : report.quantities)
     quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
-  for (const ParameterEstimate& estimate : report.estimates) estimates.push_back(estimate_json(estimate));
+  for (const ParameterEstimate& estimate : report.estimates)
+    estimates.push_back(estimate_json(estimate, report.scatters_more()));
   for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
+  for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
+  for (const UnusedPrior& prior : report.unused_priors)
+    unused_priors.push_back({{"name", prior.name}, {"reason", prior.reason}});
   const Json document = {
       {"$schema", "earthtop-measurement-1.json"},
       {"scenario", {{"name", report.scenario_name}, {"sha256", report.scenario_sha256}}},
@@ -74,9 +162,13 @@ std::string measurement_json(const MeasurementReport& report) {
         {"predictions", report.predictions}}},
       {"estimates", estimates},
       {"correlation", report.correlation},
+      {"priors", priors},
+      {"unused_priors", unused_priors},
+      {"correlation_time_s", report.correlation_time_s > 0 ? Json(report.correlation_time_s) : Json(nullptr)},
       {"largest_residual", report.largest ? residual_json(report.residuals[*report.largest]) : Json(nullptr)},
       {"residuals_of", report.fitted ? "fitted" : "as_given"},
       {"residuals", residuals},
+      {"curve", curve_json(report.curve)},
       {"notes", report.notes}};
   return json_with_escapes(written_replacing(document, 2)) + '\n';
 }

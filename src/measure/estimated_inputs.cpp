@@ -30,7 +30,7 @@ constexpr NamedInput kNamedInputs[] = {{"rotation_rate_rad_s", "/earth/rotation_
                                        {"gravity_m_s2", "/site/gravity_m_s2"},
                                        {"spin_rad_s", "/release/spin_rad_s"},
                                        {"tilt_deg", "/release/tilt_deg"}};
-constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/platform/", "/effects/"};
+constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/contact/", "/platform/", "/effects/"};
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, and JSON "
     "pointers of numbers of site, earth, body, release, platform or effects, as /release/azimuth_deg";

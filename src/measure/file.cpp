@@ -25,7 +25,7 @@ constexpr double kLargestTilt_rad = std::numbers::pi * (1 + 1e-9);  // leaves ro
 
 class MeasurementReader {
  public:
-  explicit MeasurementReader(const std::string& file) : reader_(file) {
+  explicit MeasurementReader(const std::string& file) : reader_(file, {.or_tabs = true}) {
     measurement_.file = file;
     MeasurementColumns columns = measurement_columns(reader_.header());
     for (std::string& error : columns.errors) refuse_at(1, std::move(error));

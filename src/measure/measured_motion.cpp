@@ -14,8 +14,6 @@
 namespace earthtop::measure {
 namespace {
 
-constexpr double kWholeTurn = 2 * std::numbers::pi;
-
 double horizontal_part(const Vec3<double>& n_L) { return real::hypot(n_L[0], n_L[1]); }
 double tilt_of(const Vec3<double>& n_L) { return real::atan2(horizontal_part(n_L), n_L[2]); }
 double azimuth_of(const Vec3<double>& n_L) {
@@ -106,6 +104,16 @@ std::vector<double> measured_times(const Measurement& measurement) {
   return times;
 }
 
+std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<CurvePoint> points;
+  points.reserve(motion.axes.size());
+  for (const PredictedAxis& axis : motion.axes)
+    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L), drift ? axis.drift_azimuth_rad.value_or(kNone) : kNone,
+                      drift ? axis.drift_tilt_rad : kNone});
+  return points;
+}
+
 bool has_drifts(const Measurement& measurement) {
   return std::any_of(measurement.values.begin(), measurement.values.end(), [](const MeasuredValue& value) {
     return value.quantity == MeasuredQuantity::drift_azimuth || value.quantity == MeasuredQuantity::drift_tilt;
@@ -123,10 +131,10 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   const IntegrationOptions& options = scene.choice().options;
   PredictedMotion predicted;
   predicted.axes.reserve(times_s.size());
-  // A motion that dry friction brings to rest is held at rest where drifts are computed; and a driven symmetric top has its
-  // equations without the spin there.
+  // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top has its
+  // equations without the spin there, and a top on a table has all of its equations there.
   const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced;
-  if (drift || is_driven_top || scene.scenario().effects.applied.coulomb_N_m != 0) {
+  if (drift || is_driven_top || scene.scenario().contact || scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {

@@ -2,6 +2,7 @@
 /// The motion that a scenario predicts at measured times, and the residuals of a measurement against it.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "earthtop/watch.hpp"
 
 namespace earthtop::measure {
+
+inline constexpr double kWholeTurn = 2 * std::numbers::pi;  // rad
 
 /// The measured times (s), each once, ascending; the first is that of the release, 0.
 std::vector<double> measured_times(const Measurement& measurement);
@@ -33,6 +36,9 @@ struct PredictedMotion {
 /// @param watch  may end the work early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
 PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
+
+/// The angles of a motion for a picture. @param drift  whether it was computed with drifts
+std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift);
 
 bool has_drifts(const Measurement& measurement);
 

@@ -11,11 +11,14 @@
 #include <map>
 #include <numbers>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "error/gsl_errors.hpp"
 #include "measure/estimated_inputs.hpp"
 #include "measure/measured_motion.hpp"
+#include "measure/priors.hpp"
 #include "measure/weighted_fit.hpp"
+#include "measure/whitening.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -23,14 +26,31 @@ namespace {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, std::size_t fitted) {
+ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, const std::vector<Prior>& priors,
+                          std::size_t fitted) {
   const ReturnedGslErrors returned;
   ChiSquared chi_squared;
-  for (const MeasurementResidual& residual : residuals) chi_squared.value += residual.normalised() * residual.normalised();
-  chi_squared.degrees_of_freedom = static_cast<std::int64_t>(residuals.size()) - static_cast<std::int64_t>(fitted);
+  for (const MeasurementResidual& residual : residuals) chi_squared.value += residual.independent() * residual.independent();
+  for (const Prior& prior : priors) chi_squared.of_priors += *prior.pull * *prior.pull;
+  chi_squared.value += chi_squared.of_priors;
+  chi_squared.degrees_of_freedom =
+      static_cast<std::int64_t>(residuals.size() + priors.size()) - static_cast<std::int64_t>(fitted);
   if (chi_squared.degrees_of_freedom > 0)
     chi_squared.p_value = gsl_cdf_chisq_Q(chi_squared.value, static_cast<double>(chi_squared.degrees_of_freedom));
   return chi_squared;
+}
+
+/// Whitens the residuals of a whole measurement.
+void whiten(std::vector<MeasurementResidual>& residuals, const Whitening& whitening) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(residuals.size()));
+  for (std::size_t i = 0; i < residuals.size(); ++i) values[static_cast<Eigen::Index>(i)] = residuals[i].normalised();
+  whitening.whiten(values);
+  for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i].whitened = values[static_cast<Eigen::Index>(i)];
+}
+
+/// The correlation of the errors as it is stated.
+Whitening whitening_of(const MeasurementReport& report) {
+  return report.correlation_time_s > 0 ? Whitening(report.residuals, report.correlation_time_s, report.file) : Whitening();
 }
 
 /// Adds overrides that extend the scenario to the last measured time, if that is later than its end. The data that the scenario
@@ -62,15 +82,19 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
 /// some iterations.
 double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
 
-void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs,
+void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
                    const Watch& watch) {
   const std::vector<double> times = measured_times(measurement);
   const bool drift = has_drifts(measurement);
-  if (report.residuals.size() < inputs.list().size())
-    throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones", inputs.list().size(),
-                                                  report.residuals.size()));
+  if (report.residuals.size() + priors.used.size() < inputs.list().size())
+    throw ScenarioError(
+        "--estimate",
+        fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(), report.residuals.size(),
+                    priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
   std::vector<MeasurementResidual> latest;
   FitProblem problem;
+  problem.whitening = whitening_of(report);
+  problem.priors = std::move(priors.of_fit);
   for (const EstimatedInput& input : inputs.list()) {
     problem.start.push_back(input.start);
     problem.scales.push_back(input.scale);
@@ -115,7 +139,13 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   std::vector<double> residuals;
   if (!problem.residuals_at(fit.parameters, residuals)) throw std::logic_error("a fit without a prediction");
   report.residuals = std::move(latest);
-  report.fitted = chi_squared_of(report.residuals, inputs.list().size());
+  if (report.correlation_time_s > 0) whiten(report.residuals, problem.whitening);
+  for (std::size_t k = 0; k < priors.used.size(); ++k) {
+    Prior& prior = priors.used[k];
+    prior.pull = (fit.parameters[problem.priors[k].parameter] - prior.mean) / prior.standard_error;
+  }
+  report.priors = std::move(priors.used);
+  report.fitted = chi_squared_of(report.residuals, report.priors, inputs.list().size());
   fill_estimates(report, fit);
 }
 
@@ -129,15 +159,69 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
   if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
   if ((verdict.verdict != Verdict::unstable && verdict.verdict != Verdict::chaotic) || !verdict.from_s) return;
   for (const MeasuredValue& value : measurement.values)
-    if (value.t_s >= *verdict.from_s) {
-      const std::string message = fmt::format(
-          "from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave later rows out",
-          *verdict.from_s, to_string(verdict.verdict), verdict.reason);
+    if (!verdict.trusts(value.t_s)) {
+      const std::string message =
+          fmt::format("from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave {} out",
+                      *verdict.from_s, to_string(verdict.verdict), verdict.reason,
+                      verdict.until_s ? fmt::format("the rows up to {:.6g} s", *verdict.until_s) : "later rows");
       throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement.file);
     }
 }
 
+/// The motion that the report's residuals are taken against, at evenly spaced times. Empty where it cannot be computed there.
+std::vector<CurvePoint> curve_of(const MeasurementReport& report, const Scene& given, const EstimatedInputs& inputs,
+                                 const Measurement& measurement, std::size_t points, const Watch& watch) {
+  std::vector<double> values;
+  if (report.fitted)
+    for (const ParameterEstimate& estimate : report.estimates) values.push_back(*estimate.estimate);
+  const std::optional<Scene> fitted = report.fitted ? inputs.scene(values) : std::nullopt;
+  const double end_s = measurement.values.back().t_s;
+  std::vector<double> times;
+  if (end_s > 0)
+    for (std::size_t k = 0; k + 1 < points; ++k)
+      times.push_back(end_s * (static_cast<double>(k) / static_cast<double>(points - 1)));
+  times.push_back(end_s);
+  return angles_of(predict(fitted ? *fitted : given, times, has_drifts(measurement), watch), has_drifts(measurement));
+}
+
+/// The median time between successive values of a series (s).
+double usual_step_s(const std::vector<const MeasurementResidual*>& series) {
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < series.size(); ++k) steps.push_back(series[k]->t_s - series[k - 1]->t_s);
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return steps[steps.size() / 2];
+}
+
+/// Says which quantities have residuals of the stated size that are like their neighbours: their errors are not independent.
+void note_correlated_errors(MeasurementReport& report) {
+  constexpr std::size_t kFewest = 20;
+  constexpr double kSignificant = 4;  // standard errors of the correlation
+  const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
+  const double scatter = last.value / std::max(1.0, static_cast<double>(last.degrees_of_freedom));
+  if (report.correlation_time_s > 0 || !(scatter > 0.3 && scatter < 3)) return;
+  std::map<std::string_view, std::vector<const MeasurementResidual*>> series;
+  for (const MeasurementResidual& residual : report.residuals) series[residual.quantity].push_back(&residual);
+  for (const auto& [quantity, list] : series) {
+    const auto n = static_cast<double>(list.size());
+    if (list.size() < kFewest) continue;
+    double mean = 0, squares = 0, products = 0;
+    for (const MeasurementResidual* residual : list) mean += residual->normalised() / n;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const double here = list[k]->normalised() - mean;
+      squares += here * here;
+      if (k > 0) products += here * (list[k - 1]->normalised() - mean);
+    }
+    const double correlation = products / squares, step_s = usual_step_s(list);
+    if (!(correlation > kSignificant / std::sqrt(n)) || !(correlation < 1) || !(step_s > 0)) continue;
+    report.notes.push_back(fmt::format(
+        "neighbouring residuals of {} are alike (correlation {:.2f}): if their errors last, as for some {:.1g} s, the "
+        "standard errors of estimates are too small; state it by --correlation-time",
+        quantity, correlation, -step_s / real::log(correlation)));
+  }
+}
+
 void add_notes(MeasurementReport& report) {
+  note_correlated_errors(report);
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
   if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
     report.notes.emplace_back("the scatter is smaller than the standard errors say: are they too large, or the rows averages?");
@@ -172,20 +256,27 @@ bool MeasurementReport::agrees() const {
 
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
-                                           const Measurement& measurement, const std::vector<std::string>& estimates,
+                                           const Measurement& measurement, const MeasurementOptions& options,
                                            const Watch& watch) {
   using namespace measure;
+  const std::vector<std::string>& estimates = options.estimates;
   if (measurement.values.empty()) throw ScenarioError("", "no measured value");
+  if (!(options.correlation_time_s >= 0) || !std::isfinite(options.correlation_time_s))
+    throw ScenarioError("--correlation-time", "must be a time above 0 (s)");
+  if (options.priors && estimates.empty())
+    throw ScenarioError("--priors", "is about numbers that are estimated; name them with --estimate");
   const Scene given = parse_scene(source, overrides);
   if (given.scenario().effects.automatic)
     throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
-  if (given.scenario().contact)
-    throw ScenarioError("/contact", "a measurement is held against the motion of a top on a fixed pivot only");
   const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
   const Scene scene = parse_scene(source, longer);
   const EstimatedInputs inputs(source, longer, scene, estimates);
+  FoundPriors priors;
+  if (options.priors) priors = find_priors(scene, inputs.list());
 
   MeasurementReport report;
+  report.correlation_time_s = options.correlation_time_s;
+  report.unused_priors = std::move(priors.unused);
   report.scenario_name = given.scenario().name;
   report.scenario_sha256 = given.sha256();
   report.file = measurement.file;
@@ -197,18 +288,20 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   // The work of a verdict in units of a prediction's: two integrations, and the growth of disturbances.
   constexpr double kVerdict = 6;
   const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
-  Parts parts(watch, 1 + kVerdict + of_fit);
+  const double of_curve = options.curve_points > 0 ? 1 : 0;
+  Parts parts(watch, 1 + kVerdict + of_fit + of_curve);
   const PredictedMotion motion =
       predict(scene, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
   report.predictions = 1;
   report.status = motion.status;
   report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
   report.residuals = residuals_of(measurement, motion);
-  report.as_given = chi_squared_of(report.residuals, 0);
+  if (report.correlation_time_s > 0) whiten(report.residuals, whitening_of(report));
+  report.as_given = chi_squared_of(report.residuals, {}, 0);
   if (report.status == RunStatus::completed) require_reliable(report, measurement, scene, parts.next(kVerdict, "verdict"));
   if (!estimates.empty()) {
     if (report.status == RunStatus::completed) {
-      fit_estimates(report, measurement, inputs, parts.next(of_fit, "fit"));
+      fit_estimates(report, measurement, inputs, std::move(priors), parts.next(of_fit, "fit"));
     } else {
       report.fit = report.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
       report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(report.status));
@@ -219,6 +312,8 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
         std::abs(report.residuals[i].normalised()) > std::abs(report.residuals[*report.largest].normalised()))
       report.largest = i;
   add_notes(report);
+  if (options.curve_points > 0 && report.status == RunStatus::completed && report.fit != FitOutcome::interrupted)
+    report.curve = curve_of(report, scene, inputs, measurement, options.curve_points, parts.next(of_curve, "curve"));
   return report;
 }
 

@@ -21,7 +21,8 @@ std::vector<double> ScaledProblem::unscaled(const std::vector<double>& u) const 
   return x;
 }
 
-bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
+/// Computes the data's residuals in their standard errors, not whitened.
+bool ScaledProblem::predict(const std::vector<double>& u, Eigen::VectorXd& f) {
   if (problem_.stopped()) throw Stopped();
   const bool predicted = problem_.residuals_at(unscaled(u), residuals_);
   if (problem_.stopped()) throw Stopped();  // a prediction that was cut short does not count as a missing one
@@ -32,18 +33,31 @@ bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
   return f.allFinite();
 }
 
-/// Takes differences to both sides or, where a range ends or a motion cannot be computed, to one side.
+bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
+  Eigen::VectorXd data;
+  if (!predict(u, data)) return false;
+  problem_.whitening.whiten(data);
+  f.resize(static_cast<Eigen::Index>(residuals()));
+  f.head(data.size()) = data;
+  for (std::size_t k = 0; k < problem_.priors.size(); ++k) {
+    const auto& [parameter, standard_error] = problem_.priors[k];
+    f[data.size() + static_cast<Eigen::Index>(k)] = (1 - u[parameter]) * problem_.scales[parameter] / standard_error;
+  }
+  return f.allFinite();
+}
+
+/// Differentiates the data's residuals, not whitened. Takes differences to both sides or, where a range ends or a motion cannot be computed, to one side.
 bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative) {
   Eigen::VectorXd high, low;
   std::vector<double> above = u, below = u;
   above[parameter] += steps_[parameter];
   below[parameter] -= steps_[parameter];
-  const bool has_high = evaluate(above, high), has_low = evaluate(below, low);
+  const bool has_high = predict(above, high), has_low = predict(below, low);
   if (!has_high && !has_low) return false;
   if (!has_high) above = u;
   if (!has_low) below = u;
-  if (!has_high && !evaluate(u, high)) return false;
-  if (!has_low && !evaluate(u, low)) return false;
+  if (!has_high && !predict(u, high)) return false;
+  if (!has_low && !predict(u, low)) return false;
   derivative = high - low;
   for (Eigen::Index i = 0; i < derivative.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -59,7 +73,13 @@ bool ScaledProblem::jacobian(const std::vector<double>& u, Eigen::MatrixXd& J) {
   Eigen::VectorXd column;
   for (std::size_t j = 0; j < parameters(); ++j) {
     if (!differentiate(u, j, column)) return false;
-    J.col(static_cast<Eigen::Index>(j)) = column;
+    problem_.whitening.whiten_derivative(column);
+    J.col(static_cast<Eigen::Index>(j)).head(column.size()) = column;
+    for (std::size_t k = 0; k < problem_.priors.size(); ++k) {
+      const auto& [parameter, standard_error] = problem_.priors[k];
+      J(column.size() + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) =
+          parameter == j ? -problem_.scales[j] / standard_error : 0;
+    }
   }
   return true;
 }

@@ -9,7 +9,8 @@
 
 namespace earthtop::measure {
 
-/// The problem in parameters divided by their scales, 1 at the start, and residuals divided by their standard errors.
+/// The problem in parameters divided by their scales, 1 at the start, and residuals divided by their standard errors and
+/// whitened. Those of the priors follow those of the data.
 class ScaledProblem {
  public:
   struct Stopped {};  ///< thrown if the work was asked to stop
@@ -17,7 +18,7 @@ class ScaledProblem {
   explicit ScaledProblem(const FitProblem& problem);
 
   std::size_t parameters() const { return problem_.start.size(); }
-  std::size_t residuals() const { return problem_.standard_error.size(); }
+  std::size_t residuals() const { return problem_.standard_error.size() + problem_.priors.size(); }
   std::vector<double> unscaled(const std::vector<double>& u) const;
 
   /// Computes the scaled residuals f at the scaled parameters u. @returns whether there is a prediction
@@ -30,6 +31,7 @@ class ScaledProblem {
   StepFound find_step(const std::vector<double>& u, std::size_t parameter);
 
  private:
+  bool predict(const std::vector<double>& u, Eigen::VectorXd& f);
   bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative);
   double largest_change_rad(const Eigen::VectorXd& derivative, double step) const;
 

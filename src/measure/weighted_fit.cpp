@@ -158,7 +158,9 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   std::vector<double> u(p, 1);
   for (std::size_t j = 0; j < p; ++j) {
     const auto found = problem.find_step(u, j);
-    if (found == ScaledProblem::StepFound::no_influence) fit.undetermined.push_back(j);
+    const bool has_prior =
+        std::any_of(given.priors.begin(), given.priors.end(), [&](const FitPrior& prior) { return prior.parameter == j; });
+    if (found == ScaledProblem::StepFound::no_influence && !has_prior) fit.undetermined.push_back(j);
     if (found == ScaledProblem::StepFound::no_prediction) {
       fit.outcome = FitOutcome::prediction_failed;
       fit.reason = "beside the start there is no prediction";

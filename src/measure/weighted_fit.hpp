@@ -8,8 +8,15 @@
 #include <vector>
 
 #include "earthtop/measure/measurement.hpp"
+#include "measure/whitening.hpp"
 
 namespace earthtop::measure {
+
+/// What is known of a parameter beforehand: that it is its start, with a standard error.
+struct FitPrior {
+  std::size_t parameter = 0;
+  double standard_error = 0;  ///< above 0, in the parameter's unit
+};
 
 /// A problem of weighted least squares. A residual is a measured angle less the predicted one (rad).
 struct FitProblem {
@@ -17,6 +24,8 @@ struct FitProblem {
   std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change
   std::vector<double> standard_error;  ///< for each residual (rad)
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
+  Whitening whitening;                 ///< of the residuals divided by their standard errors
+  std::vector<FitPrior> priors;        ///< each is a datum beside the residuals
   /// Computes the residuals. @returns whether there is a prediction for these parameters; if not, `residuals` has no meaning
   std::function<bool(const std::vector<double>& parameters, std::vector<double>& residuals)> residuals_at;
   std::function<bool()> stopped;

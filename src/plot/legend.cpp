@@ -23,9 +23,14 @@ void draw_legend_entry(std::string& out, const Line& line, double left, double b
   if (line.style == LineStyle::filled)
     fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", left, baseline - 4,
                    hex(line.color));
+  if (line.style == LineStyle::bars)
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}v-10h14v10z\" fill=\"{}\" fill-opacity=\"0.3\" stroke=\"{}\"/>\n",
+                   left + 4, baseline, hex(line.color), hex(line.color));
+  if (!line.error.empty()) draw_error_bar(out, line, left + 11, baseline + 1, baseline - 9);
   const double width = line.style == LineStyle::broad ? stroke_width(line.style) : 2;
-  fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
-                 hex(line.color), width, stroke_kind(line.style));
+  if (line.style != LineStyle::points && line.style != LineStyle::bars)
+    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
+                   hex(line.color), width, stroke_kind(line.style));
   draw_marker(out, line, left + 11, baseline - 4);
   draw_text(out, left + 30, baseline, "start", "", line.label);
 }

@@ -148,7 +148,41 @@ void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) 
                  path, color, stroke_width(line.style), stroke_kind(line.style));
 }
 
+/// Half the width of a line's bars in units of x: half the smallest distance of two of its points.
+double half_bar(const Line& line) {
+  double width = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.x.size(); ++i) width = std::min(width, std::abs(line.x[i] - line.x[i - 1]));
+  return std::isfinite(width) ? width / 2 : 0.5;
+}
+
+void draw_bars(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
+  const double half = half_bar(line), floor = y.scale == AxisScale::linear ? y(0) : y.from;
+  for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
+    if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale))
+      fmt::format_to(Out(out),
+                     "<path d=\"M{:.2f} {:.2f}V{:.2f}H{:.2f}V{:.2f}z\" fill=\"{}\" fill-opacity=\"0.3\" stroke=\"{}\"/>\n",
+                     x(line.x[i] - half), floor, y(line.y[i]), x(line.x[i] + half), floor, hex(line.color), hex(line.color));
+}
+
+/// The half length of a point's error bar; 0 where it has none.
+double error_of(const Line& line, std::size_t point) {
+  const double error = point < line.error.size() ? line.error[point] : 0;
+  return std::isfinite(error) && error > 0 ? error : 0;
+}
+
+/// The markers of a line's points, on top of their error bars.
+void draw_points(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
+  for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
+    if (!drawable(line.x[i], x.scale) || !drawable(line.y[i], y.scale)) continue;
+    const double error = error_of(line, i), low = line.y[i] - error;
+    if (error > 0) draw_error_bar(out, line, x(line.x[i]), drawable(low, y.scale) ? y(low) : y.from, y(line.y[i] + error));
+    draw_marker(out, line, x(line.x[i]), y(line.y[i]));
+  }
+}
+
 void draw_line(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
+  if (line.style == LineStyle::points) return draw_points(out, line, x, y);
+  if (line.style == LineStyle::bars) return draw_bars(out, line, x, y);
   Piece piece;
   const std::size_t count = std::min(line.x.size(), line.y.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -160,16 +194,23 @@ void draw_line(std::string& out, const Line& line, const Mapping& x, const Mappi
     }
   }
   draw_piece(out, piece, line, y.from);
-  if (line.marker == Marker::none) return;
-  for (std::size_t i = 0; i < count; ++i)
-    if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) draw_marker(out, line, x(line.x[i]), y(line.y[i]));
+  if (line.marker != Marker::none || !line.error.empty()) draw_points(out, line, x, y);
+}
+
+/// The values of y that a line needs room for.
+void include_y(Range& range, const Line& line, AxisScale x_scale, AxisScale y_scale) {
+  for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
+    if (!drawable(line.x[i], x_scale) || !drawable(line.y[i], y_scale)) continue;
+    range.include(line.y[i]);
+    for (const double end : {line.y[i] - error_of(line, i), line.y[i] + error_of(line, i)})
+      if (drawable(end, y_scale)) range.include(end);
+  }
+  if (line.style == LineStyle::bars && y_scale == AxisScale::linear) range.include(0);
 }
 
 void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, const std::string& id) {
   Range range;
-  for (const Line& line : panel.lines)
-    for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
-      if (drawable(line.x[i], x_axis.scale) && drawable(line.y[i], panel.y.scale)) range.include(line.y[i]);
+  for (const Line& line : panel.lines) include_y(range, line, x_axis.scale, panel.y.scale);
   const double floor = top + panel.height;
   const Mapping y = map_axis(range, panel.y.scale, false, 6, floor, top);
 
@@ -197,8 +238,11 @@ Mapping map_x(const Figure& figure) {
   Range range;
   for (const Panel& panel : figure.panels)
     for (const Line& line : panel.lines)
-      for (const double value : line.x)
-        if (drawable(value, figure.x.scale)) range.include(value);
+      for (const double value : line.x) {
+        const double half = line.style == LineStyle::bars ? half_bar(line) : 0;
+        for (const double end : {value - half, value + half})
+          if (drawable(end, figure.x.scale)) range.include(end);
+      }
   return map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
 }
 

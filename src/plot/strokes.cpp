@@ -32,6 +32,8 @@ double stroke_width(LineStyle style) {
     case LineStyle::dashed: break;
     case LineStyle::filled:
     case LineStyle::thin:
+    case LineStyle::points:
+    case LineStyle::bars:
     case LineStyle::dotted: return 1.2;
     case LineStyle::broad: return 7;
   }
@@ -49,6 +51,12 @@ void draw_marker(std::string& out, const Line& line, double x, double y) {
     case Marker::triangle: return path("m0-3.9l3.7 6.4h-7.4");
     case Marker::diamond: return path("m0-4l4 4l-4 4l-4-4");
   }
+}
+
+void draw_error_bar(std::string& out, const Line& line, double x, double y_low, double y_high) {
+  constexpr double kCap = 2.5;  // half the width of the ends (px)
+  fmt::format_to(Out(out), "<path d=\"M{0:.2f} {2:.2f}V{3:.2f}M{1:.2f} {2:.2f}h{4}M{1:.2f} {3:.2f}h{4}\" stroke=\"{5}\"/>\n", x,
+                 x - kCap, y_low, y_high, 2 * kCap, hex(line.color));
 }
 
 void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text) {

@@ -24,6 +24,7 @@ const char* stroke_kind(LineStyle style);
 double stroke_width(LineStyle style);
 
 void draw_marker(std::string& out, const Line& line, double x, double y);
+void draw_error_bar(std::string& out, const Line& line, double x, double y_low, double y_high);
 void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text);
 void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2);
 

@@ -163,9 +163,9 @@ void Page::section(std::string_view id, std::string_view title, std::string html
                   id, escaped(title), html);
 }
 
-std::string Page::chart(const std::string& name, Figure figure, std::string_view caption) {
+std::string Page::chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at) {
   figure.id = name;
-  const std::vector<double> x = all_x(figure);
+  const std::vector<double> x = at.empty() ? all_x(figure) : std::move(at);
   const std::vector<Series> list = series_of(figure, x);
   data_["charts"][name] = chart_json(figure, x, list);
   const std::string picture = svg(figure);

@@ -37,7 +37,8 @@ class Page {
   void verdict(std::string_view word, std::string html);
   void section(std::string_view id, std::string_view title, std::string html);
   /// A figure with its data as a table, and the same data for the crosshair. The picture is also kept for `--svg`.
-  std::string chart(const std::string& name, Figure figure, std::string_view caption);
+  /// @param at  the values of x that table and crosshair have, ascending; empty: all of the figure's
+  std::string chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at = {});
   /// A picture that is not a plot, with its own table.
   std::string picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table);
   /// A text with a button to copy it.

@@ -4,13 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
+#include "measure/document.hpp"
 #include "report/pages.hpp"
 #include "results/time_unit.hpp"
 
 namespace earthtop::report {
 namespace {
+
+std::string words_of(const Json& json, const char* key) {
+  const Json value = json.value(key, Json());
+  return value.is_string() ? value.get<std::string>() : "";
+}
+
+std::string number_or_nothing(const Json& value, const std::string& unit, int digits) {
+  return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
+}
 
 std::string chi_squared_html(const Json& chi_squared) {
   if (!chi_squared.is_object()) return "";
@@ -21,8 +31,23 @@ std::string chi_squared_html(const Json& chi_squared) {
   return html;
 }
 
-std::string number_or_nothing(const Json& value, const std::string& unit, int digits) {
-  return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
+/// What the data say, one sentence an estimate; empty without a fit.
+std::vector<std::string> sentences(const Json& document) {
+  std::vector<std::string> list;
+  for (const Json& estimate : document.at("estimates"))
+    if (const std::string sentence = words_of(estimate, "sentence"); !sentence.empty()) list.push_back(escaped(sentence));
+  return list;
+}
+
+std::string list_html(const std::vector<std::string>& items) {
+  std::string html;
+  for (const std::string& item : items) html += "<li>" + item + "</li>\n";
+  return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
+}
+
+/// A table that scrolls by itself where the page is narrow.
+std::string wide_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+  return "<div class=\"scroll\" tabindex=\"0\">" + table_html(header, rows) + "</div>\n";
 }
 
 std::string estimates_html(const Json& document) {
@@ -34,45 +59,45 @@ std::string estimates_html(const Json& document) {
                     number_or_nothing(estimate.at("standard_error_scaled"), unit, 2),
                     number_or_nothing(estimate.at("start"), unit, 9)});
   }
-  return table_html({"input", "estimate", "standard error", "the same by the scatter, where larger", "the scenario's"}, rows);
+  return wide_table({"input", "estimate", "standard error", "the same by the scatter, where larger", "the scenario's"}, rows);
 }
 
-/// The residuals of each quantity over time, in standard errors.
-Figure residuals_figure(const Json& document) {
-  std::map<std::string, Line> lines;
-  double end_s = 0;
-  for (const Json& residual : document.at("residuals")) end_s = std::max(end_s, residual.at("t_s").get<double>());
-  const TimeUnit unit = time_unit(end_s);
-  constexpr LineColor kColors[] = {LineColor::blue, LineColor::vermillion, LineColor::green, LineColor::purple};
-  constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
-  for (const Json& residual : document.at("residuals")) {
-    const std::size_t count = lines.size() % std::size(kColors);
-    const std::string quantity = residual.at("quantity").get<std::string>();
-    Line& line =
-        lines.try_emplace(quantity, Line{quantity, {}, {}, kColors[count], LineStyle::thin, kMarkers[count]}).first->second;
-    const Json& normalised = residual.at("normalised");
-    line.x.push_back(residual.at("t_s").get<double>() * unit.per_s);
-    line.y.push_back(normalised.is_number() ? normalised.get<double>() : NAN);
+/// The correlation matrix of the estimates; empty for fewer than two.
+std::string correlation_html(const Json& document) {
+  const Json& correlation = document.at("correlation");
+  if (correlation.size() < 2) return "";
+  std::vector<std::string> header = {""};
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t j = 0; j < correlation.size(); ++j) {
+    const std::string name = document.at("estimates").at(j).at("name").get<std::string>();
+    header.push_back(name);
+    std::vector<std::string> row = {"<strong>" + escaped(name) + "</strong>"};
+    for (const Json& value : correlation.at(j)) row.push_back(number_or_nothing(value, "", 3));
+    rows.push_back(std::move(row));
   }
-  Figure figure{"Residuals", "Measured less predicted, in standard errors", {"Time", unit.name}, {}};
-  Panel panel{{"Residual", "standard errors"}, {}, 260};
-  for (auto& [quantity, line] : lines) panel.lines.push_back(std::move(line));
-  figure.panels.push_back(std::move(panel));
-  return figure;
+  return "<h3>Correlation of the estimates' errors</h3>\n" + wide_table(header, rows);
 }
 
-}  // namespace
+std::string priors_html(const Json& document) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& prior : document.value("priors", Json::array())) {
+    const std::string unit = words_of(prior, "unit");
+    rows.push_back({escaped(words_of(prior, "input")), number_or_nothing(prior.at("mean"), unit, 9),
+                    number_or_nothing(prior.at("standard_error"), unit, 3), number_or_nothing(prior.at("pull"), "", 3)});
+  }
+  std::vector<std::string> unused;
+  for (const Json& prior : document.value("unused_priors", Json::array()))
+    unused.push_back(escaped(words_of(prior, "name") + " did not enter: " + words_of(prior, "reason")));
+  if (rows.empty() && unused.empty()) return "";
+  return "<h3>Known beforehand</h3>\n" +
+         (rows.empty()
+              ? ""
+              : wide_table({"input", "known as", "standard error", "the estimate lies off by, in these errors"}, rows)) +
+         list_html(unused);
+}
 
-Report measurement_page(const Json& document) {
-  const bool agrees = document.at("agrees").get<bool>();
-  const Json& fit = document.at("fit");
-  const std::string scenario = document.at("scenario").at("name").get<std::string>();
-  Page page("measurement", "Measurement of " + scenario);
-  page.headline(fmt::format("{} rows of {} against the scenario {}: they <strong>{}</strong>.",
-                            document.at("rows").get<std::uint64_t>(), escaped(document.at("file").get<std::string>()),
-                            escaped(scenario), agrees ? "agree" : "do not agree"));
-  page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
-  const Json& prediction = document.at("prediction");
+std::string agreement_html(const Json& document) {
+  const Json &prediction = document.at("prediction"), &fit = document.at("fit");
   Facts facts = {{"prediction", fmt::format("{}, to {}", escaped(prediction.at("status").get<std::string>()),
                                             number_or_nothing(prediction.at("reached_s"), "s", 6))},
                  {"chi-squared as given", chi_squared_html(document.at("chi_squared").at("as_given"))}};
@@ -82,14 +107,58 @@ Report measurement_page(const Json& document) {
   }
   if (const std::string fitted = chi_squared_html(document.at("chi_squared").at("fitted")); !fitted.empty())
     facts.emplace_back("chi-squared after the fit", fitted);
-  std::string notes;
-  for (const Json& note : document.at("notes")) notes += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
-  page.section("agreement", "Agreement", facts_html(facts) + (notes.empty() ? "" : "<ul>" + notes + "</ul>\n"));
-  if (!document.at("estimates").empty()) page.section("estimates", "Estimates", estimates_html(document));
-  if (!document.at("residuals").empty())
-    page.section(
-        "residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
-        page.chart("residuals", residuals_figure(document), "Measured less predicted, in standard errors of each value."));
+  if (const Json time = document.value("correlation_time_s", Json()); time.is_number())
+    facts.emplace_back(
+        "errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared is of what is new in each");
+  std::vector<std::string> notes;
+  for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
+  return facts_html(facts) + list_html(notes) +
+         "<p>The chance is that of a chi-squared as large or larger, if the scenario and the stated standard errors are "
+         "right.</p>\n";
+}
+
+/// The times of a figure's measured values, in its unit.
+std::vector<double> measured_times(const Figure& figure) {
+  std::set<double> times;
+  for (const Panel& panel : figure.panels)
+    for (const Line& line : panel.lines)
+      if (line.style == LineStyle::points) times.insert(line.x.begin(), line.x.end());
+  return {times.begin(), times.end()};
+}
+
+}  // namespace
+
+Report measurement_page(const Json& document) {
+  const bool agrees = document.at("agrees").get<bool>();
+  const std::string scenario = document.at("scenario").at("name").get<std::string>();
+  Page page("measurement", "Measurement of " + scenario);
+  const std::vector<std::string> told = sentences(document);
+  page.headline(fmt::format("{} rows of {} against the scenario {}: they <strong>{}</strong>.",
+                            document.at("rows").get<std::uint64_t>(), escaped(document.at("file").get<std::string>()),
+                            escaped(scenario), agrees ? "agree" : "do not agree"));
+  page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
+  if (!document.at("estimates").empty())
+    page.section("estimates", "Estimates",
+                 list_html(told) + estimates_html(document) + correlation_html(document) + priors_html(document));
+  page.section("agreement", "Agreement", agreement_html(document));
+  const MeasurementReport report = measure::measurement_of(document);
+  if (report.residuals.empty()) return page.finish();
+  Figure over_time = measurement_figure(report);
+  std::vector<double> times = measured_times(over_time);
+  page.section(
+      "data", "Data and model",
+      page.chart("data", std::move(over_time),
+                 "Measured values, the model, and measured less model in standard errors. Azimuths are counted on over "
+                 "whole turns where the model's are near enough to each other.",
+                 std::move(times)));
+  page.section(
+      "residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
+      page.chart("residuals", residuals_histogram(report),
+                 report.correlation_time_s > 0
+                     ? "What is new in each residual beside those before it, and the numbers that normal errors of the "
+                       "stated size and correlation would give."
+                     : "Residuals in standard errors, and the numbers that normal, independent errors of the stated size "
+                       "would give."));
   return page.finish();
 }
 

@@ -3,17 +3,40 @@
 
 #include <fmt/core.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "compare/comparand.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/file.hpp"
 #include "report/pages.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace report {
 namespace {
 
+constexpr std::size_t kMostDocument_MiB = 256;  // a measurement of 200,000 axes makes 150 MiB
+constexpr const char* kStandardInput = "-";
+
+/// Whether a file, or standard input, holds a document and not a store: its name, or its first character, tells.
+bool is_document(const std::filesystem::path& what) {
+  std::error_code error;
+  if (what == kStandardInput || what.extension() == ".json") return !std::filesystem::is_directory(what, error);
+  if (!std::filesystem::is_regular_file(what, error)) return false;
+  char first = 0;
+  return std::ifstream(what) >> first && first == '{';
+}
+
 Report document_page(const std::filesystem::path& file) {
-  const Json document = compare::read_json_file(file, "document");
+  const input::FileUse use{"document", false, kMostDocument_MiB};
+  const std::string text =
+      file == kStandardInput ? input::read_standard_input(use) : input::read_regular_file(file.string(), file.string(), use);
+  if (text.empty()) compare::refuse_path(file, "is empty");
+  const Json document = json_or_discarded(text);
+  if (document.is_discarded() || !document.is_object())
+    compare::refuse_path(file, "is no JSON object, as a document is: truncated or changed; write it anew");
   const Json schema = document.value("$schema", Json());
   if (schema == "earthtop-comparison-1.json") return comparison_page(document);
   if (schema == "earthtop-measurement-1.json") return measurement_page(document);
@@ -28,7 +51,7 @@ Report document_page(const std::filesystem::path& file) {
 Report make_report(const std::filesystem::path& what) try {
   using compare::ComparandKind;
   std::error_code error;
-  if (!std::filesystem::is_directory(what, error) && what.extension() == ".json") return report::document_page(what);
+  if (report::is_document(what)) return report::document_page(what);
   switch (compare::kind_of(what)) {
     case ComparandKind::results: return report::run_page(what);
     case ComparandKind::store: return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what);
@@ -43,6 +66,7 @@ Report make_report(const std::filesystem::path& what) try {
 std::filesystem::path report_file(const std::filesystem::path& what) {
   std::error_code error;
   if (std::filesystem::is_directory(what, error)) return what / "report.html";
+  if (what == report::kStandardInput) return "report.html";
   std::filesystem::path file = what;
   return file.replace_extension(".html");
 }

@@ -149,10 +149,18 @@ def make_pages(program: Program, faults: Faults) -> list[Report]:
         program.run("run", elsewhere, "--out", "elsewhere", "--quiet")
         return program.document_report("comparison", "comparison", program.compare("toy-top", "elsewhere"))
 
+    def measurement() -> Report:
+        measured = program.write("measured.csv", "t_s,azimuth_deg,azimuth_se_deg\n" + "".join(
+            f"{t},{90 + 0.1 * (-1) ** t},0.1\n" for t in range(30)))
+        return program.document_report("measurement", "measurement", program.run(
+            "compare", SCENARIOS / "free-gyro.json", measured, "--estimate", "omega_sin_latitude_rad_s",
+            "--estimate", "/release/azimuth_deg", "--json"))
+
     makers: list[Callable[[], Report]] = [
         *[lambda name=name: program.run_report(name, SCENARIOS / f"{name}.json", name) for name in RUNS],
         lambda: program.study_report("study", SCENARIOS / "studies/latitude.json"),
         comparison,
+        measurement,
         bench,
         lambda: program.run_report("hostile-run", hostile_top, HOSTILE_DIRECTORY, hostile=True),
         lambda: program.study_report("hostile-study", program.write("hostile-study.json", hostile_study), hostile=True),

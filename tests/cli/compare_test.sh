@@ -96,6 +96,54 @@ sed 's/,0.001$/,0/' measured.csv >no-errors.csv
 expect 2 compare "$scenarios/toy-top.json" no-errors.csv
 on_stderr 'no-errors.csv:2:'
 expect 2 compare runs/toy-top measured.csv --estimate omega_sin_latitude_rad_s
+on_stderr 'belong to a measurement'
+
+# Its picture and its page, from a document of any name and from a pipe; the page says what the terminal says.
+expect 0 compare "$scenarios/toy-top.json" measured.csv --svg measured.svg --quiet
+grep -q 'measured</text>' measured.svg || fault "no measured values in the picture"
+cp fit.json fit.txt
+expect 0 report fit.txt --out fit2.html --quiet
+cmp fit.html fit2.html || fault "a document's name changes its page"
+"$tool" report - --out fit3.html --quiet <fit.json || fault "no page of a document on standard input"
+cmp fit.html fit3.html || fault "a page from standard input is another one"
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate omega_sin_latitude_rad_s
+on_stdout "the Earth's rate times sin(latitude) is 5.1.*: seen at"
+grep -q 'rate times sin(latitude) is 5.1.*: seen at' fit.html || fault "the page does not say what was seen"
+
+# The scenario with the estimate put in: the same chi-squared, bit by bit; nothing is overwritten, nor written without a fit.
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json --json
+sed -n '/"fitted": {/,/}/s/.*"value": //p' out.txt >chi-fitted.txt
+expect 0 check fitted.json
+expect 0 compare fitted.json measured.csv --json
+sed -n '/"as_given": {/,/}/s/.*"value": //p' out.txt >chi-again.txt
+cmp chi-fitted.txt chi-again.txt || fault "the fitted scenario has another chi-squared"
+expect 2 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json
+on_stderr 'fitted.json is there already'
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json --force --quiet
+expect 2 compare fitted.json measured.csv --estimate spin_rad_s --write-scenario fitted.json --force
+expect 2 compare "$scenarios/toy-top.json" measured.csv --write-scenario other.json
+expect 1 compare "$scenarios/toy-top.json" measured.csv --estimate /release/spin_angle_deg --write-scenario other.json
+on_stderr 'is not written: there is no fit'
+[ ! -e other.json ] || fault "a scenario was written without a fit"
+
+# Priors, correlation, and what spreadsheets write.
+expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --priors --set '/uncertainty={"spin_rad_s": 1, "tilt_deg": 1}'
+on_stdout 'known beforehand as'
+on_stdout 'tilt_deg did not enter'
+expect 2 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --priors
+on_stderr 'has no uncertainty block'
+expect 0 compare "$scenarios/toy-top.json" measured.csv --correlation-time 0.001
+on_stdout 'correlated over 0.001 s'
+expect 2 compare "$scenarios/toy-top.json" measured.csv --correlation-time 0
+expect 2 compare runs/toy-top runs/toy-top --priors
+tr ',' ';' <measured.csv >semicolons.csv
+expect 2 compare "$scenarios/toy-top.json" semicolons.csv
+on_stderr 'semicolons separate these columns'
+tr ',' '\t' <measured.csv >tabs.csv
+expect 0 compare "$scenarios/toy-top.json" tabs.csv
+tr '.' ',' <tabs.csv >decimal.csv
+expect 2 compare "$scenarios/toy-top.json" decimal.csv
+on_stderr 'write decimal points'
 
 # A new reference needs a reason.
 expect 2 compare reference runs/toy-top --update

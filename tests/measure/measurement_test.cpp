@@ -1,83 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares measured motions with scenarios. The "measured" motions are closed forms written in this file, or values in extended
-// precision; none is computed by the functions that are fitted to it.
+// Compares measured motions with scenarios. The "measured" motions are closed forms, or values in extended precision; none is
+// computed by the functions that are fitted to it.
 #include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <numbers>
-#include <random>
 
 #include "earthtop/frames/earth.hpp"
 #include "measure/estimated_inputs.hpp"
+#include "measure/made_up_measurements.hpp"
 #include "support/json.hpp"
-#include "support/temporary_directory.hpp"
 
 namespace earthtop {
 namespace {
 
-using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180, kArcsecond = kDegree / 3600;
-constexpr double kOmega = 7.292115e-5;  // rad/s
-/// Accuracy of predictions (rad): the rounding of some hundred operations, or the tolerance 1e-12 over a run.
-constexpr double kComputed = 1e-11;
-
-class MeasurementTest : public ::testing::Test {
- protected:
-  Measurement read(const std::string& text) const {
-    const std::string file = (directory_.path() / "measured.csv").string();
-    std::ofstream(file, std::ios::binary) << text;
-    return read_measurement(file);
-  }
-  std::vector<Diagnostic> refusal(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const ScenarioError& error) {
-      EXPECT_EQ(error.file(), (directory_.path() / "measured.csv").string());
-      return error.diagnostics();
-    }
-    ADD_FAILURE() << "accepted: " << text;
-    return {{}};
-  }
-  testing::TemporaryDirectory directory_;
-};
-
-ScenarioSource shipped(const std::string& name) {
-  return read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + name + ".json");
-}
-
-/// The axis of a balanced gyroscope keeps its direction in inertial space. In the laboratory it turns by -|W| t about W, the
-/// Earth's rate, with a northward and a vertical component [Rodrigues].
-Vec3<double> free_axis(const Vec3<double>& n0_L, double northward, double vertical, double t_s) {
-  const double rate = std::hypot(northward, vertical);
-  const Vec3<double> k_L(0, northward / rate, vertical / rate);
-  const double angle = -rate * t_s;
-  return n0_L * std::cos(angle) + k_L.cross(n0_L) * std::sin(angle) + k_L * (k_L.dot(n0_L) * (1 - std::cos(angle)));
-}
-double azimuth(const Vec3<double>& n_L) { return std::atan2(n_L[0], n_L[1]); }
-double tilt(const Vec3<double>& n_L) { return std::atan2(std::hypot(n_L[0], n_L[1]), n_L[2]); }
-
-const Vec3<double> kEast(1, 0, 0);
-const double kNorthward45 = kOmega * std::cos(45 * kDegree), kVertical45 = kOmega * std::sin(45 * kDegree);
-
-class Normal {
- public:
-  explicit Normal(std::uint64_t seed) : bits_(seed) {}
-  /// Box and Muller's transformation, which gives the same numbers with every library.
-  double operator()() {
-    const double a = uniform(), b = uniform();
-    return std::sqrt(-2 * std::log(a)) * std::cos(2 * kPi * b);
-  }
-
- private:
-  double uniform() { return (static_cast<double>(bits_() >> 11) + 0.5) * 0x1p-53; }
-  std::mt19937_64 bits_;
-};
+using namespace test;
 
 TEST_F(MeasurementTest, AFreeGyroscopesClosedFormHasNoResiduals) {
   std::string csv =
@@ -157,7 +97,7 @@ TEST_F(MeasurementTest, UnitsAndWholeTurnsChangeNothing) {
       const double measured = azimuth(free_axis(n0, kNorthward45, kVertical45, t)) + (i % 3 - 1) * 1e-5;
       csv += fmt::format("{},{},{}\n", t, (measured + v.turn) / v.rad, 1e-5 / v.error_rad);
     }
-    const auto report = compare_with_measurement(shipped("free-gyro"), north, read(csv), {"omega_sin_latitude_rad_s"});
+    const auto report = compare_with_measurement(shipped("free-gyro"), north, read(csv), {{"omega_sin_latitude_rad_s"}});
     ASSERT_EQ(report.fit, FitOutcome::converged) << v.unit;
     if (first == 0) {
       first = report.as_given.value;
@@ -188,7 +128,7 @@ TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   const Measurement measurement = read("t_s,drift_azimuth_rad,drift_azimuth_se_rad\n60,0.0035970975670805857,1e-8\n");
   const auto source = shipped("steady-precession-slow");
   const auto report =
-      compare_with_measurement(source, {{"/earth/rotation_rate_rad_s", "6e-5"}}, measurement, {"rotation_rate_rad_s"});
+      compare_with_measurement(source, {{"/earth/rotation_rate_rad_s", "6e-5"}}, measurement, {{"rotation_rate_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_EQ(rate.start, 6e-5);
@@ -215,7 +155,7 @@ TEST_F(MeasurementTest, TheVerticalRateAlone) {
     csv += fmt::format("{},{},{},{},1e-6\n", 30 * i, n[0], n[1], n[2]);
     squares += 900.0 * i * i;
   }
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"omega_sin_latitude_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"omega_sin_latitude_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& estimate = report.estimates[0];
   EXPECT_NEAR(estimate.start, kVertical45, 1e-15 * kOmega);
@@ -241,7 +181,7 @@ TEST_F(MeasurementTest, ANumberAtTheEndOfItsRange) {
     squares += std::pow(kOmega * 60 * i, 2);
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "90"}}, read(csv), {"latitude_deg"});
+      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "90"}}, read(csv), {{"latitude_deg"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double expected_error = 1e-6 / std::sqrt(squares) / kDegree;
   EXPECT_NEAR(*report.estimates[0].estimate, latitude, 1.1e-3 * expected_error);
@@ -323,7 +263,7 @@ TEST_F(MeasurementTest, TwoNumbersAtOnceAndTheirCorrelation) {
     squares += t * t;
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"/release/azimuth_deg", "omega_sin_latitude_rad_s"});
+      compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"/release/azimuth_deg", "omega_sin_latitude_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const double spread = squares - sum * sum / rows;
   const double slope_error = error / std::sqrt(spread), intercept_error = error * std::sqrt(squares / rows / spread);
@@ -362,7 +302,8 @@ TEST_F(MeasurementTest, ErrorsOfEstimatesAreWhatIsStated) {
       n /= norm(n);
       csv += fmt::format("{},{},{},{},{}\n", 20 * i, n[0], n[1], n[2], error);
     }
-    const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"latitude_deg", "rotation_rate_rad_s"});
+    const auto report =
+        compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"latitude_deg", "rotation_rate_rad_s"}});
     ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
     const double pulls[] = {(*report.estimates[0].estimate - latitude) / *report.estimates[0].standard_error,
                             (*report.estimates[1].estimate - kOmega) / *report.estimates[1].standard_error};
@@ -394,7 +335,7 @@ TEST_F(MeasurementTest, ScatterAboveTheStatedErrorsWidensTheScaledOne) {
   for (int i = 1; i <= 40; ++i)
     csv += fmt::format("{},{},1e-6\n", 3 * i,
                        azimuth(free_axis(kEast, kNorthward45, kVertical45, 3 * i)) + (i % 2 == 0 ? 3e-6 : -3e-6));
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"rotation_rate_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"rotation_rate_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged);
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_NEAR(*rate.standard_error_scaled / *rate.standard_error, std::sqrt(report.fitted->value / 39), 1e-12);
@@ -408,7 +349,7 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
     csv += fmt::format("{},{},1e-6\n", 6 * i, azimuth(free_axis(kEast, kNorthward45, kVertical45, 6 * i)));
   const Measurement measurement = read(csv);
   const auto outcome = [&](const std::vector<std::string>& names, const std::string& named) {
-    const auto report = compare_with_measurement(shipped("free-gyro"), {}, measurement, names);
+    const auto report = compare_with_measurement(shipped("free-gyro"), {}, measurement, {names});
     EXPECT_EQ(report.fit, FitOutcome::not_determined) << names[0];
     EXPECT_NE(report.fit_reason.find(named), std::string::npos) << report.fit_reason;
     EXPECT_FALSE(report.fitted);
@@ -434,7 +375,7 @@ TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {
     csv += fmt::format("{},{},{},{},1e-5\n", 60 * i, n[0], n[1], n[2]);
   }
   const auto report =
-      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {"latitude_deg"});
+      compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {{"latitude_deg"}});
   EXPECT_EQ(report.fit, FitOutcome::not_converged);
   EXPECT_NE(report.fit_reason.find("beyond a number's range"), std::string::npos) << report.fit_reason;
   EXPECT_FALSE(report.agrees());
@@ -444,7 +385,7 @@ TEST_F(MeasurementTest, NamesThatCannotBeEstimatedAreRefused) {
   const Measurement measurement = read("t_s,azimuth_rad,azimuth_se_rad\n10,1.57,1e-3\n20,1.57,1e-3\n");
   const auto refused = [&](const std::vector<std::string>& names, const std::string& words, const Overrides& set = {}) {
     try {
-      compare_with_measurement(shipped("free-gyro"), set, measurement, names);
+      compare_with_measurement(shipped("free-gyro"), set, measurement, {names});
       ADD_FAILURE() << "accepted: " << names[0];
     } catch (const ScenarioError& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -513,6 +454,11 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
       {header + "10,1,nan\n", 2, 6, "needs a standard error above 0"},
       {header + "10,1,inf\n", 2, 6, "needs a standard error above 0"},
       {header + "10,x,1\n", 2, 4, "is no number"},
+      {"t_s;azimuth_deg;azimuth_se_deg\n0,1;12,5;0,1\n", 1, 1, "semicolons separate these columns"},
+      {"t_s;azimuth_deg;azimuth_se_deg\n0.1;12.5;0.1\n", 1, 1, "separate them by commas or tabs"},
+      {header + "0,1,12,5,0,1\n", 2, 1, "are there decimal commas?"},
+      {"t_s\tazimuth_deg\tazimuth_se_deg\n1\t12,5\t0,1\n", 2, 3, "write decimal points: 0.1"},
+      {"\xFF\xFEt_s\n", 1, 1, "is UTF-16"},
       {header + "10,,1\n", 2, 1, "no measured value"},
       {header, 1, 1, "no measured value"},
       {"t_s,tilt_rad,tilt_se_rad\n0,20,1\n", 2, 3, "at most 180 deg"},
@@ -535,6 +481,15 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
   EXPECT_NE(diagnostics.back().message.find("10 more errors"), std::string::npos);
 }
 
+/// As spreadsheets write it: a byte order mark, tabs, the line ends of Windows.
+TEST_F(MeasurementTest, ReadsTabsAndAByteOrderMark) {
+  const Measurement m = read("\xEF\xBB\xBFt_s\ttilt_deg\ttilt_se_deg\r\n0.5\t20.25\t0.5\r\n1\t\t\r\n");
+  EXPECT_EQ(m.rows, 2u);
+  ASSERT_EQ(m.values.size(), 1u);
+  EXPECT_EQ(m.values[0].t_s, 0.5);
+  EXPECT_NEAR(m.values[0].angle_rad, 20.25 * kDegree, 1e-15);
+}
+
 TEST_F(MeasurementTest, ReadsWhatIsThere) {
   const Measurement m = read("# by theodolite\n_note,tilt_arcsec,t_s,tilt_se_deg\nfoo,3600,1,0.5\nbar,,2,\nbaz,7200,2,0.25\n");
   EXPECT_EQ(m.rows, 3u);
@@ -548,7 +503,7 @@ TEST_F(MeasurementTest, ReadsWhatIsThere) {
 
 /// If no drift is measured, only one motion is integrated, and for a symmetric top only its axis; otherwise both are. Either
 /// way it is the motion that `run` writes: for an asymmetric body, with a platform, with dry friction, and for a body symmetric
-/// about another axis than the third.
+/// about another axis than the third, and for a top on a table.
 TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
   struct Scene {
     std::string name;
@@ -558,8 +513,9 @@ TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
                                  {"/body/inertia/principal_kg_m2", "[3e-4, 2e-4, 2e-4]"},
                                  {"/body/center_of_mass_m", "[0.01, 0, 0]"}};
   const Overrides stops = {{"/effects/coulomb_torque_N_m", "0.05"}};
-  for (const Scene& scene : {Scene{"toy-top", {}}, Scene{"asymmetric-top", {}}, Scene{"turntable", {}},
-                             Scene{"dzhanibekov", {}}, Scene{"toy-top", stops}, Scene{"north-pole", about_first}}) {
+  for (const Scene& scene :
+       {Scene{"toy-top", {}}, Scene{"asymmetric-top", {}}, Scene{"turntable", {}}, Scene{"dzhanibekov", {}},
+        Scene{"toy-top", stops}, Scene{"north-pole", about_first}, Scene{"toy-top-on-table", {}}}) {
     const auto source = shipped(scene.name);
     Overrides set = scene.set;
     set.insert(set.end(), {{"/motion/duration_s", "0.5"}, {"/motion/output_step_s", "0.1"}});
@@ -603,7 +559,7 @@ TEST_F(MeasurementTest, TheDocumentHasEverything) {
   std::string csv = "t_s,azimuth_rad,azimuth_se_rad\n";
   for (int i = 1; i <= 4; ++i)
     csv += fmt::format("{},{},1e-6\n", 15 * i, azimuth(free_axis(kEast, kNorthward45, kVertical45, 15 * i)) + (i % 2) * 1e-6);
-  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {"rotation_rate_rad_s"});
+  const auto report = compare_with_measurement(shipped("free-gyro"), {}, read(csv), {{"rotation_rate_rad_s"}});
   const auto document = testing::parse_json(measurement_json(report));
   EXPECT_EQ(document.at("$schema"), "earthtop-measurement-1.json");
   EXPECT_EQ(document.at("scenario").at("name"), "free-gyro");

@@ -12,6 +12,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/measure/measurement.hpp"
 #include "earthtop/results/results.hpp"
 #include "report/bars.hpp"
 #include "report/path_picture.hpp"
@@ -114,6 +115,96 @@ TEST(Report, AComparisonShowsEveryVerdict) {
   for (const char* text : {"<strong>differs</strong>", "other scenario", "attitude_rad", "invariants.jacobi_integral.initial",
                            "data-chart=\"p0q0\""})
     EXPECT_NE(html.find(text), html.npos) << text;
+}
+
+/// A comparison with a measurement as if it had been made: azimuths that go round once, and a tilt.
+MeasurementReport made_up_measurement() {
+  MeasurementReport report;
+  report.scenario_name = "a<top";
+  report.file = "m.csv";
+  report.fit = FitOutcome::converged;
+  report.fitted = ChiSquared{7, 0, 8, 0.5};
+  report.as_given = ChiSquared{9, 0, 10, 0.5};
+  report.estimates = {{"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, 5.16e-5, 3e-6, 3e-6},
+                      {"tilt_deg", "deg", 20, 20.1, 0.1, 0.1}};
+  report.correlation = {{1, -0.25}, {-0.25, 1}};
+  report.priors = {{"tilt_deg", "tilt_deg", "deg", 20, 0.2, 0.5}};
+  report.unused_priors = {{"gravity_m_s2", "it is <not> estimated"}};
+  for (int i = 0; i < 10; ++i) {
+    const double t = i, turned = std::remainder(6.0 - 0.7 * t, 2 * 3.141592653589793);
+    report.residuals.push_back({t, static_cast<std::uint64_t>(i + 2), "azimuth", turned + 0.01, turned, 0.01, 0.02});
+    report.residuals.push_back({t, static_cast<std::uint64_t>(i + 2), "tilt", 0.35, 0.34, 0.01, 0.02});
+  }
+  for (int i = 0; i <= 90; ++i)
+    report.curve.push_back({0.1 * i, std::remainder(6.0 - 0.07 * i, 2 * 3.141592653589793), 0.34, NAN, NAN});
+  return report;
+}
+
+TEST(Report, AMeasurementShowsWhatItSays) {
+  const TemporaryDirectory dir;
+  const MeasurementReport report = made_up_measurement();
+  std::ofstream(dir.path() / "m.json") << measurement_json(report);
+  const Report page = make_report(dir.path() / "m.json");
+  const std::string html = page.html;
+  for (const char* text :
+       {"they <strong>agree", "the Earth&#39;s rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma",
+        "a&lt;top", "Correlation of the estimates", "-0.25</data>", "Known beforehand", "it is &lt;not&gt; estimated",
+        "data-chart=\"data\"", "data-chart=\"residuals\""})
+    EXPECT_NE(html.find(text), html.npos) << text;
+  ASSERT_EQ(page.pictures.size(), 2u);
+  // The measured values follow the model over the whole turn: each lies 0.01 rad above it.
+  const auto chart = data_of(html).at("charts").at("data");
+  EXPECT_EQ(chart.at("x").size(), 10u) << "the measured times, not those of the curve";
+  const auto& model = chart.at("series").at(0).at("y");
+  const auto& measured = chart.at("series").at(1).at("y");
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double degrees = 180 / 3.141592653589793, expected = (6.0 - 0.7 * static_cast<double>(i)) * degrees;
+    EXPECT_NEAR(model.at(i).get<double>(), expected, 1e-4);  // seven digits
+    EXPECT_NEAR(measured.at(i).get<double>(), expected + 0.01 * degrees, 1e-4);
+  }
+}
+
+// Neighbours too far apart for counting turns: the azimuths stay from 0 to 360 degrees.
+TEST(Report, AzimuthsThatCannotBeCountedOnStayInATurn) {
+  MeasurementReport report = made_up_measurement();
+  report.curve.clear();
+  for (MeasurementResidual& residual : report.residuals)
+    if (residual.quantity == "azimuth") residual.predicted_rad = std::remainder(3.0 * residual.t_s, 2 * 3.141592653589793);
+  const Figure figure = measurement_figure(report);
+  for (const double y : figure.panels.at(0).lines.at(0).y)
+    if (std::isfinite(y)) {
+      EXPECT_GE(y, 0);
+      EXPECT_LT(y, 360);
+    }
+}
+
+// Of 200,000 values some hundred are drawn, the largest residual among them; the histogram counts all.
+TEST(Report, OfVeryManyMeasuredValuesTheTellingOnesAreDrawn) {
+  MeasurementReport report;
+  for (int i = 0; i < 200'000; ++i)
+    report.residuals.push_back({1e-3 * i, 2, "tilt", 0.3, 0.3, i == 77'777 ? 0.05 : 0.01 * std::sin(0.1 * i), 0.01});
+  const Figure figure = measurement_figure(report);
+  const Line& drawn = figure.panels.at(1).lines.at(0);
+  EXPECT_LE(drawn.y.size(), 600u);
+  EXPECT_EQ(*std::max_element(drawn.y.begin(), drawn.y.end()), 5);
+  const Line counted = residuals_histogram(report).panels.at(0).lines.at(0);
+  double sum = 0;
+  for (const double number : counted.y) sum += number;
+  EXPECT_EQ(sum, 200'000);
+}
+
+TEST(Plot, HasErrorBarsAndBars) {
+  Figure figure{"Bars", "", {"x", ""}, {}};
+  figure.panels.push_back({{"y", ""}, {}, 200});
+  figure.panels[0].lines.push_back({"p", {0, 1}, {1, 2}, LineColor::blue, LineStyle::points, Marker::circle, {3, 0}});
+  const std::string points = svg(figure);
+  EXPECT_NE(points.find(">−2<"), points.npos) << "the axis has room for the lower end of the first error bar";
+  EXPECT_EQ(points.find("stroke-linejoin"), points.npos) << "no line through the points";
+  figure.panels[0].lines[0] = {"b", {0.5, 1.5}, {1, 2}, LineColor::blue, LineStyle::bars};
+  const std::string bars = svg(figure);
+  EXPECT_NE(bars.find(">0.0<"), bars.npos) << "bars begin at 0";
+  EXPECT_NE(bars.find(">2.0<"), bars.npos);
+  EXPECT_EQ(bars.find("nan"), bars.npos);
 }
 
 /// Results of a made-up run on a table, written to a directory, as a page.

@@ -27,7 +27,10 @@ struct CompareArguments {
   std::string reference, candidate;
   std::string profile, tolerances, mapping, junit, svg, reason;
   std::vector<std::string> may_change;
-  std::vector<std::string> estimates, sets;   // for a measurement
+  std::vector<std::string> estimates, sets;  // for a measurement, as are the next four
+  std::string fitted;
+  std::optional<double> correlation_time_s;
+  bool priors = false, force = false;
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
   bool json = false, quiet = false, all = false;
@@ -76,7 +79,9 @@ void require_apart(const CompareArguments& arguments) {
   namespace fs = std::filesystem;
   if (!arguments.junit.empty() && arguments.junit == arguments.svg)
     throw ScenarioError("", "--junit and --svg name the same file; give two");
-  for (const std::string& output : {arguments.junit, arguments.svg}) {
+  if (!arguments.fitted.empty() && arguments.fitted == arguments.svg)
+    throw ScenarioError("", "--write-scenario and --svg name the same file; give two");
+  for (const std::string& output : {arguments.junit, arguments.svg, arguments.fitted}) {
     if (output.empty()) continue;
     const std::string place = fs::weakly_canonical(output).string();
     for (const std::string& input : {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances}) {
@@ -94,31 +99,55 @@ MeasurementReport measure_watched(const ScenarioSource& source, const Measuremen
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  MeasurementReport report =
-      compare_with_measurement(source, split_sets(arguments.sets), measurement, arguments.estimates, watch);
+  constexpr std::size_t kCurvePoints = 1001;
+  MeasurementOptions options{arguments.estimates, arguments.priors, arguments.correlation_time_s.value_or(0)};
+  if (arguments.json || !arguments.svg.empty()) options.curve_points = kCurvePoints;
+  MeasurementReport report = compare_with_measurement(source, split_sets(arguments.sets), measurement, options, watch);
   if (!watch.asks_to_stop()) progress.reach(1);
   return report;
 }
 
+/// Checks before the work that the fitted scenario can be written. @throws ScenarioError
+void require_place_for_scenario(const ScenarioSource& source, const CompareArguments& arguments) {
+  if (arguments.fitted.empty()) return;
+  if (arguments.estimates.empty())
+    throw ScenarioError("", "--write-scenario writes estimates into the scenario; name them with --estimate");
+  std::error_code error;
+  if (std::filesystem::exists(arguments.fitted, error) && !arguments.force)
+    throw ScenarioError("", fmt::format("{} is there already; give another name, or --force", printable(arguments.fitted)));
+  require_writable_scenario(source, split_sets(arguments.sets), arguments.fitted);
+}
+
 int measurement_verb(const CompareArguments& arguments) {
   const bool other_options = !arguments.profile.empty() || !arguments.tolerances.empty() || !arguments.mapping.empty() ||
-                             !arguments.junit.empty() || !arguments.svg.empty() || !arguments.may_change.empty() ||
-                             arguments.steps_ratio > 0 || arguments.seconds_ratio > 0 || arguments.may_lack_rows;
+                             !arguments.junit.empty() || !arguments.may_change.empty() || arguments.steps_ratio > 0 ||
+                             arguments.seconds_ratio > 0 || arguments.may_lack_rows;
   if (other_options)
     throw ScenarioError(
         "",
-        "a measurement is held against a scenario by its own standard errors: of the options it takes --estimate, "
-        "--set, --json and --quiet only");
+        "a measurement is held against a scenario by its own standard errors: of the options it takes --estimate, --priors, "
+        "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet only");
+  if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
+    throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
+  require_apart(arguments);
   const ScenarioSource source = read_scenario_source(arguments.reference);
+  require_place_for_scenario(source, arguments);
   const Measurement measurement = read_measurement(arguments.candidate);
   const MeasurementReport report = measure_watched(source, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
     return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
                          interrupted_status());
+  if (!arguments.fitted.empty() && report.fitted)
+    write_file(arguments.fitted, fitted_scenario(source, split_sets(arguments.sets), report, arguments.fitted));
+  if (!arguments.svg.empty()) write_file(arguments.svg, svg(measurement_figure(report)));
   if (arguments.json)
     print(measurement_json(report));
   else if (!arguments.quiet)
     print(measurement_text(report, wants_color()));
+  if (!arguments.fitted.empty() && !report.fitted)
+    message(fmt::format("{} is not written: there is no fit", printable(arguments.fitted)));
+  else if (!arguments.fitted.empty() && !arguments.quiet && !arguments.json)
+    print(fmt::format("\nWritten     {}\n", printable(arguments.fitted)));
   if (report.status != RunStatus::completed) return kNumericalFailure;
   return report.agrees() ? kDone : kNegative;
 }
@@ -138,6 +167,10 @@ int compare_verb(const CompareArguments& arguments) {
   if (is_scenario(arguments.reference)) return measurement_verb(arguments);
   if (!arguments.estimates.empty() || !arguments.sets.empty())
     throw ScenarioError("", "--estimate and --set belong to a measurement: REFERENCE is a scenario then, and NEW a CSV file");
+  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.force)
+    throw ScenarioError("",
+                        "--write-scenario, --correlation-time, --priors and --force belong to a measurement: REFERENCE is a "
+                        "scenario then, and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   require_apart(arguments);
   const CompareReport report = compare_watched(arguments);
@@ -169,6 +202,14 @@ Verb describe_compare() {
            "of a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or "
            "/release/spin_rad_s; may be repeated")
       .called("NAME");
+  compare.add("--priors", &a.priors,
+              "of a measurement: what the scenario's uncertainty block says of the estimated numbers enters the fit");
+  compare
+      .add("--correlation-time", &a.correlation_time_s,
+           "of a measurement: errors of a quantity are correlated by exp(-dt/T), not independent (s)")
+      .called("T");
+  compare.add("--write-scenario", &a.fitted, "of a measurement: write the scenario with the estimates put in").called("FILE");
+  compare.add("--force", &a.force, "of --write-scenario: overwrite a file that is there");
   add_set_option(compare, a.sets);
   compare
       .add("--profile", &a.profile,
@@ -190,7 +231,8 @@ Verb describe_compare() {
       .called("R")
       .within(1e-9, 1e9);
   compare.add("--junit", &a.junit, "write the verdicts as JUnit XML").called("FILE");
-  compare.add("--svg", &a.svg, "write a picture of the differences over time").called("FILE");
+  compare.add("--svg", &a.svg, "write a picture: of the differences over time, or of a measurement and the model")
+      .called("FILE");
   compare.add("--update", &a.update, "make NEW the reference; needs --reason")
       .without("--junit")
       .without("--svg")
@@ -211,6 +253,8 @@ Verb describe_compare() {
                   "compares two directories and writes the verdicts for a build server");
   compare.example("earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s",
                   "fits the vertical part of the Earth's rotation to a measurement");
+  compare.example("earthtop compare gyro.json measured.csv --estimate spin_rad_s --write-scenario fitted.json",
+                  "fits the spin and writes the scenario that has it");
   return compare;
 }
 

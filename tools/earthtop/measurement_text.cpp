@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/measure/measurement.hpp"
 
@@ -15,16 +14,6 @@ namespace {
 
 std::string strong(std::string_view text, std::string_view code, bool color) {
   return color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
-}
-
-/// "7.2921e-05 ± 2.3e-09": the value down to the second digit of its error.
-std::string with_standard_error(double value, double error) {
-  if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.8g}", value);
-  const double size = std::abs(value), last = std::floor(real::log10(error)) - 1;  // place of the last digit shown
-  if (size >= 1e-3 && size < 1e6 && last >= -12 && last <= 0)
-    return fmt::format("{:.{}f} ± {:.2g}", value, static_cast<int>(-last), error);
-  const double digits = value != 0 ? std::floor(real::log10(size)) - last : 1;
-  return fmt::format("{:.{}e} ± {:.1e}", value, static_cast<int>(std::clamp(digits, 1.0, 16.0)), error);
 }
 
 std::string chi_squared_text(const ChiSquared& chi_squared) {
@@ -58,12 +47,12 @@ std::string estimates_text(const MeasurementReport& report, bool color) {
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const ParameterEstimate& e = report.estimates[j];
     const std::string value = with_standard_error(*e.estimate, *e.standard_error);
-    text += fmt::format("  {}  {} {}\n", printable(e.name), strong(value, "1", color), e.unit);
-    if (*e.standard_error_scaled > *e.standard_error)
-      text += fmt::format("      ± {:.1e} by the scatter, which is larger than the stated standard errors\n",
-                          *e.standard_error_scaled);
-    text += fmt::format("      the scenario's {:.10g} is {:+.2f} standard errors from it\n", e.start,
-                        (e.start - *e.estimate) / *e.standard_error);
+    text += fmt::format("  {}  {}{}{}\n      {}\n", printable(e.name), strong(value, "1", color), e.unit.empty() ? "" : " ",
+                        e.unit, printable(estimate_sentence(e, report.scatters_more())));
+    for (const Prior& prior : report.priors)
+      if (prior.input == e.name)
+        text += fmt::format("      known beforehand as {} {}; the estimate is {:+.2f} of these errors off\n",
+                            with_standard_error(prior.mean, prior.standard_error), prior.unit, prior.pull.value_or(0));
     for (std::size_t k = 0; k < j; ++k)
       text +=
           fmt::format("      correlation with {}  {:+.4f}\n", printable(report.estimates[k].name), report.correlation[j][k]);
@@ -100,6 +89,9 @@ std::string measurement_text(const MeasurementReport& report, bool color) {
   if (report.status != RunStatus::completed)
     text += fmt::format("Prediction  {}\n",
                         strong(fmt::format("ended at {:.6g} s: {}", report.reached_s, to_string(report.status)), "31", color));
+  if (report.correlation_time_s > 0)
+    text += fmt::format("Errors      correlated over {:.6g} s, as stated; chi-squared is of what is new in each\n",
+                        report.correlation_time_s);
   text += fmt::format("As given    {}\n", chi_squared_text(report.as_given));
   if (report.fitted)
     text += fmt::format("Fitted      {}; {} iteration{}, {} motions\n", chi_squared_text(*report.fitted), report.iterations,
@@ -108,6 +100,8 @@ std::string measurement_text(const MeasurementReport& report, bool color) {
     text += fmt::format("Fit         {}\n",
                         strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
   text += fmt::format("Agreement   {}\n", agreement_text(report, color));
+  for (const UnusedPrior& prior : report.unused_priors)
+    text += fmt::format("Prior       {} did not enter: {}\n", prior.name, printable(prior.reason));
   for (const std::string& note : report.notes) text += fmt::format("Note        {}\n", printable(note));
   if (report.fitted) text += estimates_text(report, color);
   return report.residuals.empty() ? text : text + residuals_text(report);

@@ -50,7 +50,10 @@ Verb describe_report() {
   auto arguments = std::make_shared<ReportArguments>();
   Verb report("report", "one self-contained HTML page of a run, a study, a comparison or a bench",
               [arguments] { return report_verb(*arguments); });
-  report.add("WHAT", &arguments->what, "results of run, a study, or a document of compare --json or bench --json").required();
+  report
+      .add("WHAT", &arguments->what,
+           "results of run, a study, or a document of compare --json or bench --json; - reads one from standard input")
+      .required();
   report.add("--out", &arguments->out, "the page; default: report.html in the directory, or the document's name with .html")
       .called("FILE");
   report.add("--svg", &arguments->svg, "write its pictures as SVG files beside it, too");

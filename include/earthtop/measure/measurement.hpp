@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "earthtop/error.hpp"
+#include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 
@@ -62,12 +63,19 @@ struct MeasurementResidual {
   double predicted_rad = 0;  ///< NaN for the azimuth of a vertical axis
   double residual_rad = 0;   ///< measured less predicted; from -pi to pi for azimuths
   double standard_error_rad = 0;
+  /// Where errors are correlated in time: what is new in the normalised residual beside those before it, in its own standard
+  /// errors. These are independent of each other.
+  std::optional<double> whitened = {};
   double normalised() const { return residual_rad / standard_error_rad; }
+  /// The number whose square chi-squared takes.
+  double independent() const { return whitened ? *whitened : normalised(); }
 };
 
-/// The sum of the squares of the normalised residuals.
+/// The sum of the squares of the normalised residuals, or of the whitened ones where errors are correlated, and of the priors'.
+/// A prior is a datum: it counts as a degree of freedom.
 struct ChiSquared {
   double value = 0;
+  double of_priors = 0;  ///< the priors' share of the value
   std::int64_t degrees_of_freedom = 0;
   /// Chance of a larger value, if scenario and standard errors are right and errors are normal; none without degrees of
   /// freedom.
@@ -96,6 +104,46 @@ struct ParameterEstimate {
   std::optional<double> standard_error_scaled;
 };
 
+/// A standard error of the scenario's `uncertainty` block that entered the fit: the input is known beforehand to be `mean`.
+struct Prior {
+  std::string name;   ///< one of kInputNames
+  std::string input;  ///< the estimated input that it is about, as the user named it
+  std::string unit;   ///< of the input
+  double mean = 0;    ///< the scenario's value
+  double standard_error = 0;
+  std::optional<double> pull;  ///< the estimate less the mean, in standard errors of the prior; none without a fit
+};
+struct UnusedPrior {
+  std::string name;  ///< one of kInputNames
+  std::string reason;
+};
+
+/// The motion that the residuals are taken against, at one time of a picture.
+struct CurvePoint {
+  double t_s = 0;
+  double azimuth_rad = 0;  ///< modulo 2 pi; NaN where the axis is vertical
+  double tilt_rad = 0;
+  double drift_azimuth_rad = 0, drift_tilt_rad = 0;  ///< NaN unless drifts were measured
+};
+
+/// What is wanted of a comparison.
+struct MeasurementOptions {
+  /// At most 8 names of numbers to be fitted by weighted least squares, starting at the scenario's:
+  ///   - a JSON pointer of a number of site, earth, body, release, platform or effects, changed as --set would;
+  ///   - latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, rotation_rate_rad_s: the pointers of these inputs; where the scenario
+  ///     gives no gravity, the ellipsoid's gravity changes with the latitude;
+  ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
+  ///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one.
+  std::vector<std::string> estimates = {};
+  /// Whether the scenario's `uncertainty` block enters the fit, as a normal prior on each estimated input that it names.
+  bool priors = false;
+  /// Above 0: the errors of each measured quantity are correlated in time, by exp(-dt / correlation_time_s) between errors in
+  /// units of their standard errors; those of different quantities are independent of each other (s).
+  double correlation_time_s = 0;
+  /// Number of the report's points between the release and the last measured time, for a picture.
+  std::size_t curve_points = 0;
+};
+
 struct MeasurementReport {
   /// Below this chance (p-value) the scatter is taken to be larger than the stated errors explain.
   static constexpr double kLeastPValue = 1e-3;
@@ -116,10 +164,16 @@ struct MeasurementReport {
   std::optional<ChiSquared> fitted;  ///< with the fitted numbers; none unless the fit converged
   std::vector<ParameterEstimate> estimates;
   std::vector<std::vector<double>> correlation;  ///< correlation matrix of the estimates' errors; empty where there are none
+  std::vector<Prior> priors;                     ///< those that entered the fit
+  std::vector<UnusedPrior> unused_priors;        ///< those that were asked for and did not
+  double correlation_time_s = 0;                 ///< as stated; 0: errors are independent of each other
   std::vector<MeasurementResidual> residuals;    ///< with the fitted numbers if the fit converged, else with the scenario's
+  std::vector<CurvePoint> curve;                 ///< with the same numbers; empty if it was not asked for
   std::optional<std::size_t> largest;            ///< index of the residual whose normalised size is largest
   std::vector<std::string> notes;
 
+  /// Whether the residuals after the fit scatter by more than the stated errors explain.
+  bool scatters_more() const { return fitted && fitted->p_value && *fitted->p_value < kLeastPValue; }
   /// Whether measurement and scenario agree: the prediction reached the last row, a fit that was asked for converged, and the
   /// p-value of the residuals is at least kLeastPValue. Without degrees of freedom there is no p-value to contradict.
   bool agrees() const;
@@ -127,14 +181,9 @@ struct MeasurementReport {
 
 /// Compares a measurement with a scenario.
 /// @param overrides  `--set` pairs
-/// @param estimates  at most 8 names of numbers to be fitted by weighted least squares, starting at the scenario's:
-///   - a JSON pointer of a number of site, earth, body, release, platform or effects, changed as --set would;
-///   - latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, rotation_rate_rad_s: the pointers of these inputs; where the scenario
-///     gives no gravity, the ellipsoid's gravity changes with the latitude;
-///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
-///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one.
-/// Errors of measured values are assumed to be normal and independent of each other. The search for the least sum of squares
-/// begins at the scenario's numbers; where azimuths may be off by a full turn, there may be several minima.
+/// Errors of measured values are assumed to be normal and, unless a correlation time is stated, independent of each other. The
+/// search for the least sum of squares begins at the scenario's numbers; where azimuths may be off by a full turn, there may be
+/// several minima.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
 /// until which a run of the scenario is reliable, where it is unstable or chaotic; ArithmeticError as `run` does. Numerical
 /// trouble is no error: it is the report's `status`.
@@ -142,10 +191,35 @@ struct MeasurementReport {
 /// While this runs, GSL's error handler, of which the process has only one, is off.
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
-                                           const Measurement& measurement, const std::vector<std::string>& estimates,
+                                           const Measurement& measurement, const MeasurementOptions& options = {},
                                            const Watch& watch = {});
+
+/// What the data say of an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the
+/// scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means something. Empty
+/// without an estimate.
+/// @param by_scatter  take the standard error scaled by the scatter, and say so
+std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
+
+/// "5.16e-5 ± 0.30e-5": a value and its standard error, both down to the error's second digit.
+std::string with_standard_error(double value, double error);
+
+/// The measured values with their error bars, the model's curve, and the residuals in standard errors, over time. Azimuths are
+/// counted on over whole turns. Of more than 600 values of a quantity those are drawn whose residuals are least and largest in
+/// each of 300 spans.
+Figure measurement_figure(const MeasurementReport& report);
+/// How often each size of a residual occurs, in standard errors, beside what normal errors would give.
+Figure residuals_histogram(const MeasurementReport& report);
 
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
 std::string measurement_json(const MeasurementReport& report);
+/// Puts the report's estimates into a scenario's text, after the overrides: compared with the same measurement it gives the
+/// residuals of the fit, to the last bit. What else the text holds stays as it is, comments and layout included.
+/// @param file  where the text is to be written: files that it names are looked for beside it
+/// @throws ScenarioError where the fit did not converge, or no scenario in that place has these values
+std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
+                            const MeasurementReport& report, const std::string& file);
+/// Checks beforehand that a scenario with these overrides can be written to that place. @throws ScenarioError
+void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
+                               const std::string& file);
 
 }  // namespace earthtop

@@ -15,7 +15,9 @@ enum class LineStyle {
   filled,  ///< a thin line with a tint down to the panel's floor
   thin,
   dotted,
-  broad,  ///< faint and wide, to be drawn beneath other lines
+  broad,   ///< faint and wide, to be drawn beneath other lines
+  points,  ///< the markers alone
+  bars,    ///< a bar from 0 to each point of evenly spaced ones
 };
 enum class Marker { none, circle, square, triangle, diamond };
 enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
@@ -34,6 +36,8 @@ struct Line {
   LineColor color = LineColor::blue;
   LineStyle style = LineStyle::solid;
   Marker marker = Marker::none;  ///< at every point
+  /// Half lengths of the points' error bars along y; empty: none. One that is not above 0 is not drawn.
+  std::vector<double> error = {};
 };
 
 struct Panel {

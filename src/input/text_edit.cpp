@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/text_edit.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "earthtop/error.hpp"
+#include "input/pointers.hpp"
+#include "text/json.hpp"
+
+namespace earthtop::input {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// A part of the text.
+struct Span {
+  std::size_t begin = 0, end = 0;
+};
+/// A member of an object, or an element of an array, whose key is empty.
+struct Member {
+  Span key, value;
+};
+
+/// Walks over a text that is known to be JSON.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  std::size_t past_space(std::size_t at) const {
+    while (at < text_.size() && is_space(text_[at])) ++at;
+    return at;
+  }
+
+  /// The end of the value that begins at `at`.
+  std::size_t past_value(std::size_t at) const {
+    if (text_[at] == '"') return past_string(at);
+    if (text_[at] != '{' && text_[at] != '[') {
+      while (at < text_.size() && !is_space(text_[at]) && text_[at] != ',' && text_[at] != '}' && text_[at] != ']') ++at;
+      return at;
+    }
+    for (std::size_t depth = 0; at < text_.size();) {
+      if (text_[at] == '"') {
+        at = past_string(at);
+        continue;
+      }
+      if (text_[at] == '{' || text_[at] == '[') ++depth;
+      if ((text_[at] == '}' || text_[at] == ']') && --depth == 0) return at + 1;
+      ++at;
+    }
+    return at;
+  }
+
+  /// The members of the object, or the elements of the array, that begins at `at`.
+  std::vector<Member> members(std::size_t at) const {
+    std::vector<Member> list;
+    const bool has_keys = text_[at] == '{';
+    for (at = past_space(at + 1); at < text_.size() && text_[at] != '}' && text_[at] != ']';) {
+      Member member;
+      if (has_keys) {
+        member.key = {at, past_string(at)};
+        at = past_space(past_space(member.key.end) + 1);  // the colon
+      }
+      member.value = {at, past_value(at)};
+      list.push_back(member);
+      at = past_space(member.value.end);
+      if (at < text_.size() && text_[at] == ',') at = past_space(at + 1);
+    }
+    return list;
+  }
+
+  std::string word(Span span) const { return json_of(text_.substr(span.begin, span.end - span.begin)).get<std::string>(); }
+
+ private:
+  std::size_t past_string(std::size_t at) const {
+    for (++at; at < text_.size() && text_[at] != '"'; ++at)
+      if (text_[at] == '\\') ++at;
+    return at + 1;
+  }
+
+  std::string_view text_;
+};
+
+std::string quoted(const std::string& word) { return written(nlohmann::ordered_json(word)); }
+
+/// A value that is reached by the remaining tokens from a place where nothing is: objects in one another.
+std::string nested(const std::vector<std::string>& tokens, std::size_t from, const std::string& value) {
+  std::string text = value;
+  for (std::size_t k = tokens.size(); k-- > from;) text = fmt::format("{{ {}: {} }}", quoted(tokens[k]), text);
+  return text;
+}
+
+/// Adds a member to the object at `begin`, laid out as its last member is.
+std::string with_member(std::string_view text, std::size_t begin, const std::vector<Member>& members, const std::string& key,
+                        const std::string& value) {
+  const std::string member = fmt::format("{}: {}", quoted(key), value);
+  std::string result(text);
+  if (members.empty()) {
+    const std::size_t end = Scanner(text).past_space(begin + 1);
+    return result.replace(begin + 1, end - begin - 1, fmt::format(" {} ", member));
+  }
+  // What stands between the last member and the comma or brace before it is the layout.
+  std::size_t space = members.back().key.begin;
+  while (space > 0 && is_space(text[space - 1])) --space;
+  const std::string_view layout = text.substr(space, members.back().key.begin - space);
+  return result.insert(members.back().value.end, fmt::format(",{}{}", layout.empty() ? " " : layout, member));
+}
+
+}  // namespace
+
+std::string with_value(std::string_view text, std::string_view pointer, std::string_view given) {
+  const auto no_place = [&] {
+    return ScenarioError(std::string(pointer), "leads to no value of the scenario's text that could be changed there");
+  };
+  const auto tokens = tokens_of(pointer);
+  if (!tokens || tokens->empty()) throw no_place();
+  const nlohmann::ordered_json json = json_or_discarded(given);
+  const std::string value = json.is_discarded() ? quoted(std::string(given)) : std::string(given);
+  const Scanner scanner(text);
+  std::size_t at = scanner.past_space(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  for (std::size_t k = 0; k < tokens->size(); ++k) {
+    if (at >= text.size() || (text[at] != '{' && text[at] != '[')) throw no_place();
+    const std::string& token = (*tokens)[k];
+    const std::vector<Member> members = scanner.members(at);
+    std::optional<Span> found;
+    if (text[at] == '{') {
+      for (const Member& member : members)
+        if (scanner.word(member.key) == token) found = member.value;
+      if (!found) return with_member(text, at, members, token, nested(*tokens, k + 1, value));
+    } else {
+      const auto index = array_index(token, members.size());
+      if (!index) throw no_place();
+      found = members[*index].value;
+    }
+    if (k + 1 == tokens->size()) return std::string(text).replace(found->begin, found->end - found->begin, value);
+    at = found->begin;
+  }
+  throw no_place();
+}
+
+}  // namespace earthtop::input

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of a comparison with a measurement.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "earthtop/elementary.hpp"
+#include "earthtop/measure/measurement.hpp"
+#include "measure/measured_motion.hpp"
+#include "results/time_unit.hpp"
+
+namespace earthtop {
+namespace measure {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kAllUpTo = 600, kSpans = 300;  // values of a quantity in a picture
+
+using Series = std::vector<const MeasurementResidual*>;
+
+/// The residuals of each quantity, in the order in which the quantities first appear.
+std::vector<Series> series_of(const MeasurementReport& report) {
+  std::vector<Series> list;
+  std::map<std::string_view, std::size_t> places;
+  for (const MeasurementResidual& residual : report.residuals) {
+    const auto place = places.try_emplace(residual.quantity, list.size()).first->second;
+    if (place == list.size()) list.emplace_back();
+    list[place].push_back(&residual);
+  }
+  return list;
+}
+
+/// Of very many values, those whose residuals are least and largest in each of some spans.
+Series thinned(const Series& all) {
+  if (all.size() <= kAllUpTo) return all;
+  Series kept;
+  const auto smaller = [](const auto* a, const auto* b) { return a->normalised() < b->normalised(); };
+  for (std::size_t k = 0; k < kSpans; ++k) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(all.size() * k / kSpans);
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(all.size() * (k + 1) / kSpans);
+    auto [least, largest] = std::minmax_element(begin, end, smaller);
+    if (largest < least) std::swap(least, largest);
+    kept.push_back(*least);
+    if (largest != least) kept.push_back(*largest);
+  }
+  return kept;
+}
+
+bool is_azimuth(std::string_view quantity) { return quantity.ends_with("azimuth"); }
+
+/// The curve's angle that a quantity is measured against.
+double CurvePoint::*angle_of(std::string_view quantity) {
+  if (quantity == "drift_azimuth") return &CurvePoint::drift_azimuth_rad;
+  if (quantity == "drift_tilt") return &CurvePoint::drift_tilt_rad;
+  return is_azimuth(quantity) ? &CurvePoint::azimuth_rad : &CurvePoint::tilt_rad;
+}
+
+struct Point {
+  double t_s, angle_rad;
+};
+
+/// The model's angle over time, from the curve and from the predictions at measured times.
+std::vector<Point> model_of(const MeasurementReport& report, const Series& series) {
+  std::vector<Point> points;
+  const auto angle = angle_of(series.front()->quantity);
+  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*angle});
+  for (const MeasurementResidual* residual : series) points.push_back({residual->t_s, residual->predicted_rad});
+  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.t_s < b.t_s; });
+  return points;
+}
+
+/// Counts the azimuths of a model on over whole turns. Where two neighbours are far apart that cannot be done: then they stay
+/// as they are, from 0 to a turn, and the curve is broken where it leaps.
+void unwrap(std::vector<Point>& points) {
+  constexpr double kFarApart = 2.5;  // rad; beyond half a turn the next one could as well be on the other side
+  std::vector<Point> unwrapped = points;
+  double before = kNone;
+  bool is_continuous = true;
+  for (Point& point : unwrapped) {
+    if (!std::isfinite(point.angle_rad)) continue;
+    if (std::isfinite(before)) point.angle_rad = before + std::remainder(point.angle_rad - before, kWholeTurn);
+    is_continuous = is_continuous && !(std::abs(point.angle_rad - before) > kFarApart);
+    before = point.angle_rad;
+  }
+  const double turns = std::isfinite(before) && !unwrapped.empty() && std::isfinite(unwrapped.front().angle_rad)
+                           ? std::floor(unwrapped.front().angle_rad / kWholeTurn)
+                           : 0;
+  if (is_continuous) {
+    for (Point& point : unwrapped) point.angle_rad -= turns * kWholeTurn;  // compass azimuths begin from 0 to a turn
+    points = std::move(unwrapped);
+    return;
+  }
+  std::vector<Point> broken;
+  for (Point point : points) {
+    point.angle_rad -= std::floor(point.angle_rad / kWholeTurn) * kWholeTurn;
+    if (!broken.empty() && std::abs(point.angle_rad - broken.back().angle_rad) > std::numbers::pi)
+      broken.push_back({point.t_s, kNone});
+    broken.push_back(point);
+  }
+  points = std::move(broken);
+}
+
+struct ShownUnit {
+  const char* name;
+  double per_rad;
+};
+/// Degrees, or seconds of arc where all is within a quarter of a degree of 0.
+ShownUnit unit_for(const std::vector<Point>& points) {
+  double largest = 0;
+  for (const Point& point : points)
+    largest = std::isfinite(point.angle_rad) ? std::max(largest, std::abs(point.angle_rad)) : largest;
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return largest > 0.25 / kDegrees ? ShownUnit{"deg", kDegrees} : ShownUnit{"arcsec", 3600 * kDegrees};
+}
+
+/// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".
+std::string spoken(std::string_view quantity) {
+  if (quantity == "azimuth") return "Azimuth";
+  if (quantity == "tilt") return "Tilt";
+  if (quantity == "axis_azimuth") return "Azimuth of the axis";
+  if (quantity == "axis_tilt") return "Tilt of the axis";
+  return quantity == "drift_azimuth" ? "Drift in azimuth" : "Drift in tilt";
+}
+
+/// The measured angle of a residual whose model is drawn at `model_rad`: the residual is added to the model, so that both are
+/// counted over the same turns. An axis's residual along its azimuth is a length on the sphere.
+double measured_beside(const MeasurementResidual& residual, double model_rad) {
+  if (!is_azimuth(residual.quantity)) return residual.measured_rad;
+  if (residual.quantity == "axis_azimuth")
+    return model_rad + std::remainder(residual.measured_rad - residual.predicted_rad, kWholeTurn);
+  return model_rad + residual.residual_rad;
+}
+
+/// The label of a line: with its quantity, where there are several.
+std::string label(const MeasurementReport& report, const Series& series, const char* what) {
+  const bool is_alone = series.size() == report.residuals.size();
+  return is_alone ? what : fmt::format("{}, {}", series.front()->quantity, what);
+}
+
+Panel data_panel(const MeasurementReport& report, const Series& series, LineColor color, double per_s) {
+  const std::string_view quantity = series.front()->quantity;
+  std::vector<Point> model = model_of(report, series);
+  if (is_azimuth(quantity) && quantity != "drift_azimuth") unwrap(model);  // a drift is continuous already
+  const ShownUnit unit = unit_for(model);
+  Panel panel{{spoken(quantity), unit.name}, {}, 240};
+  Line line{label(report, series, "model"), {}, {}, LineColor::grey, LineStyle::thin};
+  for (const Point& point : model) {
+    line.x.push_back(point.t_s * per_s);
+    line.y.push_back(point.angle_rad * unit.per_rad);
+  }
+  Line data{label(report, series, "measured"), {}, {}, color, LineStyle::points, Marker::circle};
+  auto beside = model.begin();
+  for (const MeasurementResidual* residual : thinned(series)) {
+    while (beside->t_s < residual->t_s || !(std::isfinite(beside->angle_rad) || !std::isfinite(residual->predicted_rad)))
+      ++beside;
+    data.x.push_back(residual->t_s * per_s);
+    data.y.push_back(measured_beside(*residual, beside->angle_rad) * unit.per_rad);
+    data.error.push_back(residual->standard_error_rad * unit.per_rad);
+  }
+  panel.lines = {std::move(line), std::move(data)};
+  return panel;
+}
+
+Panel residual_panel(const MeasurementReport& report, const Series& series, LineColor color, double per_s) {
+  const std::string name = spoken(series.front()->quantity);
+  Panel panel{{name + ": measured less model", "standard errors"}, {}, 150};
+  Line line{label(report, series, "residual"), {}, {}, color, LineStyle::points, Marker::circle};
+  for (const MeasurementResidual* residual : thinned(series)) {
+    line.x.push_back(residual->t_s * per_s);
+    line.y.push_back(residual->normalised());
+    line.error.push_back(1);
+  }
+  panel.lines.push_back(std::move(line));
+  return panel;
+}
+
+double normal_density(double x) { return real::exp(-x * x / 2) / std::sqrt(kWholeTurn); }
+
+}  // namespace
+}  // namespace measure
+
+Figure measurement_figure(const MeasurementReport& report) {
+  using namespace measure;
+  constexpr LineColor kColors[] = {LineColor::blue, LineColor::vermillion, LineColor::green, LineColor::purple};
+  const double end_s = report.residuals.empty() ? 0 : report.residuals.back().t_s;
+  const TimeUnit time = time_unit(end_s);
+  Figure figure{fmt::format("{} and {}", report.file, report.scenario_name),
+                fmt::format("Measured values with their standard errors, and the model {}",
+                            report.fitted ? "with the fitted numbers" : "as the scenario gives it"),
+                {"Time since release", time.name},
+                {}};
+  const std::vector<Series> list = series_of(report);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const LineColor color = kColors[k % std::size(kColors)];
+    figure.panels.push_back(data_panel(report, list[k], color, time.per_s));
+    figure.panels.push_back(residual_panel(report, list[k], color, time.per_s));
+  }
+  return figure;
+}
+
+Figure residuals_histogram(const MeasurementReport& report) {
+  using namespace measure;
+  std::vector<double> values;
+  for (const MeasurementResidual& residual : report.residuals)
+    if (std::isfinite(residual.independent())) values.push_back(residual.independent());
+  const auto n = static_cast<double>(values.size());
+  constexpr double kEnd = 5;  // standard errors; what is beyond is counted in the bins at the ends
+  const double width = values.size() < 50 ? 1 : values.size() < 1000 ? 0.5 : 0.25;
+  const auto bins = static_cast<std::size_t>(2 * kEnd / width);
+  Line bars{"residuals", {}, std::vector<double>(bins, 0), LineColor::blue, LineStyle::bars};
+  for (std::size_t k = 0; k < bins; ++k) bars.x.push_back(-kEnd + (static_cast<double>(k) + 0.5) * width);
+  std::size_t beyond = 0;
+  for (const double value : values) {
+    const double place = std::clamp((value + kEnd) / width, 0.0, static_cast<double>(bins) - 0.5);
+    ++bars.y[static_cast<std::size_t>(place)];
+    beyond += std::abs(value) > kEnd ? 1 : 0;
+  }
+  Line normal{"normal errors of the stated size", {}, {}, LineColor::vermillion};
+  for (int k = -100; k <= 100; ++k) {
+    normal.x.push_back(kEnd * k / 100);
+    normal.y.push_back(n * width * normal_density(normal.x.back()));
+  }
+  return {"How often each size occurs",
+          beyond > 0
+              ? fmt::format("{} of {} values are beyond 5 standard errors, and are counted at the ends", beyond, values.size())
+              : fmt::format("{} values", values.size()),
+          {report.correlation_time_s > 0 ? "Whitened residual" : "Residual", "standard errors"},
+          {{{"Number of values", ""}, {std::move(bars), std::move(normal)}, 240}}};
+}
+
+}  // namespace earthtop

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Puts the estimates of a fit into the text of its scenario.
+#include <fmt/core.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "earthtop/measure/measurement.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "input/text_edit.hpp"
+#include "measure/estimated_inputs.hpp"
+#include "text/json.hpp"
+
+namespace earthtop {
+namespace measure {
+namespace {
+
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+std::string with_overrides(std::string text, const Overrides& overrides) {
+  for (const auto& [pointer, value] : overrides) text = input::with_value(text, pointer, value);
+  return text;
+}
+
+std::string with_number(const std::string& text, std::string_view pointer, double number) {
+  return input::with_value(text, pointer, fmt::format("{}", number));
+}
+
+/// The scenario that a text is, in the place where it will be. @throws ScenarioError where it is none
+Scenario read_in_place(const ScenarioSource& source, const std::string& text, const std::string& file) {
+  ScenarioReport report = examine_scenario({file, text, source.may_name_files});
+  if (!report.scenario) throw ScenarioError(std::move(report.errors), file);
+  return std::move(*report.scenario);
+}
+
+/// Puts in what inputs without a place of their own in the text have changed: a component of the Earth's rate changes rate and
+/// latitude, a ratio of moments the body.
+std::string with_combined_inputs(std::string text, const Scenario& wanted,
+                                 const std::function<Scenario(const std::string&)>& read) {
+  const Scenario before = read(text);
+  const auto put = [&](std::string_view pointer, double now, double number) {
+    if (now != number) text = with_number(text, pointer, number);
+  };
+  put("/earth/rotation_rate_rad_s", before.rotation_rate_rad_s, wanted.rotation_rate_rad_s);
+  put("/site/latitude_deg", before.site.latitude_deg, wanted.site.latitude_deg);
+  put("/effects/excess_length_of_day_ms", before.excess_length_of_day_ms, wanted.excess_length_of_day_ms);
+  put("/site/gravity_m_s2", read(text).site.gravity_m_s2, wanted.site.gravity_m_s2);  // by default it follows the latitude
+  if (before.body != wanted.body) text = input::with_value(text, "/body", written(json_of(canonical_json(wanted)).at("body")));
+  return text;
+}
+
+/// Whether two scenarios differ at most in their names: without one in the text a scenario has its file's.
+bool are_alike(Scenario a, const Scenario& b) {
+  a.name = b.name;
+  return a == b;
+}
+
+}  // namespace
+}  // namespace measure
+
+void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
+                               const std::string& file) {
+  using namespace measure;
+  const Scenario scenario = read_in_place(source, with_overrides(source.text, overrides), file);
+  if (!are_alike(scenario, parse_scenario(source, overrides)))
+    throw ScenarioError("", "the scenario would be another one there: does it name a file beside it?");
+}
+
+std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
+                            const MeasurementReport& report, const std::string& file) {
+  using namespace measure;
+  if (!report.fitted) throw ScenarioError("", "there is no fit whose estimates could be written");
+  std::vector<std::string> names;
+  std::vector<double> values;
+  for (const ParameterEstimate& estimate : report.estimates) {
+    names.push_back(estimate.name);
+    values.push_back(*estimate.estimate);
+  }
+  const EstimatedInputs inputs(source, overrides, parse_scene(source, overrides), names);
+  const std::optional<Scene> scene = inputs.scene(values);
+  if (!scene) throw ScenarioError("", "no scenario has these estimates");
+  const Scenario& fitted = scene->scenario();
+
+  std::string text = with_overrides(source.text, overrides);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
+  text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });
+  if (!are_alike(read_in_place(source, text, file), fitted))
+    throw ScenarioError("", "no scenario's text has exactly these estimates");
+  return text;
+}
+
+}  // namespace earthtop

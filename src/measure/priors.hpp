@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a scenario's `uncertainty` block says of the inputs that are estimated.
+#pragma once
+
+#include <vector>
+
+#include "earthtop/measure/measurement.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "measure/estimated_inputs.hpp"
+#include "measure/weighted_fit.hpp"
+
+namespace earthtop::measure {
+
+/// The standard errors of the `uncertainty` block that are about estimated inputs, and why the others are not.
+struct FoundPriors {
+  std::vector<Prior> used;
+  std::vector<FitPrior> of_fit;  ///< the same for the fit
+  std::vector<UnusedPrior> unused;
+};
+
+/// @throws ScenarioError where the scenario has no such block
+FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& inputs);
+
+}  // namespace earthtop::measure

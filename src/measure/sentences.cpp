@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the estimates say, in words.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/elementary.hpp"
+#include "earthtop/measure/measurement.hpp"
+
+namespace earthtop {
+namespace measure {
+namespace {
+
+/// An input as a sentence calls it, and whether its absence means something: that the Earth does not turn.
+struct SpokenInput {
+  std::string_view name, spoken;
+  bool may_be_seen;
+};
+constexpr SpokenInput kSpokenInputs[] = {
+    {"omega_sin_latitude_rad_s", "the Earth's rate times sin(latitude)", true},
+    {"omega_cos_latitude_rad_s", "the Earth's rate times cos(latitude)", true},
+    {"rotation_rate_rad_s", "the Earth's rate", true},
+    {"/earth/rotation_rate_rad_s", "the Earth's rate", true},
+    {"latitude_deg", "the latitude", false},
+    {"/site/latitude_deg", "the latitude", false},
+    {"gravity_m_s2", "apparent gravity", false},
+    {"/site/gravity_m_s2", "apparent gravity", false},
+    {"spin_rad_s", "the spin", false},
+    {"/release/spin_rad_s", "the spin", false},
+    {"tilt_deg", "the tilt at release", false},
+    {"/release/tilt_deg", "the tilt at release", false},
+    {"/release/azimuth_deg", "the azimuth at release", false},
+    {"/release/spin_angle_deg", "the spin angle at release", false},
+    {"inertia_ratio", "the ratio I3/I1 of the moments", false},
+    {"center_of_mass_m", "the distance of the centre of mass", false},
+};
+
+/// A number of standard errors as one says it: "17", "3.4", "0.1".
+std::string sigmas(double count) {
+  if (count < 9.95) return fmt::format("{:.1f}", count);
+  return count < 9999.5 ? fmt::format("{:.0f}", count) : fmt::format("{:.1e}", count);
+}
+
+}  // namespace
+}  // namespace measure
+
+std::string with_standard_error(double value, double error) {
+  if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.8g}", value);
+  const double size = std::max(std::abs(value), error);
+  const double last = std::floor(real::log10(error)) - 1;  // decimal place of the last digit shown
+  if (size >= 1e-3 && size < 1e6 && last >= -12)
+    return fmt::format("{0:.{2}f} ± {1:.{2}f}", value, error, static_cast<int>(std::max(-last, 0.0)));
+  const double decade = std::floor(real::log10(size));
+  const auto digits = static_cast<int>(std::clamp(decade - last, 1.0, 16.0));
+  const double unit = real::power_of_ten(static_cast<int>(std::clamp(decade, -300.0, 300.0)));
+  return fmt::format("{0:.{2}f}e{3:.0f} ± {1:.{2}f}e{3:.0f}", value / unit, error / unit, digits, decade);
+}
+
+std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
+  using namespace measure;
+  if (!given.estimate || !given.standard_error) return "";
+  const double error = by_scatter ? given.standard_error_scaled.value_or(*given.standard_error) : *given.standard_error;
+  const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
+                                   [&](const SpokenInput& input) { return input.name == given.name; });
+  const bool is_known = known != std::end(kSpokenInputs);
+  std::string text = fmt::format("{} is {}{}{}", is_known ? known->spoken : std::string_view(given.name),
+                                 with_standard_error(*given.estimate, error), given.unit.empty() ? "" : " ", given.unit);
+  if (!(error > 0) || !std::isfinite(error)) return text;
+  if (error > *given.standard_error)
+    text +=
+        fmt::format(" (the error by the scatter, {:.2g} times what the stated errors explain)", error / *given.standard_error);
+  constexpr double kSeen = 3;  // below this number of standard errors, one in 370 absent effects looks as large
+  if (is_known && known->may_be_seen) {
+    const double distance = std::abs(*given.estimate) / error;
+    text += distance >= kSeen ? fmt::format(": seen at {} sigma", sigmas(distance))
+                              : fmt::format(": not seen, {} sigma from 0", sigmas(distance));
+  }
+  const double off = (given.start - *given.estimate) / error;
+  return text + fmt::format("; the scenario's {:.10g} is {} sigma {} it", given.start, sigmas(std::abs(off)),
+                            off < 0 ? "below" : "above");
+}
+
+}  // namespace earthtop

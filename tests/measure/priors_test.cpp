@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scenario's uncertainty block adds to a fit, and what the estimates say in words.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "measure/made_up_measurements.hpp"
+#include "support/json.hpp"
+
+namespace earthtop {
+namespace {
+
+using namespace test;
+
+class Priors : public MeasurementTest {
+ protected:
+  /// The azimuths of a free gyroscope on an Earth that turns faster by `more`; nothing else is measured.
+  Measurement faster_earth(double more) const {
+    std::string csv = "t_s,azimuth_rad,azimuth_se_rad\n";
+    for (int i = 1; i <= 10; ++i)
+      csv += fmt::format("{},{},1e-5\n", 6 * i,
+                         azimuth(free_axis(kEast, (1 + more) * kNorthward45, (1 + more) * kVertical45, 6.0 * i)));
+    return read(csv);
+  }
+  static Overrides with(const std::string& uncertainty) { return {{"/uncertainty", uncertainty}}; }
+};
+
+// Of a straight line y = a x with the error s and the prior 0 +- p of a: the weights of both add, and chi-squared at the best
+// value a0 / (1 + s^2 / p^2 / sum x^2) has the prior's square, too.
+TEST_F(Priors, WeighAsDataDo) {
+  const Measurement data = faster_earth(0.02);
+  const MeasurementOptions alone{.estimates = {"rotation_rate_rad_s"}};
+  const auto free = compare_with_measurement(shipped("free-gyro"), {}, data, alone);
+  ASSERT_TRUE(free.fitted);
+  const double s = *free.estimates[0].standard_error, p = 0.7 * s;
+  const auto bound = compare_with_measurement(shipped("free-gyro"), with(fmt::format("{{\"rotation_rate_rad_s\": {}}}", p)),
+                                              data, {.estimates = {"rotation_rate_rad_s"}, .priors = true});
+  ASSERT_TRUE(bound.fitted);
+  const double w = 1 / (s * s), v = 1 / (p * p), moved = *free.estimates[0].estimate - kOmega;
+  const double rate = kOmega + moved * w / (w + v);
+  // The azimuth is linear in the rate to some 0.005, its turn within the minute.
+  EXPECT_NEAR(*bound.estimates[0].estimate, rate, 0.005 * std::abs(moved));
+  EXPECT_NEAR(*bound.estimates[0].standard_error, 1 / std::sqrt(w + v), 1e-4 * s);
+  ASSERT_EQ(bound.priors.size(), 1u);
+  EXPECT_NEAR(*bound.priors[0].pull, (rate - kOmega) / p, 0.005 * std::abs(moved) / p);
+  EXPECT_EQ(bound.priors[0].mean, kOmega);
+  EXPECT_EQ(bound.fitted->of_priors, *bound.priors[0].pull * *bound.priors[0].pull);
+  EXPECT_NEAR(bound.fitted->value, moved * moved / (s * s + p * p), 0.02 * moved * moved / (s * s));
+  EXPECT_EQ(bound.fitted->degrees_of_freedom, 10) << "ten values and a prior, less an estimate";
+  EXPECT_EQ(free.fitted->degrees_of_freedom, 9);
+  EXPECT_EQ(bound.as_given.degrees_of_freedom, 10) << "nothing is fitted, and the prior's residual is 0 by its meaning";
+}
+
+TEST_F(Priors, DetermineWhatTheDataDoNot) {
+  const Measurement data = faster_earth(0);
+  const MeasurementOptions both{.estimates = {"rotation_rate_rad_s", "latitude_deg"}, .priors = true};
+  EXPECT_EQ(compare_with_measurement(shipped("free-gyro"), {}, data, {.estimates = both.estimates}).fit,
+            FitOutcome::not_determined);
+  const auto report = compare_with_measurement(shipped("free-gyro"), with(R"({"latitude_deg": 0.5})"), data, both);
+  ASSERT_TRUE(report.fitted) << report.fit_reason;
+  EXPECT_NEAR(*report.estimates[1].standard_error, 0.5, 1e-3) << "the prior's alone";
+  EXPECT_EQ(report.fitted->degrees_of_freedom, 9);
+  // An input without any influence on the data is its prior, exactly. The spin of a balanced gyroscope is one.
+  const auto idle = compare_with_measurement(shipped("free-gyro"), with(R"({"tilt_deg": 0.1, "gravity_m_s2": 0.25})"), data,
+                                             {.estimates = {"rotation_rate_rad_s", "gravity_m_s2"}, .priors = true});
+  ASSERT_TRUE(idle.fitted) << idle.fit_reason;
+  EXPECT_NEAR(*idle.estimates[1].standard_error, 0.25, 1e-9);
+  ASSERT_EQ(idle.unused_priors.size(), 1u);
+  EXPECT_EQ(idle.unused_priors[0].name, "tilt_deg");
+  EXPECT_NE(idle.unused_priors[0].reason.find("--estimate tilt_deg"), std::string::npos);
+}
+
+TEST_F(Priors, OfMomentsAndCentreAreMapped) {
+  const auto source = shipped("toy-top");
+  const Measurement data = read("t_s,tilt_deg,tilt_se_deg\n0.5,20,1\n1,20,1\n1.5,20,1\n");
+  const Overrides set = with(R"({"inertia_ratio": 0.01, "center_of_mass_m": 1e-4})");
+  const auto report =
+      compare_with_measurement(source, set, data, {.estimates = {"/body/inertia/principal_kg_m2/2"}, .priors = true});
+  ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
+  ASSERT_EQ(report.priors.size(), 1u);
+  EXPECT_EQ(report.priors[0].name, "inertia_ratio");
+  EXPECT_NEAR(report.priors[0].standard_error, 0.01 * 1.2e-4, 1e-15);  // I1 is 1.2e-4 kg m^2
+  const auto moved = compare_with_measurement(
+      source, set, data, {.estimates = {"/body/inertia/principal_kg_m2/2", "/body/center_of_mass_m/2"}, .priors = true});
+  for (const Prior& prior : moved.priors) EXPECT_EQ(prior.name, "center_of_mass_m") << "I1 may move with the centre";
+}
+
+TEST_F(Priors, AreReported) {
+  const auto report = compare_with_measurement(shipped("free-gyro"), with(R"({"rotation_rate_rad_s": 1e-6, "tilt_deg": 1})"),
+                                               faster_earth(0.01), {.estimates = {"rotation_rate_rad_s"}, .priors = true});
+  const auto document = testing::parse_json(measurement_json(report));
+  EXPECT_EQ(document.at("priors").at(0).at("input"), "rotation_rate_rad_s");
+  EXPECT_EQ(document.at("priors").at(0).at("pull"), *report.priors[0].pull);
+  EXPECT_EQ(document.at("chi_squared").at("fitted").at("of_priors"), report.fitted->of_priors);
+  EXPECT_EQ(document.at("unused_priors").at(0).at("name"), "tilt_deg");
+}
+
+TEST_F(Priors, ThatCannotEnterAreRefused) {
+  const Measurement data = faster_earth(0);
+  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), {}, data, {.estimates = {"tilt_deg"}, .priors = true}),
+               ScenarioError);
+  EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), with(R"({"tilt_deg": 1})"), data, {.priors = true}),
+               ScenarioError);
+}
+
+TEST(Sentences, SayWhatWasSeen) {
+  struct Case {
+    std::string name, unit;
+    double start, estimate, error, scaled;
+    bool by_scatter;
+    std::string expected;
+  };
+  const Case cases[] = {
+      {"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, 5.16e-5, 3.0e-6, 3.0e-6, false,
+       "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the scenario's 5.2e-05 is 0.1 sigma "
+       "above it"},
+      {"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, -5.16e-5, 3.0e-6, 6.0e-6, true,
+       "the Earth's rate times sin(latitude) is -5.16e-5 ± 0.60e-5 rad/s (the error by the scatter, 2 times what the stated "
+       "errors explain): seen at 8.6 sigma; the scenario's 5.2e-05 is 17 sigma above it"},
+      {"rotation_rate_rad_s", "rad/s", 7.3e-5, 4e-5, 8e-5, 9e-5, false,
+       "the Earth's rate is 4.0e-5 ± 8.0e-5 rad/s: not seen, 0.5 sigma from 0; the scenario's 7.3e-05 is 0.4 sigma above it"},
+      {"latitude_deg", "deg", 45, 45.7, 0.35, 0.35, false,
+       "the latitude is 45.70 ± 0.35 deg; the scenario's 45 is 2.0 sigma below it"},
+      {"/body/mass_kg", "kg", 0.1, 0.1, 0.02, 0.02, false,
+       "/body/mass_kg is 0.100 ± 0.020 kg; the scenario's 0.1 is 0.0 sigma above it"},
+      {"spin_rad_s", "rad/s", 2e7, 2.5e7, 1e6, 1e6, false,
+       "the spin is 2.50e7 ± 0.10e7 rad/s; the scenario's 20000000 is 5.0 sigma below it"},
+  };
+  for (const Case& c : cases)
+    EXPECT_EQ(estimate_sentence({c.name, c.unit, c.start, c.estimate, c.error, c.scaled}, c.by_scatter), c.expected);
+  EXPECT_EQ(estimate_sentence({"latitude_deg", "deg", 45, {}, {}, {}}, false), "");
+}
+
+}  // namespace
+}  // namespace earthtop
