@@ -21,6 +21,7 @@ budget
 run
 results plot
 bench study compare measure report verify
+plan
 tools'
 
 find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |

@@ -132,7 +132,10 @@ struct MeasurementReport {
 ///   - latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, rotation_rate_rad_s: the pointers of these inputs; where the scenario
 ///     gives no gravity, the ellipsoid's gravity changes with the latitude;
 ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
-///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one.
+///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one;
+///   - omega_cos_latitude_rad_s: its northward component, likewise; a gyrocompass feels this one only;
+///   - inertia_ratio: I3/I1 about the pivot, with I1 and I2 as they are; center_of_mass_m: the distance of the centre of mass
+///     from the pivot, with the inertia about the pivot as it is.
 /// Errors of measured values are assumed to be normal and independent of each other. The search for the least sum of squares
 /// begins at the scenario's numbers; where azimuths may be off by a full turn, there may be several minima.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time

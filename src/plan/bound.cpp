@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/bound.hpp"
+
+#include <gsl/gsl_matrix.h>
+#include <gsl/gsl_vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/elementary.hpp"
+#include "error/gsl_errors.hpp"
+#include "measure/influences.hpp"
+
+namespace earthtop::plan {
+namespace {
+
+using Eigen::Index;
+/// The change that no value notices is stated for so small a part of the scale of the number that changes most.
+constexpr double kSmallChange = 0.01;
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The derivatives of the chosen values. Where errors are correlated, each value is replaced by what is new in it beside the one
+/// before it in its series, (e_k - rho e_(k-1)) / sqrt(1 - rho^2) with rho = exp(-dt / tau): the errors of these are independent
+/// and of variance 1.
+RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice, Index more_rows) {
+  std::vector<Index> chosen;
+  for (std::size_t i = 0; i < all.values.size(); ++i) {
+    const PlannedValue& value = all.values[i];
+    if (value.row % choice.stride == 0 && value.row / choice.stride < choice.rows && value.quantity < choice.quantities)
+      chosen.push_back(static_cast<Index>(i));
+  }
+  const Index numbers = all.J.cols(), rows = static_cast<Index>(chosen.size()) + more_rows;
+  RowMajor J = RowMajor::Zero(std::max(rows, numbers), numbers);
+  std::vector<Index> latest;  // of each series, -1 before its first value
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const PlannedValue& value = all.values[static_cast<std::size_t>(chosen[k])];
+    const auto to = static_cast<Index>(k);
+    if (value.series >= latest.size()) latest.resize(value.series + 1, -1);
+    Index& before = latest[value.series];
+    J.row(to) = all.J.row(chosen[k]);
+    if (choice.correlation_time_s > 0 && before >= 0) {
+      const double elapsed = (value.t_s - all.values[static_cast<std::size_t>(before)].t_s) / choice.correlation_time_s;
+      const double rho = real::exp(-elapsed), root = std::sqrt(-real::expm1(-2 * elapsed));
+      J.row(to) = (J.row(to) - rho * all.J.row(before)) / root;
+    }
+    before = chosen[k];
+    J.row(to) /= choice.sigma_factor;
+  }
+  return J;
+}
+
+}  // namespace
+
+std::optional<double> Bound::standard_error(std::size_t input) const {
+  if (!is_determined()) return std::nullopt;
+  const auto i = static_cast<Index>(input);
+  return std::sqrt(covariance(i, i));
+}
+
+Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales, const std::vector<InputPrior>& priors,
+               const ValueChoice& choice) {
+  const ReturnedGslErrors returned;
+  RowMajor J = chosen_rows(derivatives, choice, static_cast<Index>(priors.size()));
+  Index last = J.rows();
+  for (const InputPrior& prior : priors)  // in the rows at the end, which are 0
+    J(--last, static_cast<Index>(prior.input)) = scales[prior.input] / prior.standard_error;
+  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
+  const gsl_matrix_const_view matrix =
+      gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
+  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
+  const measure::Influences influences(&matrix.matrix, &none.vector);
+  Bound bound;
+  const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
+  if (influences.determine_all()) {
+    const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();
+    bound.covariance = (covariance + covariance.transpose()) / 2;
+    return bound;
+  }
+  bound.undetermined = influences.least_determined();
+  const Eigen::VectorXd direction = influences.least_determined_direction();
+  double largest = 0;
+  for (const std::size_t j : bound.undetermined) largest = std::max(largest, std::abs(direction[static_cast<Index>(j)]));
+  for (Index j = 0; j < direction.size(); ++j)
+    bound.direction.push_back(kSmallChange * direction[j] / largest * scales[static_cast<std::size_t>(j)]);
+  return bound;
+}
+
+}  // namespace earthtop::plan
