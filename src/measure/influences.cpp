@@ -13,10 +13,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A direction in the space of parameters is not determined if its influence is less than this part of the largest one's, with
-/// each single parameter's influence scaled to 1. It is ten times the uncertainty of the differences.
-constexpr double kLeastInfluence = 1e-5;
-
 }  // namespace
 
 Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
@@ -38,8 +34,8 @@ Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
   next_step_ = gsl_blas_dnrm2(projected.get());
 }
 
-bool Influences::determine_all() const {
-  return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > kLeastInfluence * gsl_vector_get(S_.get(), 0);
+bool Influences::determine_all(double least) const {
+  return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > least * gsl_vector_get(S_.get(), 0);
 }
 
 std::vector<std::size_t> Influences::least_determined() const {

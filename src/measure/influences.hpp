@@ -22,8 +22,12 @@ class Influences {
   /// would lessen the sum of squares.
   double next_step() const { return next_step_; }
 
+  /// A direction in the space of parameters is not determined if its influence is less than this part of the largest one's, with
+  /// each single parameter's influence scaled to 1. It is ten times the uncertainty of the differences that are the derivatives.
+  static constexpr double kLeast = 1e-5;
+
   /// Whether the data determine every parameter.
-  bool determine_all() const;
+  bool determine_all(double least = kLeast) const;
   /// The parameters that take part in the direction which the data determine least.
   std::vector<std::size_t> least_determined() const;
   /// The components of that direction, for a change of each parameter in the unit of its column.

@@ -4,6 +4,7 @@
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -18,20 +19,25 @@ using Eigen::Index;
 /// The change that no value notices is stated for so small a part of the scale of the number that changes most.
 constexpr double kSmallChange = 0.01;
 
+/// With priors a direction that the values do not determine may count for as little as this part of the largest influence: the
+/// derivatives of strong influences are good to 1e-8, so that such a direction is mixed up with others by a tenth of a standard
+/// error at most.
+constexpr double kLeastWithPriors = 1e-7;
+
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The derivatives of the chosen values. Where errors are correlated, each value is replaced by what is new in it beside the one
 /// before it in its series, (e_k - rho e_(k-1)) / sqrt(1 - rho^2) with rho = exp(-dt / tau): the errors of these are independent
 /// and of variance 1.
-RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice, Index more_rows) {
+RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
   std::vector<Index> chosen;
   for (std::size_t i = 0; i < all.values.size(); ++i) {
     const PlannedValue& value = all.values[i];
     if (value.row % choice.stride == 0 && value.row / choice.stride < choice.rows && value.quantity < choice.quantities)
       chosen.push_back(static_cast<Index>(i));
   }
-  const Index numbers = all.J.cols(), rows = static_cast<Index>(chosen.size()) + more_rows;
-  RowMajor J = RowMajor::Zero(std::max(rows, numbers), numbers);
+  const Index numbers = all.J.cols();
+  RowMajor J = RowMajor::Zero(std::max(static_cast<Index>(chosen.size()), numbers), numbers);
   std::vector<Index> latest;  // of each series, -1 before its first value
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     const PlannedValue& value = all.values[static_cast<std::size_t>(chosen[k])];
@@ -50,6 +56,26 @@ RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice, Index mo
   return J;
 }
 
+/// As many rows as numbers with the same information as J, and below them those of the priors. Directions that the values do not
+/// determine are left to the priors: their derivatives there are differences' errors, and count as 0.
+RowMajor with_priors(const RowMajor& J, const std::vector<double>& scales, const std::vector<InputPrior>& priors) {
+  const Index numbers = J.cols();
+  const Eigen::VectorXd lengths = J.colwise().norm();
+  Eigen::MatrixXd unit = J;
+  for (Index j = 0; j < numbers; ++j)
+    if (lengths[j] > 0) unit.col(j) /= lengths[j];
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::VectorXd singular = svd.singularValues();
+  for (Index i = 0; i < numbers; ++i)
+    if (!(singular[i] > measure::Influences::kLeast * singular[0])) singular[i] = 0;
+  RowMajor rows = RowMajor::Zero(numbers + static_cast<Index>(priors.size()), numbers);
+  rows.topRows(numbers) = singular.asDiagonal() * svd.matrixV().transpose() * lengths.asDiagonal();
+  for (std::size_t k = 0; k < priors.size(); ++k)
+    rows(numbers + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
+        scales[priors[k].input] / priors[k].standard_error;
+  return rows;
+}
+
 }  // namespace
 
 std::optional<double> Bound::standard_error(std::size_t input) const {
@@ -61,10 +87,8 @@ std::optional<double> Bound::standard_error(std::size_t input) const {
 Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales, const std::vector<InputPrior>& priors,
                const ValueChoice& choice) {
   const ReturnedGslErrors returned;
-  RowMajor J = chosen_rows(derivatives, choice, static_cast<Index>(priors.size()));
-  Index last = J.rows();
-  for (const InputPrior& prior : priors)  // in the rows at the end, which are 0
-    J(--last, static_cast<Index>(prior.input)) = scales[prior.input] / prior.standard_error;
+  RowMajor J = chosen_rows(derivatives, choice);
+  if (!priors.empty()) J = with_priors(J, scales, priors);
   const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
   const gsl_matrix_const_view matrix =
       gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
@@ -72,7 +96,7 @@ Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales
   const measure::Influences influences(&matrix.matrix, &none.vector);
   Bound bound;
   const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
-  if (influences.determine_all()) {
+  if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : kLeastWithPriors)) {
     const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();
     bound.covariance = (covariance + covariance.transpose()) / 2;
     return bound;

@@ -93,6 +93,10 @@ void describe_undetermined(PlanReport& report, const Bound& bound) {
   }
   report.reason = names.size() == 1 ? fmt::format("these data would not determine {}", names.front())
                                     : fmt::format("these data would not tell apart {}", fmt::join(names, ", "));
+  report.advice = names.size() == 1
+                      ? fmt::format("Measure another quantity, or leave {} out.", names.front())
+                      : "Say in the scenario's uncertainty block how well one of them is known, leave one out, or measure "
+                        "another quantity.";
 }
 
 void fill_in_errors(PlanReport& report, const Bound& bound) {

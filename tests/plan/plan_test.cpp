@@ -124,6 +124,24 @@ TEST(Plan, StatedUncertaintiesArePriors) {
   EXPECT_NE(rate.notes[0].find("uncertainty of latitude_deg is not used"), std::string::npos);
 }
 
+/// Of a top's spin and inertia ratio only the product, its angular momentum, is seen. Where a prior tells them apart, the Earth's
+/// rate is seen as well as if the ratio were known exactly.
+TEST(Plan, APriorTellsApartWhatTheDataDoNot) {
+  MeasurementPlan plan = plan_for("axis_deg", 0.01, 0.1, 20);
+  plan.nuisances = {"spin_rad_s"};
+  const auto source = shipped("toy-top");
+  const PlanReport known = plan_measurement(source, {}, plan);
+  const PlanReport report = plan_measurement(source, {{"/uncertainty/inertia_ratio", "0.01"}}, plan);
+  ASSERT_EQ(report.outcome, PlanOutcome::determined) << report.reason;
+  EXPECT_NEAR(*report.estimates[0].standard_error, *known.estimates[0].standard_error,
+              0.01 * *known.estimates[0].standard_error);
+  EXPECT_NEAR(*report.estimates[1].standard_error, 200 * 0.01 * 3, 0.01 * 6);  // 3 % of the ratio are 3 % of the spin
+  EXPECT_NEAR(*report.estimates[2].standard_error, 0.01, 1e-5);
+  EXPECT_NEAR(report.correlation[1][2], -1, 1e-6);
+  plan.nuisances.emplace_back("inertia_ratio");
+  EXPECT_EQ(plan_measurement(source, {}, plan).outcome, PlanOutcome::not_determined);
+}
+
 /// Correlated errors: what is new in a value beside the one before it.
 TEST(Plan, CorrelatedErrors) {
   MeasurementPlan plan = plan_for("azimuth_rad", 1e-4, 0.5, 60);

@@ -116,9 +116,13 @@ std::string plan_text(const PlanReport& report, bool color) {
   else
     text += fmt::format("Outcome     {}\n",
                         painted(fmt::format("{}: {}", to_string(report.outcome), printable(report.reason)), "31", color));
-  for (const auto& [name, change] : report.undetermined)
-    text += fmt::format("            {} by {:+.3g}\n", printable(name), change);
-  if (report.undetermined.size() > 1) text += "            together change nothing that is measured\n";
+  if (report.undetermined.size() > 1) {
+    std::string changes;
+    for (const auto& [name, change] : report.undetermined)
+      changes += fmt::format("{}{} by {:+.3g}", changes.empty() ? "" : ", ", printable(name), change);
+    text += fmt::format("            not seen together: {}\n", changes);
+  }
+  if (report.outcome == PlanOutcome::not_determined) text += fmt::format("Remedy      {}\n", printable(report.advice));
   for (const std::string& note : report.notes) text += fmt::format("Note        {}\n", printable(note));
   if (report.outcome != PlanOutcome::determined) return text;
   text += estimates_text(report, color) + variations_text(report);
