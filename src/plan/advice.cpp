@@ -83,7 +83,7 @@ std::string change_text(const PlanReport& report, const PlanVariation& change) {
   }
   const auto input = std::find_if(report.estimates.begin(), report.estimates.end(),
                                   [&](const PlannedEstimate& estimate) { return estimate.name == change.input; });
-  return fmt::format("determine {} in another way, to ± {:.2g}{}{} where these rows alone leave ± {:.2g}", change.input,
+  return fmt::format("determine {} in another way, to ± {:.2g}{}{} where it would be ± {:.2g}", change.input,
                      change.input_error, input->unit.empty() ? "" : " ", input->unit, *input->standard_error);
 }
 

@@ -205,6 +205,8 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
   if (!design.empty()) {
     report.optimum =
         best_design(source, overrides, report.plan, numbers, design, parts.next(of_design, "design"), report.predictions);
+    if (!report.optimum)
+      report.notes.emplace_back("no design within the limits has a motion that can be relied on and determines all numbers");
     if (watch.asks_to_stop()) {
       report.outcome = PlanOutcome::interrupted;
       report.status = RunStatus::interrupted;

@@ -138,6 +138,16 @@ TEST(Plan, APriorTellsApartWhatTheDataDoNot) {
   EXPECT_NEAR(*report.estimates[1].standard_error, 200 * 0.01 * 3, 0.01 * 6);  // 3 % of the ratio are 3 % of the spin
   EXPECT_NEAR(*report.estimates[2].standard_error, 0.01, 1e-5);
   EXPECT_NEAR(report.correlation[1][2], -1, 1e-6);
+  // Also where the data count for much more than the prior.
+  for (const double factor : {1.0, 0.25})
+    EXPECT_NEAR(*variation(report, PlanChange::sigma, factor).standard_error, factor * *known.estimates[0].standard_error,
+                0.01 * *known.estimates[0].standard_error);
+  MeasurementPlan fine = plan;
+  fine.quantities[0] = planned_quantity("axis_deg", 1e-5);
+  const PlanReport finer = plan_measurement(source, {{"/uncertainty/inertia_ratio", "0.5"}}, fine);
+  ASSERT_EQ(finer.outcome, PlanOutcome::determined) << finer.reason;
+  EXPECT_NEAR(*finer.estimates[0].standard_error, 1e-3 * *known.estimates[0].standard_error,
+              1e-5 * *known.estimates[0].standard_error);
   plan.nuisances.emplace_back("inertia_ratio");
   EXPECT_EQ(plan_measurement(source, {}, plan).outcome, PlanOutcome::not_determined);
 }

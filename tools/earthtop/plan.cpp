@@ -57,7 +57,7 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
 /// Checks that no output would overwrite an input. @throws ScenarioError
 void require_apart(const PlanArguments& arguments, const Scenario& scenario) {
   namespace fs = std::filesystem;
-  const auto place = [](const std::string& path) { return fs::weakly_canonical(path).string(); };
+  const auto place = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)).string(); };
   if (!arguments.svg.empty() && !arguments.data.empty() && place(arguments.svg) == place(arguments.data))
     throw ScenarioError("", "--svg and --write-data name the same file; give two");
   std::vector<std::string> inputs = {arguments.scenario};

@@ -37,13 +37,13 @@ std::string estimates_text(const PlanReport& report, bool color) {
   std::string text = "\nStandard errors (Cramer-Rao bound)\n";
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const PlannedEstimate& e = report.estimates[j];
-    std::string line = with_unit(fmt::format("{:.6g} ± {:.2e}", e.value, *e.standard_error), e.unit);
+    std::string line = with_unit(fmt::format("{:.7g} ± {:.3g}", e.value, *e.standard_error), e.unit);
     if (!e.is_nuisance) line = painted(line, "1", color);
     if (!e.is_nuisance && e.significance()) line += fmt::format(": {:.3g} sigma", *e.significance());
     if (e.prior) line += fmt::format("; known beforehand to ± {:.2g}", *e.prior);
     text += fmt::format("  {:<{}}  {}\n", printable(e.name), width, line);
     if (report.estimates.size() == 1) continue;
-    text += fmt::format("  {:<{}}  ± {:.2e} if the others were known exactly", "", width, *e.standard_error_alone);
+    text += fmt::format("  {:<{}}  ± {:.3g} if the others were known exactly", "", width, *e.standard_error_alone);
     std::size_t most = j == 0 ? 1 : 0;
     for (std::size_t k = 0; k < report.estimates.size(); ++k)
       if (k != j && std::abs(report.correlation[j][k]) > std::abs(report.correlation[j][most])) most = k;
@@ -62,12 +62,15 @@ std::string variations_text(const PlanReport& report) {
   const double now = *target.standard_error;
   const std::string of =
       with_unit("\nStandard error of " + printable(target.name), target.unit.empty() ? "" : "(" + target.unit + ")");
+  std::size_t width = 26;
+  for (const PlanVariation& v : report.variations)
+    if (v.change == PlanChange::known) width = std::max(width, v.input.size() + std::string_view(" known exactly").size());
   std::string known, table;
   for (const PlanVariation& v : report.variations) {
     std::string what;
     switch (v.change) {
       case PlanChange::known:
-        known += fmt::format("  {:<34}  {}\n", printable(v.input) + " known exactly", error_text(v.standard_error, now));
+        known += fmt::format("  {:<{}}  {}\n", printable(v.input) + " known exactly", width, error_text(v.standard_error, now));
         continue;
       case PlanChange::duration: what = fmt::format("to {:g} s, {} rows", v.factor * *report.plan.until_s, v.rows); break;
       case PlanChange::rows: what = fmt::format("every {:g} s, {} rows", report.plan.every_s / v.factor, v.rows); break;
@@ -78,11 +81,11 @@ std::string variations_text(const PlanReport& report) {
       case PlanChange::prior:
       case PlanChange::tilt: break;
     }
-    table += fmt::format("  {:<34}  {}\n", what, error_text(v.standard_error, now));
+    table += fmt::format("  {:<{}}  {}\n", what, width, error_text(v.standard_error, now));
   }
   std::string text;
   if (!known.empty())
-    text += fmt::format("{}: what each unknown costs\n  {:<34}  {}\n{}", of, "now", error_text(now, now), known);
+    text += fmt::format("{}: what each unknown costs\n  {:<{}}  {}\n{}", of, "now", width, error_text(now, now), known);
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
 }
 
