@@ -21,8 +21,8 @@ constexpr double kBetterKnown = 1.0 / 3;
 class Changes {
  public:
   Changes(PlanReport& report, const Derivatives& derivatives, const std::vector<double>& scales,
-          const std::vector<InputPrior>& priors, const Grid& grid)
-      : report_(report), derivatives_(derivatives), scales_(scales), priors_(priors), grid_(grid) {}
+          const std::vector<InputPrior>& priors, const Grid& grid, const Watch& watch)
+      : report_(report), derivatives_(derivatives), scales_(scales), priors_(priors), grid_(grid), watch_(watch) {}
 
   PlanVariation longer(double factor) const {
     return varied(PlanChange::duration, factor, grid_.density, rows(factor), 1, own_quantities());
@@ -46,7 +46,7 @@ class Changes {
                        std::size_t quantities) const {
     const ValueChoice choice{stride, rows, sigma_factor, report_.plan.correlation_time_s, quantities};
     PlanVariation variation{change, factor, "", 0, rows, {}};
-    variation.standard_error = bound_of(derivatives_, scales_, priors_, choice).standard_error(0);
+    if (!watch_.asks_to_stop()) variation.standard_error = bound_of(derivatives_, scales_, priors_, choice).standard_error(0);
     return variation;
   }
 
@@ -55,6 +55,7 @@ class Changes {
   const std::vector<double>& scales_;
   const std::vector<InputPrior>& priors_;
   const Grid& grid_;
+  const Watch& watch_;
 };
 
 /// The first number's standard error if another one gets more information, in units of what makes it known to its present
@@ -76,7 +77,7 @@ std::string change_text(const PlanReport& report, const PlanVariation& change) {
       return fmt::format("measure {:g} times as long, to {:g} s", change.factor, change.factor * *report.plan.until_s);
     case PlanChange::rows:
       return fmt::format("take {:g} times as many rows, one every {:g} s", change.factor, report.plan.every_s / change.factor);
-    case PlanChange::sigma: return fmt::format("make the standard errors {:g} times as large", change.factor);
+    case PlanChange::sigma: return fmt::format("make the values' standard errors {:g} times smaller", 1 / change.factor);
     case PlanChange::tilt: return "measure the tilt, too, with the same standard error";
     case PlanChange::known:
     case PlanChange::prior: break;
@@ -93,7 +94,7 @@ std::string advice_on(const PlanReport& report) {
                          ? fmt::format("{} would be seen at {:.3g} sigma. ", target.name, *target.significance())
                          : std::string();
   const auto sentence = [&](const PlanVariation& change) {
-    return fmt::format("{}: {:.3g} times smaller a standard error, {:.2e}{}{}", change_text(report, change),
+    return fmt::format("{}: its standard error would be {:.3g} times smaller, {:.2e}{}{}", change_text(report, change),
                        gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);
   };
   if (report.changes.empty() || gain(report, report.changes[0]) < 1.05)
@@ -106,8 +107,8 @@ std::string advice_on(const PlanReport& report) {
 }  // namespace
 
 void compare_changes(PlanReport& report, const Derivatives& derivatives, const std::vector<double>& scales,
-                     const std::vector<InputPrior>& priors, const Grid& grid, const Bound& bound) {
-  const Changes changes(report, derivatives, scales, priors, grid);
+                     const std::vector<InputPrior>& priors, const Grid& grid, const Bound& bound, const Watch& watch) {
+  const Changes changes(report, derivatives, scales, priors, grid, watch);
   const auto offer = [&](PlanVariation change) {
     if (change.standard_error && *change.standard_error > 0) report.changes.push_back(std::move(change));
   };

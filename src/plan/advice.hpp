@@ -6,14 +6,16 @@
 
 namespace earthtop::plan {
 
-/// Fills in variations, changes and advice of a report whose numbers are determined.
-/// @param density  the derivatives' rows are `density` times as many as the plan's   @param extent  and last so many times as
-/// long   @param has_tilt  whether their last quantity is a tilt that the plan does not measure
+/// How the derivatives' rows compare with the plan's.
 struct Grid {
-  std::size_t density = 1, extent = 1;
-  bool has_tilt = false;
+  std::size_t density = 1;  ///< so many times as many in the same time
+  std::size_t extent = 1;   ///< they last so many times as long
+  bool has_tilt = false;    ///< whether their last quantity is a tilt that the plan does not measure
 };
+
+/// Fills in variations, changes and advice of a report whose numbers are determined.
+/// @param watch  may end the work early; what is left out then has no standard error
 void compare_changes(PlanReport& report, const Derivatives& derivatives, const std::vector<double>& scales,
-                     const std::vector<InputPrior>& priors, const Grid& grid, const Bound& bound);
+                     const std::vector<InputPrior>& priors, const Grid& grid, const Bound& bound, const Watch& watch);
 
 }  // namespace earthtop::plan

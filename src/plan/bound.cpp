@@ -114,13 +114,22 @@ Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales
                const ValueChoice& choice) {
   const ReturnedGslErrors returned;
   RowMajor J = chosen_rows(derivatives, choice);
+  Bound bound;
+  for (Index j = 0; j < J.cols(); ++j) {
+    double information = J.col(j).squaredNorm();
+    for (const InputPrior& prior : priors)
+      if (static_cast<Index>(prior.input) == j) {
+        const double part = scales[prior.input] / prior.standard_error;
+        information += part * part;
+      }
+    bound.alone.push_back(scales[static_cast<std::size_t>(j)] / std::sqrt(information));
+  }
   if (!priors.empty()) J = with_priors(J, scales, priors);
   const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
   const gsl_matrix_const_view matrix =
       gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
   const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
   const measure::Influences influences(&matrix.matrix, &none.vector);
-  Bound bound;
   const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
   if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : kLeastWithPriors)) {
     const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();

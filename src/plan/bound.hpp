@@ -29,6 +29,7 @@ struct ValueChoice {
 };
 
 struct Bound {
+  std::vector<double> alone;              ///< standard errors of the numbers, each if all others were known
   Eigen::MatrixXd covariance;             ///< of the numbers, in their units; empty where not all are determined
   std::vector<std::size_t> undetermined;  ///< the numbers that are not, or that cannot be told apart
   std::vector<double> direction;          ///< the change that no value notices, of each number in its unit

@@ -101,11 +101,10 @@ void describe_undetermined(PlanReport& report, const Bound& bound) {
 
 void fill_in_errors(PlanReport& report, const Bound& bound) {
   const auto p = static_cast<Eigen::Index>(report.estimates.size());
-  const Eigen::MatrixXd information = bound.covariance.inverse();
   for (Eigen::Index j = 0; j < p; ++j) {
     PlannedEstimate& estimate = report.estimates[static_cast<std::size_t>(j)];
     estimate.standard_error = std::sqrt(bound.covariance(j, j));
-    estimate.standard_error_alone = 1 / std::sqrt(information(j, j));
+    estimate.standard_error_alone = bound.alone[static_cast<std::size_t>(j)];
     std::vector<double>& row = report.correlation.emplace_back();
     for (Eigen::Index k = 0; k < p; ++k)
       row.push_back(j == k ? 1 : bound.covariance(j, k) / std::sqrt(bound.covariance(j, j) * bound.covariance(k, k)));
@@ -201,16 +200,16 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
     return report;
   }
   fill_in_errors(report, bound);
-  compare_changes(report, derivatives, scales, numbers.priors, grid, bound);
+  compare_changes(report, derivatives, scales, numbers.priors, grid, bound, work);
   if (!design.empty()) {
     report.optimum =
         best_design(source, overrides, report.plan, numbers, design, parts.next(of_design, "design"), report.predictions);
     if (!report.optimum)
       report.notes.emplace_back("no design within the limits has a motion that can be relied on and determines all numbers");
-    if (watch.asks_to_stop()) {
-      report.outcome = PlanOutcome::interrupted;
-      report.status = RunStatus::interrupted;
-    }
+  }
+  if (watch.asks_to_stop()) {
+    report.outcome = PlanOutcome::interrupted;
+    report.status = RunStatus::interrupted;
   }
   return report;
 }

@@ -61,7 +61,8 @@ TEST(Plan, ABalancedGyroscopesVerticalRate) {
   EXPECT_EQ(variation(report, PlanChange::rows, 4).rows, 481u);
   // Twice as long means 2^1.5 times smaller an error, more than any other change.
   EXPECT_EQ(report.changes.at(0).change, PlanChange::duration);
-  EXPECT_NE(report.advice.find("measure 2 times as long, to 120 s: 2.8"), std::string::npos) << report.advice;
+  EXPECT_NE(report.advice.find("measure 2 times as long, to 120 s: its standard error would be 2.8"), std::string::npos)
+      << report.advice;
 }
 
 /// With the azimuth at the release fitted along, it is the fit of a straight line: a textbook's formulas.
