@@ -61,6 +61,7 @@ add_library(earthtop-workbench
   report/html.cpp
   report/measurement_page.cpp
   report/path_picture.cpp
+  report/plan_page.cpp
   report/report.cpp
   report/run_page.cpp
   report/study_page.cpp

@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "earthtop/report/report.hpp"
 #include "plan/plans.hpp"
 #include "support/json.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace earthtop {
 namespace {
@@ -323,6 +326,17 @@ TEST(Plan, TheDocumentAndThePictureHaveEverything) {
   EXPECT_EQ(document.at("variations").size(), report.variations.size());
   EXPECT_EQ(document.at("advice"), report.advice);
   EXPECT_EQ(document.at("optimum").at("choices").at(0).at("at_limit"), true);
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory.path() / "plan.json").string();
+  std::ofstream(file, std::ios::binary) << plan_json(report);
+  const Report page = make_report(file);
+  EXPECT_NE(page.html.find("Planned measurement of free-gyro"), std::string::npos);
+  EXPECT_NE(page.html.find("/motion/duration_s"), std::string::npos);
+  ASSERT_EQ(page.pictures.size(), 1u);
+  // The document says all that the picture shows: the two differ in the ids of their parts only.
+  Figure shown = plan_figure(report);
+  shown.id = "changes";
+  EXPECT_EQ(page.pictures[0].second, svg(shown));
   const Figure figure = plan_figure(report);
   ASSERT_EQ(figure.panels.size(), 1u);
   ASSERT_EQ(figure.panels[0].lines.size(), 4u);
