@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The workbench on top of the core: studies, comparison, measurement, benchmarks, verification and report pages. Only the
+# The workbench on top of the core: studies, comparison, measurement and its planning, benchmarks, verification and report pages. Only the
 # workbench needs SQLite, and MPI and SUNDIALS if they are installed.
 add_library(earthtop-workbench
   bench/bench.cpp
@@ -41,6 +41,7 @@ add_library(earthtop-workbench
   measure/figure.cpp
   measure/file.cpp
   measure/fitted_scenario.cpp
+  measure/influences.cpp
   measure/measured_motion.cpp
   measure/measurement.cpp
   measure/priors.cpp
@@ -48,6 +49,16 @@ add_library(earthtop-workbench
   measure/sentences.cpp
   measure/weighted_fit.cpp
   measure/whitening.cpp
+  plan/advice.cpp
+  plan/bound.cpp
+  plan/derivatives.cpp
+  plan/document.cpp
+  plan/figure.cpp
+  plan/optimise.cpp
+  plan/plan.cpp
+  plan/planned_rows.cpp
+  plan/preparation.cpp
+  plan/simulate.cpp
   report/bars.cpp
   report/contact_section.cpp
   report/content_policy.cpp
@@ -55,6 +66,7 @@ add_library(earthtop-workbench
   report/html.cpp
   report/measurement_page.cpp
   report/path_picture.cpp
+  report/plan_page.cpp
   report/report.cpp
   report/run_page.cpp
   report/study_page.cpp
@@ -104,7 +116,7 @@ target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
 set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
-earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;report;study;verify")
+earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;plan;report;study;verify")
 
 # The scripts and styles of a report for the browser.
 file(GLOB report_assets CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/report/assets/*)

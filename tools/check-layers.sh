@@ -20,7 +20,9 @@ scene
 budget
 run
 results plot
-bench study compare measure report verify
+bench study compare measure
+plan
+report verify
 tools'
 
 find include/earthtop src tools/earthtop -type f \( -name '*.hpp' -o -name '*.ipp' -o -name '*.cpp' \) | LC_ALL=C sort |

@@ -133,6 +133,10 @@ documents() {
   cp "$work/study/study.csv" "$work/study/study.json" "$out"
   for scene in toy-top asymmetric-top free-gyro; do "$program" explain "scenarios/$scene.json" --json >"$out/explain-$scene.json"; done
   "$program" explain scenarios/asymmetric-top.json >"$out/explain.txt"
+  if "$program" plan --help >/dev/null 2>&1; then
+    "$program" plan scenarios/toy-top.json --measure axis_deg --sigma 0.01 --every 0.1 --until 20 --nuisance spin_rad_s \
+      --set /uncertainty/inertia_ratio=0.01 --write-data "$out/plan.csv" --seed 5 --json >"$out/plan.json"
+  fi
   "$program" run scenarios/toy-top.json --set /motion/duration_s=2 --set /report/sensitivities=true --set '/numerics/ledger="body"' \
     --out "$work/told" --force >"$out/run.txt"
   local cases=(scenarios/hard/{h01,h03,h04,h08,h09,h10,h13,h15,h16,h22,h26,t01,t07}*.json)

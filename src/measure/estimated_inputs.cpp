@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "earthtop/frames/earth.hpp"
+#include "earthtop/model/body.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
@@ -18,8 +19,6 @@
 namespace earthtop::measure {
 namespace {
 
-constexpr std::size_t kMostEstimates = 8;
-constexpr std::string_view kVerticalRate = "omega_sin_latitude_rad_s";
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 
 struct NamedInput {
@@ -30,10 +29,20 @@ constexpr NamedInput kNamedInputs[] = {{"rotation_rate_rad_s", "/earth/rotation_
                                        {"gravity_m_s2", "/site/gravity_m_s2"},
                                        {"spin_rad_s", "/release/spin_rad_s"},
                                        {"tilt_deg", "/release/tilt_deg"}};
+struct CombinedName {
+  std::string_view name;
+  CombinedInput combined;
+  std::string_view unit;
+};
+constexpr CombinedName kCombinedNames[] = {{"omega_sin_latitude_rad_s", CombinedInput::vertical_rate, "rad/s"},
+                                           {"omega_cos_latitude_rad_s", CombinedInput::northward_rate, "rad/s"},
+                                           {"inertia_ratio", CombinedInput::inertia_ratio, ""},
+                                           {"center_of_mass_m", CombinedInput::center_of_mass, "m"}};
 constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/contact/", "/platform/", "/effects/"};
 constexpr std::string_view kAllowedNames =
-    "allowed are omega_sin_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, spin_rad_s, tilt_deg, and JSON "
-    "pointers of numbers of site, earth, body, release, platform or effects, as /release/azimuth_deg";
+    "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
+    "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, release, "
+    "platform or effects, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
@@ -61,18 +70,24 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 }  // namespace
 
 EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides,
-                                 const Scene& base, const std::vector<std::string>& names)
+                                 const Scene& base, const std::vector<std::string>& names, std::size_t most)
     : document_(std::move(source), overrides), base_(base) {
-  if (names.size() > kMostEstimates)
-    refuse_estimate(names[kMostEstimates], fmt::format("at most {} numbers are estimated at once", kMostEstimates));
+  if (names.size() > most) refuse_estimate(names[most], fmt::format("at most {} numbers are estimated at once", most));
   for (const std::string& name : names) add(name);
+  refuse_conflicts();
+}
+
+/// Refuses inputs beside others that stand for the same numbers.
+void EstimatedInputs::refuse_conflicts() const {
   const auto has = [&](std::string_view pointer) {
     return std::any_of(list_.begin(), list_.end(), [&](const EstimatedInput& input) { return input.pointer == pointer; });
   };
-  if (has("") && (has("/earth/rotation_rate_rad_s") || has("/site/latitude_deg")))
-    refuse_estimate(std::string(kVerticalRate), "stands for the rotation rate and the latitude; estimate it, or these");
   if (has("/release/spin_rpm") && has("/release/spin_rad_s"))
     refuse_estimate("/release/spin_rpm", "is the spin in another unit; estimate it, or spin_rad_s");
+  if (!has("/earth/rotation_rate_rad_s") && !has("/site/latitude_deg")) return;
+  for (const EstimatedInput& input : list_)
+    if (input.combined == CombinedInput::vertical_rate || input.combined == CombinedInput::northward_rate)
+      refuse_estimate(input.name, "stands for the rotation rate and the latitude; estimate it, or these");
 }
 
 void EstimatedInputs::add(const std::string& name) {
@@ -81,9 +96,11 @@ void EstimatedInputs::add(const std::string& name) {
   const std::string pointer(named != std::end(kNamedInputs) ? named->pointer : name);
   for (const EstimatedInput& input : list_)
     if (input.name == name || input.pointer == pointer) refuse_estimate(name, "is asked for twice");
-  if (name == kVerticalRate) return add_vertical_rate();
+  for (const CombinedName& combined : kCombinedNames)
+    if (combined.name == name) return add_combined(combined.combined, name);
   if (!pointer.starts_with('/')) {
-    std::vector<std::string_view> names = {kVerticalRate};
+    std::vector<std::string_view> names;
+    for (const CombinedName& combined : kCombinedNames) names.push_back(combined.name);
     for (const NamedInput& input : kNamedInputs) names.push_back(input.name);
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
@@ -98,15 +115,28 @@ void EstimatedInputs::add(const std::string& name) {
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
 }
 
-void EstimatedInputs::add_vertical_rate() {
-  if (!base_.site().follows_ellipsoid())
-    refuse_estimate(std::string(kVerticalRate),
-                    "with polar motion or a deflection of the vertical the latitude is not that of the Earth's rate; estimate "
-                    "rotation_rate_rad_s or latitude_deg");
-  const Vec3<double> axis_L = celestial_axis_L<double>(base_.site());
-  northward_rate_rad_s_ = base_.rotation_rate_rad_s() * axis_L[1];
-  const double scale = std::max(std::abs(base_.rotation_rate_rad_s()), kEarthRateWgs84);
-  list_.push_back({std::string(kVerticalRate), "", "rad/s", base_.rotation_rate_rad_s() * axis_L[2], scale});
+void EstimatedInputs::add_combined(CombinedInput combined, const std::string& name) {
+  const auto* row = std::find_if(std::begin(kCombinedNames), std::end(kCombinedNames),
+                                 [&](const CombinedName& candidate) { return candidate.combined == combined; });
+  EstimatedInput input{name, "", std::string(row->unit), 0, 1, combined};
+  if (combined == CombinedInput::vertical_rate || combined == CombinedInput::northward_rate) {
+    if (!base_.site().follows_ellipsoid())
+      refuse_estimate(
+          name,
+          "with polar motion or a deflection of the vertical the latitude is not that of the Earth's rate; estimate "
+          "rotation_rate_rad_s or latitude_deg");
+    const Vec3<double> axis_L = celestial_axis_L<double>(base_.site());
+    northward_rate_rad_s_ = base_.rotation_rate_rad_s() * axis_L[1];
+    vertical_rate_rad_s_ = base_.rotation_rate_rad_s() * axis_L[2];
+    input.start = combined == CombinedInput::vertical_rate ? vertical_rate_rad_s_ : northward_rate_rad_s_;
+    input.scale = std::max(std::abs(base_.rotation_rate_rad_s()), kEarthRateWgs84);
+  } else {
+    const Body<double>& body = base_.body<double>();
+    const bool is_ratio = combined == CombinedInput::inertia_ratio;
+    input.start = is_ratio ? body.I_BP_B(2, 2) / body.I_BP_B(0, 0) : norm(body.p_PBcm_B);
+    input.scale = input.start != 0 ? input.start : std::sqrt(body.I_BP_B(2, 2) / body.mass);
+  }
+  list_.push_back(std::move(input));
 }
 
 /// The number at a pointer: the one in the scenario's text, else the default in the table of keys, else the computed one.
@@ -124,23 +154,65 @@ double EstimatedInputs::number_at(const std::string& pointer, const std::string&
   refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
 }
 
+std::optional<double> EstimatedInputs::value_of(CombinedInput combined, const std::vector<double>& values) const {
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (list_[i].combined == combined) return values[i];
+  return std::nullopt;
+}
+
+/// Sets the Earth's rate and the latitude so that the rate has these vertical and northward components.
+void EstimatedInputs::turn(Scenario& scenario, const std::vector<double>& values) const {
+  const auto vertical = value_of(CombinedInput::vertical_rate, values);
+  const auto northward = value_of(CombinedInput::northward_rate, values);
+  if (!vertical && !northward) return;
+  const double up = vertical.value_or(vertical_rate_rad_s_), north = northward.value_or(northward_rate_rad_s_);
+  const double sign = north < 0 ? -1 : 1;  // a negative rate, so that the latitude stays between the poles
+  scenario.rotation_rate_rad_s = sign * real::hypot(up, north);
+  scenario.excess_length_of_day_ms = 0;
+  scenario.site.latitude_deg = real::atan2(sign * up, sign * north) * kDegreesPerRad;
+}
+
+/// Sets the body's inertia ratio and the distance of its centre of mass. @returns whether such a body is possible
+bool EstimatedInputs::reshape(Scenario& scenario, const Scene& scene, const std::vector<double>& values) const {
+  const auto ratio = value_of(CombinedInput::inertia_ratio, values);
+  const auto distance_m = value_of(CombinedInput::center_of_mass, values);
+  if (!ratio && !distance_m) return true;
+  const Body<double>& body = scene.body<double>();
+  BodySpec spec;
+  spec.mass_kg = body.mass;
+  for (int i = 0; i < 3; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    spec.center_of_mass_m[row] = body.p_PBcm_B[i];
+    for (int j = 0; j < 3; ++j) spec.inertia_kg_m2[row][static_cast<std::size_t>(j)] = body.I_BP_B(i, j);
+  }
+  if (ratio) spec.inertia_kg_m2[2][2] = *ratio * spec.inertia_kg_m2[0][0];
+  if (distance_m) {
+    const double before_m = norm(body.p_PBcm_B);
+    if (before_m > 0)
+      for (double& coordinate : spec.center_of_mass_m) coordinate *= *distance_m / before_m;
+    else
+      spec.center_of_mass_m[2] = *distance_m;
+  }
+  scenario.body = spec;
+  return body_violations(spec).empty();
+}
+
 std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) const {
   std::vector<input::TreeChange> changes;
-  std::optional<double> vertical_rate_rad_s;
+  bool is_combined = false;
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (!std::isfinite(values[i])) return std::nullopt;
-    if (list_[i].pointer.empty())
-      vertical_rate_rad_s = values[i];
+    if (list_[i].combined != CombinedInput::none)
+      is_combined = true;
     else
       changes.push_back({list_[i].pointer, values[i]});
   }
   const ScenarioReport varied = examine(document_, changes);
-  if (!varied.scene || !vertical_rate_rad_s) return varied.scene;
-  Scenario turned = varied.scene->scenario();
-  turned.rotation_rate_rad_s = real::hypot(*vertical_rate_rad_s, northward_rate_rad_s_);
-  turned.excess_length_of_day_ms = 0;
-  turned.site.latitude_deg = real::atan2(*vertical_rate_rad_s, northward_rate_rad_s_) * kDegreesPerRad;
-  return resolve(std::move(turned));
+  if (!varied.scene || !is_combined) return varied.scene;
+  Scenario changed = varied.scene->scenario();
+  turn(changed, values);
+  if (!reshape(changed, *varied.scene, values)) return std::nullopt;
+  return resolve(std::move(changed));
 }
 
 }  // namespace earthtop::measure

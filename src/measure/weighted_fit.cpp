@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/weighted_fit.hpp"
 
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_vector.h>
@@ -15,6 +13,7 @@
 #include <new>
 
 #include "error/gsl_errors.hpp"
+#include "measure/influences.hpp"
 #include "measure/scaled_problem.hpp"
 
 namespace earthtop::measure {
@@ -26,9 +25,6 @@ using Eigen::VectorXd;
 
 constexpr int kMostIterations = 100;
 constexpr double kConverged = 1e-3;  // largest next step, in standard errors (scaled ones if the scatter is larger than stated)
-/// A direction in the space of parameters is not determined if its influence is less than this part of the largest one's, with
-/// each single parameter's influence scaled to 1. It is ten times the uncertainty of the differences.
-constexpr double kLeastInfluence = 1e-5;
 /// Where there is no prediction, the residuals are made this much larger than any so far, so that GSL takes the step back.
 constexpr double kNoPrediction = 1e3;
 
@@ -76,73 +72,6 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
     return GSL_EBADFUNC;
   }
 }
-
-struct FreeMatrix {
-  void operator()(gsl_matrix* matrix) const { gsl_matrix_free(matrix); }
-};
-struct FreeVector {
-  void operator()(gsl_vector* vector) const { gsl_vector_free(vector); }
-};
-
-/// The derivatives' singular values, each column divided by its length.
-class Influences {
- public:
-  /// @param J  derivatives of residuals (rows, at least as many as columns) by parameters   @param f  residuals
-  Influences(const gsl_matrix* J, const gsl_vector* f)
-      : lengths_(static_cast<Index>(J->size2)), V_(gsl_matrix_alloc(J->size2, J->size2)), S_(gsl_vector_alloc(J->size2)) {
-    const std::unique_ptr<gsl_matrix, FreeMatrix> U(gsl_matrix_alloc(J->size1, J->size2));
-    gsl_matrix_memcpy(U.get(), J);
-    for (std::size_t j = 0; j < J->size2; ++j) {
-      gsl_vector_view column = gsl_matrix_column(U.get(), j);
-      const double length = gsl_blas_dnrm2(&column.vector);
-      lengths_[static_cast<Index>(j)] = length;
-      if (length > 0) gsl_vector_scale(&column.vector, 1 / length);
-    }
-    gsl_blas_ddot(f, f, &chi_squared_);
-    has_all_ = lengths_.minCoeff() > 0 && lengths_.allFinite();
-    if (!has_all_) return;
-    gsl_linalg_SV_decomp_jacobi(U.get(), V_.get(), S_.get());
-    const std::unique_ptr<gsl_vector, FreeVector> projected(gsl_vector_alloc(J->size2));
-    gsl_blas_dgemv(CblasTrans, 1, U.get(), f, 0, projected.get());
-    next_step_ = gsl_blas_dnrm2(projected.get());
-  }
-
-  double chi_squared() const { return chi_squared_; }
-  /// The size of the next full step in standard errors: the root of the amount by which that step, in the linear approximation,
-  /// would lessen the sum of squares.
-  double next_step() const { return next_step_; }
-
-  bool determine_all() const {
-    return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > kLeastInfluence * gsl_vector_get(S_.get(), 0);
-  }
-  /// The parameters that take part in the direction which the data determine least.
-  std::vector<std::size_t> least_determined() const {
-    std::vector<std::size_t> parameters;
-    const std::size_t p = S_->size;
-    for (std::size_t j = 0; j < p; ++j)
-      if (has_all_ ? std::abs(gsl_matrix_get(V_.get(), j, p - 1)) > 0.1 : !(lengths_[static_cast<Index>(j)] > 0))
-        parameters.push_back(j);
-    return parameters;
-  }
-  /// The covariance of the parameters, (J^T J)^-1.
-  MatrixXd covariance() const {
-    const auto p = static_cast<Index>(S_->size);
-    MatrixXd half(p, p);
-    for (Index i = 0; i < p; ++i)
-      for (Index j = 0; j < p; ++j) {
-        const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
-        half(i, j) = gsl_matrix_get(V_.get(), row, column) / gsl_vector_get(S_.get(), column) / lengths_[i];
-      }
-    return half * half.transpose();
-  }
-
- private:
-  VectorXd lengths_;
-  std::unique_ptr<gsl_matrix, FreeMatrix> V_;
-  std::unique_ptr<gsl_vector, FreeVector> S_;
-  bool has_all_ = false;
-  double next_step_ = 0, chi_squared_ = 0;
-};
 
 std::string why_not_converged(bool no_progress, bool all_predicted) {
   if (!no_progress) return "the sum of squares still falls";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The five kinds of pages.
+/// The kinds of pages.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,7 @@ Report run_page(const std::filesystem::path& directory);
 Report study_page(const std::filesystem::path& store);
 Report comparison_page(const Json& document);
 Report measurement_page(const Json& document);
+Report plan_page(const Json& document);
 Report bench_page(const Json& document);
 
 }  // namespace earthtop::report

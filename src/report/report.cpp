@@ -40,6 +40,7 @@ Report document_page(const std::filesystem::path& file) {
   const Json schema = document.value("$schema", Json());
   if (schema == "earthtop-comparison-1.json") return comparison_page(document);
   if (schema == "earthtop-measurement-1.json") return measurement_page(document);
+  if (schema == "earthtop-plan-1.json") return plan_page(document);
   if (document.contains("scenarios") && document.contains("processor")) return bench_page(document);
   compare::refuse_path(file,
                        "is no document of compare --json or bench --json; give one, or a directory of results or of a study");

@@ -128,6 +128,11 @@ def main_cases():
         ("compare", ["compare", "rows", "rows"], (0.2,)),
         ("compare: a measurement", ["compare", rows, measurement("rows/trajectory.csv"), "--estimate",
                                     "/release/spin_rad_s"], (0.1,)),
+        ("plan", ["plan", long_top, "--measure", "tilt_deg", "--sigma", "0.01", "--every", "1"], (0.3,)),
+        ("plan: many rows", ["plan", rows, "--measure", "axis_deg", "--sigma", "0.01", "--every", "0.001", "--nuisance",
+                             "spin_rad_s"], (0.5, 1.5)),
+        ("plan: design", ["plan", rows, "--measure", "tilt_deg", "--sigma", "0.01", "--every", "0.1", "--optimise",
+                          "/release/tilt_deg=5:60", "--optimise", "/release/spin_rad_s=100:400"], (0.5,)),
         ("report", ["report", "rows", "--out", "page.html"], (0.1,)),
         ("check: 16 MiB", ["check", "large.json"], (0.05,)),
     ]

@@ -40,9 +40,10 @@ std::unique_ptr<const Verb> describe_program() {
   program->example("earthtop example > top.json", "begins with a scenario that explains itself");
   program->example("earthtop check top.json", "tells what is wrong with it");
   program->example("earthtop run top.json", "predicts the motion and the drift");
-  program->verbs = {describe_run(),    describe_check(),   describe_explain(),          describe_verify(),
-                    describe_bench(),  describe_study(),   describe_compare(),          describe_report(),
-                    describe_schema(), describe_example(), describe_completion(itself), describe_version()};
+  program->verbs = {describe_run(),    describe_check(),  describe_explain(), describe_verify(),
+                    describe_bench(),  describe_study(),  describe_compare(), describe_plan(),
+                    describe_report(), describe_schema(), describe_example(), describe_completion(itself),
+                    describe_version()};
   std::vector<std::string> names;
   for (const Verb& verb : program->verbs) names.push_back(verb.name);
   names.insert(names.end() - 1, "man");

@@ -17,6 +17,7 @@ Verb describe_verify();
 Verb describe_bench();
 Verb describe_study();
 Verb describe_compare();
+Verb describe_plan();
 Verb describe_report();
 Verb describe_schema();
 Verb describe_example();

@@ -134,6 +134,9 @@ struct MeasurementOptions {
   ///     gives no gravity, the ellipsoid's gravity changes with the latitude;
   ///   - omega_sin_latitude_rad_s: the vertical component of the Earth's rate, while its northward component and apparent
   ///     gravity stay as they are; effects that use the latitude themselves, a tide or a gravity gradient, get the changed one.
+  ///   - omega_cos_latitude_rad_s: its northward component, likewise; a gyrocompass feels this one only;
+  ///   - inertia_ratio: I3/I1 about the pivot, with I1 and I2 as they are; center_of_mass_m: the distance of the centre of mass
+  ///     from the pivot, with the inertia about the pivot as it is.
   std::vector<std::string> estimates = {};
   /// Whether the scenario's `uncertainty` block enters the fit, as a normal prior on each estimated input that it names.
   bool priors = false;

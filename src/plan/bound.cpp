@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/bound.hpp"
+
+#include <gsl/gsl_matrix.h>
+#include <gsl/gsl_vector.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/elementary.hpp"
+#include "error/gsl_errors.hpp"
+#include "measure/influences.hpp"
+
+namespace earthtop::plan {
+namespace {
+
+using Eigen::Index;
+/// The change that no value notices is stated for so small a part of the scale of the number that changes most.
+constexpr double kSmallChange = 0.01;
+
+/// With priors a direction that the values do not determine may count for as little as this part of the largest influence:
+/// rounding is far below it.
+constexpr double kLeastWithPriors = 1e-12;
+/// A number takes part in such a direction if its component is above this, which is a hundred times the error of the derivatives
+/// of strong influences: what is neglected, and the error of what is not, are below a hundredth of the direction's effect on it.
+constexpr double kLeastPart = 1e-6;
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The derivatives of the chosen values. Where errors are correlated, each value is replaced by what is new in it beside the one
+/// before it in its series, (e_k - rho e_(k-1)) / sqrt(1 - rho^2) with rho = exp(-dt / tau): the errors of these are independent
+/// and of variance 1.
+RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
+  std::vector<Index> chosen;
+  for (std::size_t i = 0; i < all.values.size(); ++i) {
+    const PlannedValue& value = all.values[i];
+    if (value.row % choice.stride == 0 && value.row / choice.stride < choice.rows && value.quantity < choice.quantities)
+      chosen.push_back(static_cast<Index>(i));
+  }
+  const Index numbers = all.J.cols();
+  RowMajor J = RowMajor::Zero(std::max(static_cast<Index>(chosen.size()), numbers), numbers);
+  std::vector<Index> latest;  // of each series, -1 before its first value
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const PlannedValue& value = all.values[static_cast<std::size_t>(chosen[k])];
+    const auto to = static_cast<Index>(k);
+    if (value.series >= latest.size()) latest.resize(value.series + 1, -1);
+    Index& before = latest[value.series];
+    J.row(to) = all.J.row(chosen[k]);
+    if (choice.correlation_time_s > 0 && before >= 0) {
+      const double elapsed = (value.t_s - all.values[static_cast<std::size_t>(before)].t_s) / choice.correlation_time_s;
+      const double rho = real::exp(-elapsed), root = std::sqrt(-real::expm1(-2 * elapsed));
+      J.row(to) = (J.row(to) - rho * all.J.row(before)) / root;
+    }
+    before = chosen[k];
+    J.row(to) /= choice.sigma_factor;
+  }
+  return J;
+}
+
+/// An orthonormal basis of the same space as the given one's columns, without the small components that errors of the derivatives
+/// make: Gauss's elimination leaves each direction with as few components as it can have.
+Eigen::MatrixXd cleaned(Eigen::MatrixXd basis) {
+  std::vector<bool> is_taken(static_cast<std::size_t>(basis.rows()), false);
+  for (Index c = 0; c < basis.cols(); ++c) {
+    Index pivot = -1;
+    for (Index i = 0; i < basis.rows(); ++i)
+      if (!is_taken[static_cast<std::size_t>(i)] && (pivot < 0 || std::abs(basis(i, c)) > std::abs(basis(pivot, c)))) pivot = i;
+    is_taken[static_cast<std::size_t>(pivot)] = true;
+    basis.col(c) /= basis(pivot, c);
+    for (Index other = 0; other < basis.cols(); ++other)
+      if (other != c) basis.col(other) -= (basis(pivot, other) * basis.col(c)).eval();
+  }
+  basis = (basis.array().abs() > kLeastPart).select(basis, 0);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(basis);
+  return factors.householderQ() * Eigen::MatrixXd::Identity(basis.rows(), basis.cols());
+}
+
+/// As many rows as numbers with the same information as J, and below them those of the priors. Directions that the values do not
+/// determine are left to the priors: the derivatives along them are errors of differences, and count as 0.
+RowMajor with_priors(const RowMajor& J, const std::vector<double>& scales, const std::vector<InputPrior>& priors) {
+  const Index numbers = J.cols();
+  const Eigen::VectorXd lengths = J.colwise().norm();
+  Eigen::MatrixXd unit = J;
+  for (Index j = 0; j < numbers; ++j)
+    if (lengths[j] > 0) unit.col(j) /= lengths[j];
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit, Eigen::ComputeThinV);
+  const Eigen::VectorXd& singular = svd.singularValues();
+  Index determined = 0;  // singular values are in descending order
+  while (determined < numbers && singular[determined] > measure::Influences::kLeast * singular[0]) ++determined;
+  Eigen::MatrixXd seen = singular.head(determined).asDiagonal() * svd.matrixV().leftCols(determined).transpose();
+  if (determined < numbers) {
+    const Eigen::MatrixXd unseen = cleaned(svd.matrixV().rightCols(numbers - determined));
+    seen -= (seen * unseen * unseen.transpose()).eval();
+  }
+  RowMajor rows = RowMajor::Zero(numbers + static_cast<Index>(priors.size()), numbers);
+  rows.topRows(determined) = seen * lengths.asDiagonal();
+  for (std::size_t k = 0; k < priors.size(); ++k)
+    rows(numbers + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
+        scales[priors[k].input] / priors[k].standard_error;
+  return rows;
+}
+
+}  // namespace
+
+std::optional<double> Bound::standard_error(std::size_t input) const {
+  if (!is_determined()) return std::nullopt;
+  const auto i = static_cast<Index>(input);
+  return std::sqrt(covariance(i, i));
+}
+
+Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales, const std::vector<InputPrior>& priors,
+               const ValueChoice& choice) {
+  const ReturnedGslErrors returned;
+  RowMajor J = chosen_rows(derivatives, choice);
+  Bound bound;
+  for (Index j = 0; j < J.cols(); ++j) {
+    double information = J.col(j).squaredNorm();
+    for (const InputPrior& prior : priors)
+      if (static_cast<Index>(prior.input) == j) {
+        const double part = scales[prior.input] / prior.standard_error;
+        information += part * part;
+      }
+    bound.alone.push_back(scales[static_cast<std::size_t>(j)] / std::sqrt(information));
+  }
+  if (!priors.empty()) J = with_priors(J, scales, priors);
+  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
+  const gsl_matrix_const_view matrix =
+      gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
+  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
+  const measure::Influences influences(&matrix.matrix, &none.vector);
+  const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
+  if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : kLeastWithPriors)) {
+    const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();
+    bound.covariance = (covariance + covariance.transpose()) / 2;
+    return bound;
+  }
+  bound.undetermined = influences.least_determined();
+  const Eigen::VectorXd direction = influences.least_determined_direction();
+  double largest = 0;
+  for (const std::size_t j : bound.undetermined) largest = std::max(largest, std::abs(direction[static_cast<Index>(j)]));
+  for (Index j = 0; j < direction.size(); ++j)
+    bound.direction.push_back(kSmallChange * direction[j] / largest * scales[static_cast<std::size_t>(j)]);
+  return bound;
+}
+
+}  // namespace earthtop::plan

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/derivatives.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+
+#include "measure/scaled_problem.hpp"
+#include "plan/planned_rows.hpp"
+
+namespace earthtop::plan {
+namespace {
+
+using measure::FitProblem, measure::PredictedMotion, measure::ScaledProblem;
+
+/// The number of predictions: for each number some to find its step, and two for its derivative.
+double expected_predictions(std::size_t numbers) { return 1 + 6 * static_cast<double>(numbers); }
+
+std::vector<PlannedValue> values_of(const Measurement& measurement, std::size_t quantities,
+                                    const std::vector<MeasurementResidual>& residuals) {
+  std::vector<PlannedValue> values;
+  std::map<std::pair<std::size_t, std::string_view>, std::size_t> series;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < measurement.values.size(); ++i) {
+    const std::size_t components = measurement.values[i].quantity == MeasuredQuantity::axis ? 2 : 1;
+    for (std::size_t c = 0; c < components; ++c, ++at) {
+      const auto key = std::pair(i % quantities, residuals[at].quantity);
+      const std::size_t number = series.try_emplace(key, series.size()).first->second;
+      values.push_back({i / quantities, measurement.values[i].t_s, number, i % quantities});
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs,
+                           const std::vector<PlannedQuantity>& quantities, const std::vector<double>& times_s,
+                           const Watch& watch, std::int64_t& predictions) {
+  Derivatives found;
+  const double part = 1 / expected_predictions(inputs.list().size());
+  double share = part;
+  Measurement measurement = empty_measurement(quantities, times_s);
+  const bool drift = measure::has_drifts(measurement);
+  const PredictedMotion motion = measure::predict(scene, times_s, drift, watch.part(0, share));
+  ++predictions;
+  found.status = motion.status;
+  if (motion.status != RunStatus::completed) {
+    found.outcome = motion.status == RunStatus::interrupted ? PlanOutcome::interrupted : PlanOutcome::prediction_failed;
+    found.reason = fmt::format("the scenario's own motion ended with {}", to_string(motion.status));
+    return found;
+  }
+  fill_in(measurement, motion);
+  const std::vector<MeasurementResidual> own = measure::residuals_of(measurement, motion);
+  found.values = values_of(measurement, quantities.size(), own);
+
+  FitProblem problem;
+  for (const measure::EstimatedInput& input : inputs.list()) {
+    problem.start.push_back(input.start);
+    problem.scales.push_back(input.scale);
+  }
+  for (const MeasurementResidual& residual : own) {
+    problem.standard_error.push_back(residual.standard_error_rad);
+    problem.period.push_back(measure::period_of(residual));
+  }
+  problem.stopped = [&] { return watch.asks_to_stop(); };
+  problem.residuals_at = [&](const std::vector<double>& numbers, std::vector<double>& residuals) {
+    const std::optional<Scene> varied = inputs.scene(numbers);
+    if (!varied) return false;
+    residuals.clear();
+    try {
+      ++predictions;
+      const double begun = share;
+      share += part * (1 - share);
+      const PredictedMotion moved = measure::predict(*varied, times_s, drift, watch.part(begun, share));
+      if (moved.status != RunStatus::completed) return false;
+      for (const MeasurementResidual& residual : measure::residuals_of(measurement, moved))
+        residuals.push_back(residual.residual_rad);
+    } catch (const ScenarioError&) {  // no such motion, or an axis that is vertical
+      return false;
+    }
+    return true;
+  };
+
+  ScaledProblem scaled(problem);
+  const std::vector<double> start(inputs.list().size(), 1);
+  try {
+    std::vector<std::size_t> without_influence;
+    bool predicted = true;
+    for (std::size_t j = 0; j < start.size() && predicted; ++j) {
+      const auto step = scaled.find_step(start, j);
+      predicted = step != ScaledProblem::StepFound::no_prediction;
+      if (step == ScaledProblem::StepFound::no_influence) without_influence.push_back(j);
+    }
+    predicted = predicted && scaled.jacobian(start, found.J);
+    for (const std::size_t j : without_influence)
+      if (predicted) found.J.col(static_cast<Eigen::Index>(j)).setZero();
+    if (!predicted) {
+      found.outcome = PlanOutcome::prediction_failed;
+      found.reason = "beside the scenario's numbers there is no prediction";
+    }
+  } catch (const ScaledProblem::Stopped&) {
+    found.outcome = PlanOutcome::interrupted;
+    found.status = RunStatus::interrupted;
+  }
+  return found;
+}
+
+}  // namespace earthtop::plan

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a planned measurement, from the document that `plan SCENARIO --json` writes.
+#include <fmt/core.h>
+
+#include "earthtop/plan/plan.hpp"
+#include "report/pages.hpp"
+
+namespace earthtop::report {
+namespace {
+
+std::optional<double> number_in(const Json& value) {
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+/// What the document says that the picture shows.
+PlanReport pictured(const Json& document) {
+  PlanReport report;
+  report.scenario_name = document.at("scenario").at("name").get<std::string>();
+  for (const Json& estimate : document.at("estimates"))
+    report.estimates.push_back({estimate.at("name").get<std::string>(),
+                                estimate.at("unit").get<std::string>(),
+                                estimate.at("value").get<double>(),
+                                false,
+                                {},
+                                number_in(estimate.at("standard_error")),
+                                {}});
+  for (const Json& variation : document.at("variations"))
+    for (const PlanChange change : {PlanChange::duration, PlanChange::rows, PlanChange::sigma})
+      if (variation.at("change") == to_string(change)) {
+        PlanVariation& shown = report.variations.emplace_back();
+        shown.change = change;
+        shown.factor = variation.at("factor").get<double>();
+        shown.standard_error = number_in(variation.at("standard_error"));
+      }
+  return report;
+}
+
+std::string number_cell(const Json& value, const std::string& unit, int digits) {
+  const auto number = number_in(value);
+  return number ? number_html(*number, unit, digits) : "";
+}
+
+std::string errors_html(const Json& document) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& estimate : document.at("estimates")) {
+    const std::string unit = estimate.at("unit").get<std::string>();
+    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_cell(estimate.at("value"), unit, 7),
+                    number_cell(estimate.at("standard_error"), unit, 3), number_cell(estimate.at("significance"), "", 3),
+                    number_cell(estimate.at("standard_error_alone"), unit, 3), number_cell(estimate.at("prior"), unit, 3)});
+  }
+  return table_html(
+      {"input", "the scenario's", "standard error", "value over it", "if the others were known", "known beforehand"}, rows);
+}
+
+/// What each unknown costs the first estimate.
+std::string costs_html(const Json& document, const std::string& unit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& variation : document.at("variations"))
+    if (variation.at("change") == to_string(PlanChange::known))
+      rows.push_back({escaped(variation.at("input").get<std::string>()), number_cell(variation.at("standard_error"), unit, 3)});
+  return rows.empty() ? "" : table_html({"unknown", "standard error if it were known exactly"}, rows);
+}
+
+std::string optimum_html(const Json& optimum, const std::string& unit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& choice : optimum.at("choices"))
+    rows.push_back({escaped(choice.at("pointer").get<std::string>()), number_cell(choice.at("best"), "", 6),
+                    number_cell(choice.at("low"), "", 6), number_cell(choice.at("high"), "", 6),
+                    choice.at("at_limit").get<bool>() ? "yes" : "no", number_cell(choice.at("given"), "", 6)});
+  return "<p>Standard error there: " + number_cell(optimum.at("standard_error"), unit, 3) + "</p>\n" +
+         table_html({"input", "best", "from", "to", "at a limit", "the scenario's"}, rows);
+}
+
+}  // namespace
+
+Report plan_page(const Json& document) {
+  const PlanReport report = pictured(document);
+  const bool is_determined = document.at("outcome") == to_string(PlanOutcome::determined);
+  const Json& plan = document.at("plan");
+  Page page("plan", "Planned measurement of " + report.scenario_name);
+  const std::string advice = document.at("advice").get<std::string>(), reason = document.at("reason").get<std::string>();
+  page.headline(escaped(is_determined ? advice : reason + (advice.empty() ? "" : ". " + advice)));
+  page.verdict(is_determined ? "same" : "differs",
+               is_determined ? "<strong>determined</strong>" : "<strong>not determined</strong>");
+  std::string measured;
+  for (const Json& quantity : plan.at("quantities"))
+    measured += fmt::format("{}{} ± {}", measured.empty() ? "" : ", ", escaped(quantity.at("name").get<std::string>()),
+                            number_cell(quantity.at("standard_error"), "", 6));
+  Facts facts = {{"measured", measured},
+                 {"every", number_cell(plan.at("every_s"), "s", 6)},
+                 {"until", number_cell(plan.at("until_s"), "s", 6)},
+                 {"rows", fmt::format("{}", plan.at("rows").get<std::uint64_t>())}};
+  if (number_in(plan.at("correlation_time_s")).value_or(0) > 0)
+    facts.emplace_back("errors are correlated over", number_cell(plan.at("correlation_time_s"), "s", 6));
+  std::string notes;
+  for (const Json& note : document.at("notes")) notes += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
+  page.section("plan", "Plan", facts_html(facts) + (notes.empty() ? "" : "<ul>" + notes + "</ul>\n"));
+  if (!is_determined) return page.finish();
+  const std::string unit = report.estimates.at(0).unit;
+  page.section("estimates", "Standard errors", errors_html(document) + costs_html(document, unit));
+  page.section("changes", "What changes would do",
+               page.chart("changes", plan_figure(report), "Cramer-Rao bound for changes of the plan, each made alone."));
+  if (const Json& optimum = document.at("optimum"); optimum.is_object())
+    page.section("optimum", "Best within the limits", optimum_html(optimum, unit));
+  return page.finish();
+}
+
+}  // namespace earthtop::report

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/plan/plan.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "command_line.hpp"
+#include "earthtop/results/results.hpp"
+#include "earthtop/run.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "plan_text.hpp"
+#include "progress_line.hpp"
+#include "verbs.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+struct PlanArguments {
+  std::string scenario;
+  std::vector<std::string> quantities, sigmas, estimates, nuisances, design, sets;
+  double every_s = 0, correlation_time_s = 0;
+  std::optional<double> until_s;
+  std::string svg, data;
+  unsigned seed = 1;
+  bool json = false, quiet = false;
+};
+
+MeasurementPlan plan_of(const PlanArguments& arguments) {
+  if (arguments.quantities.size() != arguments.sigmas.size())
+    throw ScenarioError("--sigma", fmt::format("{} for {} quantities; give each --measure its own, in the same order, e.g. "
+                                               "--measure azimuth_deg --sigma 0.01",
+                                               arguments.sigmas.size(), arguments.quantities.size()));
+  MeasurementPlan plan;
+  for (std::size_t i = 0; i < arguments.quantities.size(); ++i) {
+    const std::string& text = arguments.sigmas[i];
+    double sigma = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, sigma);
+    if (error != std::errc() || last != end)
+      throw ScenarioError("--sigma " + printable(text),
+                          "is no number; give a standard error in the quantity's unit, e.g. 0.01");
+    plan.quantities.push_back(planned_quantity(arguments.quantities[i], sigma));
+  }
+  plan.every_s = arguments.every_s;
+  plan.until_s = arguments.until_s;
+  plan.correlation_time_s = arguments.correlation_time_s;
+  plan.estimates = arguments.estimates;
+  plan.nuisances = arguments.nuisances;
+  return plan;
+}
+
+/// Checks that no output would overwrite an input. @throws ScenarioError
+void require_apart(const PlanArguments& arguments, const Scenario& scenario) {
+  namespace fs = std::filesystem;
+  const auto place = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)).string(); };
+  if (!arguments.svg.empty() && !arguments.data.empty() && place(arguments.svg) == place(arguments.data))
+    throw ScenarioError("", "--svg and --write-data name the same file; give two");
+  std::vector<std::string> inputs = {arguments.scenario};
+  if (scenario.platform && !scenario.platform->file.empty())
+    inputs.push_back((fs::path(arguments.scenario).parent_path() / scenario.platform->file).string());
+  for (const std::string& output : {arguments.svg, arguments.data})
+    for (const std::string& input : inputs)
+      if (!output.empty() && input != "-" && place(output) == place(input))
+        throw ScenarioError("", fmt::format("{} is what is read; write to another place", printable(output)));
+}
+
+int plan_verb(const PlanArguments& arguments) {
+  const MeasurementPlan plan = plan_of(arguments);
+  std::vector<DesignInput> design;
+  for (const std::string& text : arguments.design) design.push_back(design_input(text));
+  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  const auto overrides = split_sets(arguments.sets);
+  require_apart(arguments, parse_scenario(source, overrides));
+
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
+  const PlanReport report = plan_measurement(source, overrides, plan, design, watch);
+  std::optional<std::string> data;
+  const bool was_interrupted = report.outcome == PlanOutcome::interrupted || report.status == RunStatus::interrupted;
+  if (!was_interrupted && !arguments.data.empty())
+    data = simulated_measurement(source, overrides, plan, arguments.seed, watch.with_progress(nullptr));
+  if (was_interrupted || (!arguments.data.empty() && !data))
+    return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
+                         interrupted_status());
+  progress.reach(1);
+  if (data) write_file(arguments.data, *data);
+  if (!arguments.svg.empty()) write_file(arguments.svg, svg(plan_figure(report)));
+  if (arguments.json)
+    print(plan_json(report));
+  else if (!arguments.quiet)
+    print(plan_text(report, wants_color()));
+  switch (report.outcome) {
+    case PlanOutcome::determined: return kDone;
+    case PlanOutcome::not_determined: return kNegative;
+    default: return kNumericalFailure;
+  }
+}
+
+}  // namespace
+
+Verb describe_plan() {
+  auto arguments = std::make_shared<PlanArguments>();
+  PlanArguments& a = *arguments;
+  Verb plan("plan", "what a measurement would tell: standard errors before anything is built",
+            [arguments] { return plan_verb(*arguments); });
+  plan.add("SCENARIO", &a.scenario, "the planned top as a JSON file; - for standard input").json_file().required();
+  plan.add("--measure", &a.quantities,
+           "what is measured: azimuth, tilt, axis, drift_azimuth or drift_tilt, with _rad, _deg or _arcsec; may be repeated")
+      .called("QUANTITY_UNIT")
+      .required();
+  plan.add("--sigma", &a.sigmas, "standard error of each value, in the quantity's unit; one for each --measure")
+      .called("S")
+      .required();
+  plan.add("--every", &a.every_s, "distance of the rows in time (s)").called("T").within(1e-9, 1e9).required();
+  plan.add("--until", &a.until_s, "time of the last row (s); default: the scenario's duration").called("U").within(1e-9, 1e9);
+  plan.add("--correlation-time", &a.correlation_time_s,
+           "errors of a quantity are correlated by exp(-dt/TAU) (s); default 0: independent")
+      .called("TAU")
+      .within(0, 1e9);
+  plan.add("--estimate", &a.estimates,
+           "number of the scenario to be estimated; default: omega_sin_latitude_rad_s, of a gyrocompass "
+           "omega_cos_latitude_rad_s; may be repeated")
+      .called("NAME");
+  plan.add("--nuisance", &a.nuisances, "number that is not known either and is fitted along, e.g. spin_rad_s; may be repeated")
+      .called("NAME");
+  plan.add("--optimise", &a.design,
+           "choose this number within its limits so that the first estimate's standard error is least; may be repeated")
+      .called("/POINTER=LOW:HIGH");
+  plan.add("--svg", &a.svg, "write a picture of the standard error over duration, rows and accuracy").called("FILE");
+  plan.add("--write-data", &a.data, "write a simulated measurement: the scenario's motion with normal errors")
+      .called("FILE.csv");
+  plan.add("--seed", &a.seed, "of --write-data: another seed gives other errors; default 1").called("N");
+  add_set_option(plan, a.sets);
+  plan.add("--json", &a.json, "print one JSON document, errors too");
+  plan.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
+  plan.describe(
+      "Computes how well a planned measurement would determine numbers of the scenario: the Cramer-Rao bound, from the "
+      "derivatives that compare --estimate uses. The scenario's uncertainty block says what is known beforehand. The exit "
+      "status "
+      "is 1 where the measurement would not determine the numbers; then it is said which, or which combination of them.");
+  plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --until 60 --nuisance spin_rad_s",
+               "tells how well the Earth's rate would be seen if the spin is not known");
+  plan.example(
+      "earthtop plan gyro.json --measure tilt_deg --sigma 0.01 --every 0.1 --optimise /release/tilt_deg=5:60 "
+      "--optimise /release/spin_rad_s=50:400",
+      "chooses the best tilt and spin");
+  plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --write-data simulated.csv --seed 7",
+               "writes data to try earthtop compare with");
+  return plan;
+}
+
+}  // namespace earthtop::tool

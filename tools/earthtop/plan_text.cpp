@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan_text.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/error.hpp"
+#include "earthtop/plan/plan.hpp"
+
+namespace earthtop::tool {
+namespace {
+
+std::string painted(std::string_view text, std::string_view code, bool color) {
+  return color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+}
+
+/// A number and its unit, which may be empty.
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : number + ' ' + unit;
+}
+
+std::string measured_text(const PlanReport& report) {
+  std::string text;
+  for (const PlannedQuantity& quantity : report.plan.quantities)
+    text += fmt::format("{}{} ± {:g}", text.empty() ? "" : ", ", quantity.name, quantity.standard_error);
+  text += fmt::format(", every {:g} s to {:g} s: {} rows", report.plan.every_s, *report.plan.until_s, report.rows);
+  if (report.plan.correlation_time_s > 0)
+    text += fmt::format("; errors correlated over {:g} s", report.plan.correlation_time_s);
+  return text;
+}
+
+std::string estimates_text(const PlanReport& report, bool color) {
+  std::size_t width = 0;
+  for (const PlannedEstimate& estimate : report.estimates) width = std::max(width, estimate.name.size());
+  std::string text = "\nStandard errors (Cramer-Rao bound)\n";
+  for (std::size_t j = 0; j < report.estimates.size(); ++j) {
+    const PlannedEstimate& e = report.estimates[j];
+    std::string line = with_unit(fmt::format("{:.7g} ± {:.3g}", e.value, *e.standard_error), e.unit);
+    if (!e.is_nuisance) line = painted(line, "1", color);
+    if (!e.is_nuisance && e.significance()) line += fmt::format(": {:.3g} sigma", *e.significance());
+    if (e.prior) line += fmt::format("; known beforehand to ± {:.2g}", *e.prior);
+    text += fmt::format("  {:<{}}  {}\n", printable(e.name), width, line);
+    if (report.estimates.size() == 1) continue;
+    text += fmt::format("  {:<{}}  ± {:.3g} if the others were known exactly", "", width, *e.standard_error_alone);
+    std::size_t most = j == 0 ? 1 : 0;
+    for (std::size_t k = 0; k < report.estimates.size(); ++k)
+      if (k != j && std::abs(report.correlation[j][k]) > std::abs(report.correlation[j][most])) most = k;
+    text += fmt::format("; largest correlation {:+.4f}, with {}\n", report.correlation[j][most],
+                        printable(report.estimates[most].name));
+  }
+  return text;
+}
+
+std::string error_text(const std::optional<double>& error, double now) {
+  return error ? fmt::format("{:>10.3e}  {:>8.3g} times", *error, *error / now) : std::string("not determined");
+}
+
+std::string variations_text(const PlanReport& report) {
+  const PlannedEstimate& target = report.estimates[0];
+  const double now = *target.standard_error;
+  const std::string of =
+      with_unit("\nStandard error of " + printable(target.name), target.unit.empty() ? "" : "(" + target.unit + ")");
+  std::size_t width = 26;
+  for (const PlanVariation& v : report.variations)
+    if (v.change == PlanChange::known) width = std::max(width, v.input.size() + std::string_view(" known exactly").size());
+  std::string known, table;
+  for (const PlanVariation& v : report.variations) {
+    std::string what;
+    switch (v.change) {
+      case PlanChange::known:
+        known += fmt::format("  {:<{}}  {}\n", printable(v.input) + " known exactly", width, error_text(v.standard_error, now));
+        continue;
+      case PlanChange::duration: what = fmt::format("to {:g} s, {} rows", v.factor * *report.plan.until_s, v.rows); break;
+      case PlanChange::rows: what = fmt::format("every {:g} s, {} rows", report.plan.every_s / v.factor, v.rows); break;
+      case PlanChange::sigma:
+        what = fmt::format("{} ± {:g}", report.plan.quantities[0].name, v.factor * report.plan.quantities[0].standard_error);
+        if (report.plan.quantities.size() > 1) what += ", ...";
+        break;
+      case PlanChange::prior:
+      case PlanChange::tilt: break;
+    }
+    table += fmt::format("  {:<{}}  {}\n", what, width, error_text(v.standard_error, now));
+  }
+  std::string text;
+  if (!known.empty())
+    text += fmt::format("{}: what each unknown costs\n  {:<{}}  {}\n{}", of, "now", width, error_text(now, now), known);
+  return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
+}
+
+std::string optimum_text(const PlanReport& report, bool color) {
+  const PlanOptimum& optimum = *report.optimum;
+  const PlannedEstimate& target = report.estimates[0];
+  std::string text =
+      fmt::format("\nBest within the limits, {} designs tried{}\n", optimum.evaluations,
+                  optimum.avoided > 0 ? fmt::format(", {} of them without a motion to rely on", optimum.avoided) : "");
+  std::string sets;
+  for (const DesignChoice& choice : optimum.choices) {
+    text += fmt::format("  {}  {}, from {:g} to {:g}{}; the scenario's is {:g}\n", printable(choice.input.pointer),
+                        painted(fmt::format("{:.6g}", choice.best), "1", color), choice.input.low, choice.input.high,
+                        choice.is_at_limit ? ", at the limit" : "", choice.given);
+    sets += fmt::format(" --set {}={:.6g}", choice.input.pointer, choice.best);
+  }
+  text += fmt::format("  {}  ± {}: {:.3g} sigma, {:.3g} times smaller than now; {} rows\n", printable(target.name),
+                      with_unit(fmt::format("{:.2e}", optimum.standard_error), target.unit), optimum.significance,
+                      *target.standard_error / optimum.standard_error, optimum.rows);
+  return text + "  with" + printable(sets) + "\n";
+}
+
+}  // namespace
+
+std::string plan_text(const PlanReport& report, bool color) {
+  std::string text = fmt::format("A measurement of {}\n", printable(report.scenario_name));
+  text += fmt::format("Measured    {}\n", measured_text(report));
+  if (report.outcome == PlanOutcome::determined)
+    text += fmt::format("Predicted   {} motions{}\n", report.predictions,
+                        report.verdict ? fmt::format("; {}", to_string(*report.verdict)) : "");
+  else
+    text += fmt::format("Outcome     {}\n",
+                        painted(fmt::format("{}: {}", to_string(report.outcome), printable(report.reason)), "31", color));
+  if (report.undetermined.size() > 1) {
+    std::string changes;
+    for (const auto& [name, change] : report.undetermined)
+      changes += fmt::format("{}{} by {:+.3g}", changes.empty() ? "" : ", ", printable(name), change);
+    text += fmt::format("            not seen together: {}\n", changes);
+  }
+  if (report.outcome == PlanOutcome::not_determined) text += fmt::format("Remedy      {}\n", printable(report.advice));
+  for (const std::string& note : report.notes) text += fmt::format("Note        {}\n", printable(note));
+  if (report.outcome != PlanOutcome::determined) return text;
+  text += estimates_text(report, color) + variations_text(report);
+  if (report.optimum) text += optimum_text(report, color);
+  return text + "\n" + printable(report.advice) + "\n";
+}
+
+}  // namespace earthtop::tool
