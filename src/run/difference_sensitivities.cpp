@@ -24,7 +24,8 @@ constexpr double kLargest = 0x1p-6;  // first step, as a share of the input's sc
 constexpr double kPhaseStep = 0.25;  // rad: by which a step changes a phase
 constexpr double kClose = 1e-9;      // difference of two extrapolations, as a share, that ends the search
 constexpr double kUnsettled = 0.1;   // difference of two extrapolations, as a share, above which there is no derivative
-constexpr double kNoiseSafety = 4;        // times the largest second difference seen, for the noise of a drift
+constexpr double kNoiseSafety = 4;   // times the largest second difference seen, for the noise of a drift
+constexpr double kProbe = 0.004;     // rad: so small a change of the fastest phase that a drift's curvature does not show
 constexpr std::size_t kProbed[] = {1, 2, 3};  // gravity, spin and tilt, which every scene has
 constexpr double kDriftRounding = 1e-13;      // of a drift, as a share: what a bound leaves out
 
@@ -53,10 +54,11 @@ class Differences {
     Quantities seen;
     for (int q = 0; q < kQuantities; ++q) seen[at(q)] = kDriftRounding * std::abs((*drift)[at(q)]);
     for (const std::size_t input : kProbed) {
-      const auto pair = moved_drifts(input, scale_of_input(base_, input) * kPhaseStep / phases_.fast, watch.part(0.1, 1));
+      const auto pair = moved_drifts(input, scale_of_input(base_, input) * kProbe / phases_.fast, watch.part(0.1, 1));
       if (!pair) return false;
       for (int q = 0; q < kQuantities; ++q)
-        seen[at(q)] = std::max(seen[at(q)], kNoiseSafety * std::abs(pair->high[at(q)] - 2 * (*drift)[at(q)] + pair->low[at(q)]));
+        seen[at(q)] =
+            std::max(seen[at(q)], kNoiseSafety * std::abs(pair->high[at(q)] - 2 * (*drift)[at(q)] + pair->low[at(q)]));
     }
     if (has_azimuth_) bounds_[3] /= horizontal_;
     for (int q = 0; q < kQuantities; ++q) noise_[at(q)] = std::min(seen[at(q)], bounds_[at(q)] + seen_rounding(*drift, q));
