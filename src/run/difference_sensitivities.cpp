@@ -23,6 +23,7 @@ constexpr double kRatio = 4;         // of two steps
 constexpr double kLargest = 0x1p-6;  // first step, as a share of the input's scale
 constexpr double kPhaseStep = 0.25;  // rad: by which a step changes a phase
 constexpr double kClose = 1e-9;      // difference of two extrapolations, as a share, that ends the search
+constexpr double kGood = 1e-6;       // error of a derivative, as a share, for which no finer steps are tried
 constexpr double kUnsettled = 0.1;   // difference of two extrapolations, as a share, above which there is no derivative
 constexpr double kNoiseSafety = 4;   // times the largest second difference seen, for the noise of a drift
 constexpr double kProbe = 0.004;     // rad: so small a change of the fastest phase that a drift's curvature does not show
@@ -75,14 +76,16 @@ class Differences {
     if (!slow || fine >= last_step_) return slow;
     const auto check = difference(input, scale * fine, watch.part(0.75, 0.9));
     if (!check) return std::nullopt;
-    const bool agrees = slow->settled && std::abs(slow->value[0] - (*check)[0]) <= noise_[0] / (scale * fine) + slow->error[0];
-    if (!agrees)  // the drift depends on the motion's fast angles
-      if (const auto fast = extrapolated(input, scale, fine, 0, watch.part(0.9, 1)); !fast || fast->settled) return fast;
     Estimate estimate = *slow;
     for (int q = 0; q < kQuantities; ++q)
-      estimate.error[at(q)] =
-          std::max(estimate.error[at(q)], std::abs(slow->value[at(q)] - (*check)[at(q)]) + noise_[at(q)] / (scale * fine));
-    return estimate;
+      estimate.error[at(q)] = std::max(estimate.error[at(q)], std::abs(slow->value[at(q)] - (*check)[at(q)]) +
+                                                                  noise_[at(q)] / (scale * fine) + smooth_error(q, scale));
+    const double noise = noise_[0] / (scale * fine);
+    if (estimate.settled && estimate.error[0] <= 2 * noise + kGood * std::abs(estimate.value[0])) return estimate;
+    // The drift depends on the motion's fast angles.
+    const auto fast = extrapolated(input, scale, fine, 0, watch.part(0.9, 1));
+    if (!fast) return std::nullopt;
+    return estimate.settled && estimate.error[0] <= fast->error[0] ? estimate : *fast;
   }
 
  private:

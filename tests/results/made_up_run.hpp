@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "earthtop/run.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "support/changed_scene.hpp"
 
 namespace earthtop::test {
