@@ -86,17 +86,20 @@ struct VerdictReport {
 
 /// The change of the last reliable drift with one input (rad per unit of the input), and the drift error due to that input.
 struct InputSensitivity {
-  std::string_view name;  ///< one of kInputNames
+  std::string_view name;  ///< one of kInputNames (scenario/inputs.hpp)
   double value = 0;       ///< value of the input
   double axis_rad = 0, attitude_rad = 0, tilt_rad = 0;
-  std::optional<double> azimuth_rad;  ///< empty where an axis is vertical
-  double axis_error_rad = 0;          ///< standard error of the axis drift due to this input (rad); 0 if none is given
+  std::optional<double> azimuth_rad{};  ///< empty where an axis is vertical
+  double axis_error_rad = 0;            ///< standard error of the axis drift due to this input (rad); 0 if none is given
+  double axis_bound_rad = 0;            ///< bound on the error of `axis_rad` itself
+  std::string unavailable{};            ///< why there is no derivative by this input; empty if there is
 };
 struct SensitivityReport {
   double at_s = 0;
-  std::vector<InputSensitivity> inputs;  ///< in the order of kInputNames; empty if they are unavailable
+  std::vector<InputSensitivity> inputs;  ///< those that the scene has, in the order of kInputNames; empty if unavailable
   std::string unavailable;               ///< why there are no derivatives; empty if there are
   double axis_error_rad = 0;             ///< standard error of the axis drift from all inputs, taken as independent (rad)
+  std::string_view without_derivative;   ///< an input with a standard error that has no derivative; empty if there is none
 };
 
 /// How far the non-rotating prediction itself moves with one input of the contact, at the last reliable row.

@@ -13,6 +13,7 @@
 #include "drift/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
+#include "scene/sensitivity_route.hpp"
 
 namespace earthtop {
 namespace {
@@ -74,8 +75,8 @@ struct Responding {
 /// @param effects  number of the inputs that represent effects; they come first
 Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs, std::size_t effects) {
   constexpr double kWithTorques = 6;  // right-hand sides with every torque, over those of a plain scene
-  const double effects_seconds = sensitivity_seconds(scene, time_s, kTolerance, effects);
-  const double inputs_seconds = sensitivity_seconds(scene, time_s, kTolerance, inputs.size() - effects);
+  const double effects_seconds = variations_seconds(scene, time_s, kTolerance, effects);
+  const double inputs_seconds = variations_seconds(scene, time_s, kTolerance, inputs.size() - effects);
   Responding by{std::nullopt, (scene.is_plain() ? kWithTorques : 1) * effects_seconds + inputs_seconds};
   const Scene in_double = drift_scene(scene);
   const auto& problem = scene.problem<double>();
@@ -226,10 +227,11 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
 /// @param responses  to the inputs alone
 void add_inputs(const InputDerivatives& inputs, std::span<const Responses> responses, double later, double drift_later,
                 Budget& budget) {
-  for (std::size_t i = 0; i < kInputNames.size(); ++i) {
+  for (std::size_t i = 0; i < inputs.inputs.size(); ++i) {
     const Responses& r = responses[i];
-    InputNeed need{std::string(kInputNames[i]), inputs.values[i], later * r.displacement_largest / inputs.scales[i],
-                   drift_later * r.drift_final / inputs.scales[i], std::nullopt};
+    InputNeed need{std::string(kInputNames[inputs.inputs[i]]), inputs.values[i],
+                   later * r.displacement_largest / inputs.scales[i], drift_later * r.drift_final / inputs.scales[i],
+                   std::nullopt};
     const bool of_earth = need.name == "latitude_deg" || need.name == "rotation_rate_rad_s";
     const double moved = of_earth ? need.drift_per_unit_rad : need.displacement_per_unit_rad;
     if (moved > 0) need.hides_earth = budget.earth_drift_rad / moved;

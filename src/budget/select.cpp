@@ -8,7 +8,7 @@
 #include "drift/stability.hpp"
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
-#include "scene/input_derivatives.hpp"
+#include "scene/sensitivity_route.hpp"
 
 namespace earthtop {
 namespace {
@@ -54,8 +54,8 @@ std::vector<double> changes_of(const Scene& scene, const std::vector<Candidate>&
 
 double selection_seconds(const Scene& scene) {
   const auto share = followed_share(scene);
-  return share ? sensitivity_seconds(scene, *share * scene.scenario().duration_s, kChoiceTolerance,
-                                     selectable_effects(scene).size())
+  return share ? variations_seconds(scene, *share * scene.scenario().duration_s, kChoiceTolerance,
+                                    selectable_effects(scene).size())
                : 0;
 }
 

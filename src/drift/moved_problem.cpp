@@ -61,6 +61,7 @@ DriftProblem<double> moved(const DriftProblem<double>& problem, const ProblemDer
   applied.any = true;
   applied.viscous += h * d.applied.viscous, applied.quadratic += h * d.applied.quadratic;
   applied.coulomb += h * d.applied.coulomb;
+  applied.gimbal_damping += h * d.applied.gimbal_damping;
   applied.disc_laminar += h * d.applied.disc_laminar, applied.disc_turbulent += h * d.applied.disc_turbulent;
   if (d.applied.gradient[0].strength != 0 || d.applied.gradient[1].strength != 0)
     applied.gradient = sum_of(applied.gradient, h, d.applied.gradient);

@@ -64,7 +64,7 @@ auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const Inputs& in
   return jets;
 }
 
-/// Applied torques as jets whose derivatives are zero; below, a platform in the same way.
+/// Applied torques as jets whose derivatives are zero: those by their coefficients are added as torques.
 AppliedTorques<Jet> constant(const AppliedTorques<double>& given) {
   AppliedTorques<Jet> jets;
   jets.any = given.any, jets.level_axis = given.level_axis;
@@ -75,13 +75,19 @@ AppliedTorques<Jet> constant(const AppliedTorques<double>& given) {
     jets.gradient[i] = {given.gradient[i].strength, given.gradient[i].direction_L.cast<Jet>()};
   return jets;
 }
-Platform<Jet> constant(const Platform<double>& given) {
+Platform<Jet> jet_platform(const Platform<double>& given, const Inputs& inputs) {
   Platform<Jet> jets;
   const PrescribedMotion<double>& turn = given.turn;
   jets.turn.axis = turn.axis.cast<Jet>();
   jets.turn.angle0 = turn.angle0, jets.turn.rate = turn.rate, jets.turn.acceleration = turn.acceleration;
   jets.turn.amplitude = turn.amplitude, jets.turn.frequency = turn.frequency, jets.turn.phase = turn.phase;
-  jets.pivot_offset_P = given.pivot_offset_P.cast<Jet>();
+  for (std::size_t k = 0; k < kInputs; ++k) {
+    const PlatformDerivative& d = inputs[k].platform;
+    jets.turn.rate.d[k] = d.rate, jets.turn.acceleration.d[k] = d.acceleration, jets.turn.amplitude.d[k] = d.amplitude;
+    jets.turn.frequency.d[k] = d.frequency, jets.turn.phase.d[k] = d.phase;
+  }
+  jets.pivot_offset_P =
+      with_derivatives(given.pivot_offset_P, inputs, [](const ProblemDerivative& d) { return d.platform.pivot_offset_P; });
   return jets;
 }
 
@@ -101,7 +107,7 @@ Model<Jet> jet_model(const Model<double>& model, const Inputs& inputs) {
     jets.weights.coriolis.d[k] = inputs[k].coriolis;
     jets.weights.centrifugal.d[k] = inputs[k].centrifugal;
   }
-  jets.platform = constant(model.platform);
+  jets.platform = jet_platform(model.platform, inputs);
   jets.applied = constant(model.applied);
   jets.kind = model.kind;
   return jets;

@@ -2,6 +2,8 @@
 // The table of the members of summary.json.
 #include "results/figures.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -96,6 +98,18 @@ Json trouble(const IntegrationReport& report) {
 bool have_sensitivities(R r) { return r.sensitivities->unavailable.empty(); }
 Json why_unavailable(R r) { return have_sensitivities(r) ? kLeftOut : Json(r.sensitivities->unavailable); }
 const InputSensitivity& sensitivity(R r, I i) { return r.sensitivities->inputs[i]; }
+/// A derivative by an input; left out where there is none.
+template <class Value>
+Json derivative(R r, I i, Value InputSensitivity::*member) {
+  return sensitivity(r, i).unavailable.empty() ? json_from(sensitivity(r, i).*member) : kLeftOut;
+}
+/// Whether the errors of all inputs have been propagated.
+bool have_input_errors(R r) { return have_sensitivities(r) && r.sensitivities->without_derivative.empty(); }
+Json why_no_input_errors(R r) {
+  if (have_input_errors(r)) return kLeftOut;
+  if (!have_sensitivities(r)) return Json(r.sensitivities->unavailable);
+  return Json(fmt::format("there is no derivative by {}", r.sensitivities->without_derivative));
+}
 
 /// The name of the input whose error contributes most to the drift's error; null where no input has an error.
 Json largest_error_from(R r) {
@@ -441,26 +455,35 @@ constexpr auto kMembers = [] {
           [](R r) { return have_sensitivities(r) ? std::optional(r.sensitivities->inputs.size()) : std::nullopt; }, true),
       compared("sensitivities.inputs.*.name", word, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).name; }),
       compared("sensitivities.inputs.*.value", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).value; }),
-      compared("sensitivities.inputs.*.d_axis_rad", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).axis_rad; }),
+      compared("sensitivities.inputs.*.d_axis_rad", derived, end, kAtEnd,
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_rad); }),
+      compared("sensitivities.inputs.*.d_axis_bound_rad", error, end, kAtEnd,
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_bound_rad); }),
       compared("sensitivities.inputs.*.d_attitude_rad", derived, end, kAtEnd,
-               [](R r, I i) { return sensitivity(r, i).attitude_rad; }),
-      compared("sensitivities.inputs.*.d_tilt_rad", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).tilt_rad; }),
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::attitude_rad); }),
+      compared("sensitivities.inputs.*.d_tilt_rad", derived, end, kAtEnd,
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::tilt_rad); }),
       compared("sensitivities.inputs.*.d_azimuth_rad", derived, end, kAtEnd,
-               [](R r, I i) { return sensitivity(r, i).azimuth_rad; }),
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::azimuth_rad); }),
       compared("sensitivities.inputs.*.axis_error_rad", derived, end, kAtEnd,
-               [](R r, I i) { return sensitivity(r, i).axis_error_rad; }),
+               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_error_rad); }),
+      compared("sensitivities.inputs.*.unavailable", word, end, kAtEnd,
+               [](R r, I i) {
+                 const std::string& why = sensitivity(r, i).unavailable;
+                 return why.empty() ? kLeftOut : Json(why);
+               }),
       // The last reliable drift of the axis, with its errors: from the inputs (a standard error, for independent inputs) and
       // from the numerics (a bound).
       object_or_nothing("uncertainty", [](R r) { return r.sensitivities && r.scene.scenario().uncertainty; }),
-      compared("uncertainty.unavailable", word, end, kAtEnd, [](R r) { return why_unavailable(r); }),
+      compared("uncertainty.unavailable", word, end, kAtEnd, [](R r) { return why_no_input_errors(r); }),
       compared("uncertainty.axis_rad", derived, end, kAtEnd,
-               [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_rad) : kLeftOut; }),
+               [](R r) { return have_input_errors(r) ? reliable(r, &DriftRow::drift_axis_rad) : kLeftOut; }),
       compared("uncertainty.from_inputs_rad", derived, end, kAtEnd,
-               [](R r) { return have_sensitivities(r) ? Json(r.sensitivities->axis_error_rad) : kLeftOut; }),
+               [](R r) { return have_input_errors(r) ? Json(r.sensitivities->axis_error_rad) : kLeftOut; }),
       compared("uncertainty.from_numerics_rad", error, end, kAtEnd,
-               [](R r) { return have_sensitivities(r) ? reliable(r, &DriftRow::drift_axis_bound_rad) : kLeftOut; }),
+               [](R r) { return have_input_errors(r) ? reliable(r, &DriftRow::drift_axis_bound_rad) : kLeftOut; }),
       compared("uncertainty.largest_from", word, end, kAtEnd,
-               [](R r) { return have_sensitivities(r) ? largest_error_from(r) : kLeftOut; }),
+               [](R r) { return have_input_errors(r) ? largest_error_from(r) : kLeftOut; }),
       object_or_nothing("ledger", [](R r) { return r.ledger.has_value(); }),
       compared("ledger.observer", word, any, kFromRows, [](R r) { return to_string(r.ledger->observer); }),
       compared("ledger.tau_phys_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_phys; }),

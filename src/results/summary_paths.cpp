@@ -75,7 +75,7 @@ Scenario any_scenario(int kind) {
   scenario.ledger = LedgerObserver::laboratory;
   scenario.threshold_rad = scenario.accuracy_rad = 1;
   scenario.sensitivities = true;
-  if (kind < 2) scenario.uncertainty.emplace();
+  if (kind < 2) scenario.uncertainty.emplace().fill(1);
   return scenario;
 }
 

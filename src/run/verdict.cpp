@@ -145,7 +145,8 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
   const std::string rounding = when(growth.round_off_s, "rounding has grown to a microradian");
   const std::string earth = when(growth.earth_s, "the Earth's own disturbance has grown to 0.1 rad");
   const bool steady = growth.departure < kEquilibrium || growth.critical_spin_s.has_value();
-  const bool goes_on = !contracts || growth.late_exponent_1_s.value_or(0) > 0;
+  // Where the late exponent is known, it tells whether disturbances still grow; otherwise friction is taken to end their growth.
+  const bool goes_on = growth.late_exponent_1_s ? *growth.late_exponent_1_s > 0 : !contracts;
   if (braked) {
     report.verdict = Verdict::unstable;
     report.from_s = earlier(growth.critical_spin_s, earlier(growth.round_off_s, loose_s));

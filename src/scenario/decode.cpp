@@ -92,6 +92,11 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
     Reading uncertainty(root.section("uncertainty"));
     uncertainty_keys(uncertainty, scenario.uncertainty.emplace());
     scenario.sensitivities = true;
+    for (std::size_t i = 0; i < kInputCount; ++i)
+      if ((*scenario.uncertainty)[i] != 0 && !has_input(scenario, i))
+        root.section("uncertainty")
+            .refuse_key(kInputNames[i],
+                        fmt::format("the scene has no such number: it is the standard error {}; leave it out", kInputs[i].doc));
   }
   return body && release && gravity && (scenario.contact || !root.has("contact"));
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenario/fields.hpp"
 
+#include <array>
+#include <iterator>
 #include <limits>
 
 #include "earthtop/integrate/method.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::scenario {
@@ -30,7 +33,7 @@ constexpr Field describing(Field field) {
   return field;
 }
 
-constexpr Field kFields[] = {
+constexpr Field kOwnFields[] = {
     // pointer, kind, unit, range, words, default, doc
     {"/$schema", word, "", any(), "earthtop-scenario-1.json", "\"earthtop-scenario-1.json\"", "version of this format"},
     {"/name", name, "", any(), "", "", "names the results; default: the file's stem, \"unnamed\" from standard input"},
@@ -247,15 +250,16 @@ constexpr Field kFields[] = {
     {"/report/sensitivities", flag, "", any(), "", "false", "derivatives of the last reliable drift by the inputs"},
 
     {"/uncertainty", object, "", any(), "", "", "standard errors of the inputs: what they make of the drift is reported"},
-    {"/uncertainty/latitude_deg", number, "deg", from(0, 90), "", "0", "of the latitude"},
-    {"/uncertainty/gravity_m_s2", number, "m/s^2", from(0, 1e6), "", "0", "of apparent gravity"},
-    {"/uncertainty/spin_rad_s", number, "rad/s", from(0, 1e9), "", "0", "of the spin, the rate about body axis 3"},
-    {"/uncertainty/tilt_deg", number, "deg", from(0, 180), "", "0", "of the tilt at release"},
-    {"/uncertainty/rotation_rate_rad_s", number, "rad/s", from(0, 1e9), "", "0", "of the Earth's rate"},
-    {"/uncertainty/inertia_ratio", number, "", from(0, 1e6), "", "0", "of I3/I1 about the pivot, I1 and I2 unchanged"},
-    {"/uncertainty/center_of_mass_m", number, "m", from(0, 1e6), "", "0",
-     "of the distance from the pivot to the centre of mass, moments about the pivot unchanged"},
 };
+
+/// All fields: those above and, at their end, the standard errors of the inputs.
+constexpr auto kFields = [] {
+  std::array<Field, std::size(kOwnFields) + kInputCount> all{};
+  std::size_t end = 0;
+  for (const Field& field : kOwnFields) all[end++] = field;
+  for (const InputRow& row : kInputs) all[end++] = {row.pointer, number, row.unit, from(0, row.most), "", "0", row.doc};
+  return all;
+}();
 
 constexpr FieldTable kTable = {"scenario", "scenario", kFields};
 

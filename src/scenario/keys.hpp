@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "input/fields.hpp"
 #include "scenario/rules.hpp"
 
@@ -283,9 +283,15 @@ void report_keys(Codec& codec, S& scenario) {
   if (!Codec::kWrites || !scenario.uncertainty) codec.sparse("sensitivities", scenario.sensitivities);
 }
 
+/// Describes the standard errors. Those of inputs that not every scenario has are left out where they are 0.
 template <class Codec, class S>
 void uncertainty_keys(Codec& codec, S& standard_errors) {
-  for (std::size_t i = 0; i < kInputNames.size(); ++i) codec.key(kInputNames[i], standard_errors[i]);
+  for (std::size_t i = 0; i < kInputCount; ++i) {
+    if (i < kCommonInputs)
+      codec.key(kInputNames[i], standard_errors[i]);
+    else
+      codec.sparse(kInputNames[i], standard_errors[i]);
+  }
 }
 
 template <class Codec, class S>

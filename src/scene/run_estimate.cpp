@@ -7,9 +7,8 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "earthtop/drift/sensitivity.hpp"
-#include "scene/input_derivatives.hpp"
 #include "scene/parts.hpp"
+#include "scene/sensitivity_route.hpp"
 
 namespace earthtop {
 namespace {
@@ -55,8 +54,9 @@ RunEstimate estimate_run(const Scene& scene) {
   seconds.rows = row.assessed * scene.rows();
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = seconds.rows;
-  if (scenario.sensitivities && !sensitivity_refusal(scene, scenario.duration_s))
-    seconds.sensitivities = sensitivity_seconds(scene, scenario.duration_s, kSensitivityTolerance, kInputNames.size());
+  if (scenario.sensitivities)
+    if (const SensitivityPlan plan = plan_sensitivities(scene, scenario.duration_s); plan.refusal.empty())
+      seconds.sensitivities = plan.seconds;
   return estimate;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "earthtop/run.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "support/changed_scene.hpp"
 
 namespace earthtop::test {
@@ -148,7 +149,7 @@ inline RunResult made_up_full_run() {
   sensitivities.at_s = 60;
   double number = 0;
   for (const std::string_view name : kInputNames)
-    sensitivities.inputs.push_back({name, ++number, 2e-3 * number, 3e-3 * number, 4e-3, 5e-3, 1e-6 * number});
+    sensitivities.inputs.push_back({name, ++number, 2e-3 * number, 3e-3 * number, 4e-3, 5e-3, 1e-6 * number, 1e-12 * number});
   sensitivities.axis_error_rad = 1e-5;
   return result;
 }

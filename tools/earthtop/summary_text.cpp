@@ -230,6 +230,13 @@ void write_trend(Page& page, const RunResult& result) {
   }
 }
 
+/// The bound on a derivative's own error, where the digits shown do not all hold.
+std::string loose_bound(const InputSensitivity& input) {
+  constexpr double kShown = 1e-6;
+  if (input.axis_bound_rad <= kShown * std::abs(input.axis_rad)) return "";
+  return fmt::format("; to ± {:.1e} rad", input.axis_bound_rad);
+}
+
 void write_sensitivities(Page& page, const RunResult& result) {
   const SensitivityReport& report = *result.sensitivities;
   if (!report.unavailable.empty()) {
@@ -237,11 +244,19 @@ void write_sensitivities(Page& page, const RunResult& result) {
     return;
   }
   page.entry("Inputs", fmt::format("the axis drift at {} s changes, per unit of the input, by", report.at_s));
-  for (const InputSensitivity& input : report.inputs)
+  for (const InputSensitivity& input : report.inputs) {
+    if (!input.unavailable.empty()) {
+      page.entry("", page.warning(fmt::format("{}: {}", input.name, input.unavailable)));
+      continue;
+    }
     page.entry("",
-               fmt::format("{:+.5e} rad  {:<20} (now {:.9g}){}", input.axis_rad, input.name, input.value,
+               fmt::format("{:+.5e} rad  {:<20} (now {:.9g}{}){}", input.axis_rad, input.name, input.value, loose_bound(input),
                            input.axis_error_rad > 0 ? fmt::format(", its error makes {:.2e} rad", input.axis_error_rad) : ""));
+  }
   if (!result.scene.scenario().uncertainty) return;
+  if (!report.without_derivative.empty())
+    return page.entry("Known to",
+                      page.warning(fmt::format("not known: there is no derivative by {}", report.without_derivative)));
   const DriftRow* row = last_reliable_row(result);
   page.entry("Known to", fmt::format("{:.6e} rad ± {:.1e} from the inputs (standard error) ± {:.1e} from the numerics (bound)",
                                      row->drift_axis_rad, report.axis_error_rad, row->drift_axis_bound_rad));

@@ -13,8 +13,14 @@
 
 namespace earthtop {
 
+/// The derivatives by one input of the numbers that move a platform, and of the pivot's place on it.
+struct PlatformDerivative {
+  double rate = 0, acceleration = 0, amplitude = 0, frequency = 0, phase = 0;
+  Vec3<double> pivot_offset_P = Vec3<double>::Zero();
+};
+
 /// The derivatives by one input of everything that the equations read: of the model and of the release, in the model's natural
-/// units. Where the input is the strength of a torque that is 0 in the motion itself, `applied` and `tide` hold that torque at
+/// units. Where the input is a coefficient to which a torque is proportional, `applied` and `tide` hold that torque at
 /// strength 1.
 struct ProblemDerivative {
   Mat3<double> I_BP_B = Mat3<double>::Zero(), I_BP_B_inverse = Mat3<double>::Zero(), S_BP_B = Mat3<double>::Zero();
@@ -24,6 +30,7 @@ struct ProblemDerivative {
   Vec3<double> w_XB_B = Vec3<double>::Zero();
   double coriolis = 0, centrifugal = 0;  ///< derivatives of the weights of [F]'s torques
   double release = 0;                    ///< derivative of the share of the Earth's rate in the deviation's rate at release
+  PlatformDerivative platform;
   AppliedTorques<double> applied;
   TideSeries<double> tide;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,9 +49,8 @@ struct HeadlineSpec {
   bool operator==(const HeadlineSpec&) const = default;
 };
 
-/// The inputs with respect to which a drift is differentiated, each named by its key and unit.
-inline constexpr std::array<std::string_view, 7> kInputNames{
-    "latitude_deg", "gravity_m_s2", "spin_rad_s", "tilt_deg", "rotation_rate_rad_s", "inertia_ratio", "center_of_mass_m"};
+/// The number of inputs with respect to which a drift is differentiated; inputs.hpp lists them.
+inline constexpr std::size_t kInputCount = 27;
 
 struct Scenario {
   // The special members are defined in one source file, to save compile time in the others.
@@ -87,8 +87,8 @@ struct Scenario {
   std::optional<double> threshold_rad;
   std::optional<double> accuracy_rad;  ///< requested error of the axis drift (rad)
   bool sensitivities = false;          ///< whether derivatives of the drift by the inputs are requested
-  /// Standard errors of the inputs, in the order and units of kInputNames; 0 where not given.
-  std::optional<std::array<double, kInputNames.size()>> uncertainty;
+  /// Standard errors of the inputs, in the order and units of the table in inputs.hpp; 0 where not given.
+  std::optional<std::array<double, kInputCount>> uncertainty;
 };
 
 /// Returns the times of a scenario's output rows: k x step, and exactly the duration at the end. A k x step within 1e-9 step

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/sensitivity_route.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "earthtop/drift/sensitivity.hpp"
+#include "earthtop/scenario/inputs.hpp"
+#include "scene/parts.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kCheap = 10;         // s: variations that take no longer are not compared with differences
+constexpr double kAffordable = 1200;  // s: most that either route may take
+constexpr double kRunsAnInput = 8;    // that differences take: three pairs of steps, and one of the fastest phase
+
+}  // namespace
+
+double variations_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
+  // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
+  // measured on a toy top, on a body with three different moments and on a gyrocompass.
+  constexpr double kAgainstOne = 4;
+  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
+  return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *
+         variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
+}
+
+Scene scene_for_differences(const Scene& scene) {
+  Scenario scenario = scene.scenario();
+  const IntegrationOptions given = scene.choice().options;
+  const bool fixed = scenario.numerics.step_s.has_value();
+  scenario.sensitivities = false;
+  scenario.uncertainty.reset();
+  scenario.ledger.reset();
+  scenario.threshold_rad.reset();
+  scenario.accuracy_rad.reset();
+  const double finest = default_tolerance(Precision::bits53);
+  const bool wider = scenario.precision != Precision::bits53;
+  scenario.precision = Precision::bits53;
+  double& tolerance = scenario.numerics.relative_tolerance;
+  tolerance = wider ? finest : std::min(tolerance, finest);
+  if (!fixed && scenario.numerics.method != Method::automatic && !is_built(given.method, Precision::bits53))
+    scenario.numerics.method = Method::automatic;
+  return resolve(std::move(scenario));
+}
+
+Phases phases_until(const Scene& scene, double time_s) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double momentum = norm(times(inertia, scene.release<double>().w_XB_B));
+  const double torque = scene.gravity_torque_N_m(scene.platform_demand().acceleration_m_s2);
+  const double pendulum = std::sqrt(torque / inertia.trace() * 3);
+  const double precession = torque > 0 ? std::min(pendulum, torque / std::max(momentum, 1e-300)) : 0;
+  const double damping = scene.pace().damping / scene.scenario().duration_s;
+  const double slow = std::max({precession, scene.platform_demand().rate_rad_s, std::min(damping, pendulum)});
+  return {slow * time_s, std::max(slow, scene.fastest_rate_rad_s()) * time_s};
+}
+
+SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
+  const Scenario& scenario = scene.scenario();
+  SensitivityPlan plan;
+  if (scene.rotation_rate_rad_s() == 0)
+    plan.refusal = "the Earth does not turn: there is no drift";
+  else if (time_s == 0)
+    plan.refusal = "no row of the drift is reliable";
+  if (!plan.refusal.empty()) return plan;
+  const std::size_t inputs = inputs_of(scenario).size();
+  const bool varied = !scenario.contact && scenario.effects.applied.coulomb_N_m == 0;
+  if (varied)
+    for (const double tolerance : {kSensitivityTolerance, kCoarseSensitivityTolerance})
+      plan.seconds += variations_seconds(scene, time_s, tolerance, inputs);
+  if (varied && plan.seconds <= kCheap) return plan;
+  const Scene moved = scene_for_differences(scene);
+  const double differences = double(inputs) * kRunsAnInput * moved.costs()[0].seconds * time_s / scenario.duration_s;
+  if (!varied || differences < plan.seconds) plan = {SensitivityRoute::differences, differences, ""};
+  if (!(plan.seconds <= kAffordable))
+    plan.refusal = fmt::format("they would take {}; at most {} are spent", about_seconds(plan.seconds),
+                               about_seconds(kAffordable).substr(6));
+  return plan;
+}
+
+}  // namespace earthtop
