@@ -88,13 +88,15 @@ void add_top_on_table(TopFigures& top, const Scene& scene, double cosine) {
 }
 
 /// Adds the figures of a body on which gravity has no torque about the pivot.
-void add_free_body(TopFigures& top, const Body<double>& body, const Vec3<double>& w, bool is_symmetric) {
+void add_free_body(TopFigures& top, const Body<double>& body, const Vec3<double>& w) {
   top.left_out.emplace_back("precession and critical spin: gravity has no torque about the pivot");
   const Mat3<double>& I = body.I_BP_B;
-  if (!is_symmetric) {
-    const bool middle = (I(2, 2) - I(0, 0)) * (I(2, 2) - I(1, 1)) < 0 && I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0;
-    if (middle) top.notes.emplace_back("I3 is the middle moment: turning about axis 3 is unstable");
-    top.left_out.emplace_back("nutation: I1 and I2 are not equal");
+  const bool is_principal = I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0;
+  if (!is_principal || I(0, 0) != I(1, 1)) {
+    if (is_principal && (I(2, 2) - I(0, 0)) * (I(2, 2) - I(1, 1)) < 0)
+      top.notes.emplace_back("I3 is the middle moment: turning about axis 3 is unstable");
+    top.left_out.emplace_back(is_principal ? "nutation: I1 and I2 about the pivot are not equal"
+                                           : "nutation: axis 3 is no principal axis of the body about the pivot");
     return;
   }
   const double across = I(0, 0) * real::hypot(w[0], w[1]), along = I(2, 2) * std::abs(w[2]);
@@ -229,7 +231,7 @@ TopFigures top_figures_of(const Scene& scene) {
   }
   const bool is_symmetric = scene.symmetry_axis() == 2;
   if (scene.gravity_torque_N_m() == 0) {
-    add_free_body(top, body, release.w_XB_B, is_symmetric);
+    add_free_body(top, body, release.w_XB_B);
   } else if (!is_symmetric) {
     top.left_out.push_back(fmt::format("precession, nutation and critical spin: {}", why_not_symmetric(body)));
   } else {

@@ -11,6 +11,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/vectors.hpp"
 #include "results/figures.hpp"
 #include "support/changed_scene.hpp"
 #include "support/effect_scenes.hpp"
@@ -335,6 +336,8 @@ TEST(TopFigures, ABalancedGyroscopeHasTheRateOfItsCone) {
   s = toy_top();
   s.site.gravity_m_s2 = 0;
   EXPECT_TRUE(says(figures_of(s).left_out, "no torque about the pivot"));
+  s.body.center_of_mass_m = {0.001, 0, 0.03};  // wherever its centre of mass is
+  EXPECT_NEAR(*figures_of(s).nutation_rad_s, 4e-5 * 200 / 1.2e-4, 1e-12);
   testing::set_principal(s.body, 1.2e-4, 3e-4, 2e-4);
   EXPECT_TRUE(says(figures_of(s).notes, "middle moment"));
 }
