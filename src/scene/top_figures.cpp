@@ -11,6 +11,7 @@
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/release.hpp"
 #include "scene/parts.hpp"
 
@@ -49,8 +50,6 @@ std::optional<double> rim_speed(const BodySpec& spec, double rate_rad_s) {
 
 /// Why no rate of precession, nutation or critical spin is given whatever the body is; empty where there may be one.
 std::string_view why_not_a_top_on_a_pivot(const Scenario& scenario) {
-  if (scenario.contact)
-    return "precession, nutation and critical spin: the tip moves on the table, and the formulas are those of a fixed pivot";
   if (scenario.effects.applied.gimbal) return "precession, nutation and critical spin: the gimbal holds the axis level";
   if (scenario.platform && scenario.platform->pivot_offset_m != std::array<double, 3>{})
     return "precession, nutation and critical spin: the platform carries the pivot round, so that gravity is not the only "
@@ -65,14 +64,39 @@ std::string_view why_not_symmetric(const Body<double>& body) {
   return "the centre of mass is off axis 3";
 }
 
+/// Adds the steady precessions of a symmetric top on a level table, for the laws of friction that let one be steady.
+void add_top_on_table(TopFigures& top, const Scene& scene, double cosine) {
+  const ContactSpec& contact = *scene.scenario().contact;
+  const bool may_be_steady = contact.law == ContactLaw::frictionless || contact.law == ContactLaw::rolling;
+  if (may_be_steady && contact.table_tilt_deg == 0 && scene.symmetry_axis() == 2 && std::abs(cosine) < 1) {
+    const auto on_table = make_contact<double>(contact, scene.body<double>(), scene.site(), {}, nullptr);
+    const auto rate = [&](Precession which) {
+      const auto found = steady_precession_on_table<double>(on_table, scene.site().gravity_m_s2, cosine, top.spin_rad_s, which);
+      return found ? finite(*found) : std::nullopt;
+    };
+    top.slow_precession_rad_s = rate(Precession::steady_slow);
+    top.fast_precession_rad_s = rate(Precession::steady_fast);
+    if (top.slow_precession_rad_s) {
+      top.notes.emplace_back("the precessions are those on this table, with the tip's motion");
+      top.left_out.emplace_back(
+          "nutation and critical spin: the formulas are those of a fixed pivot, and the tip moves on the table");
+      return;
+    }
+  }
+  top.left_out.emplace_back(
+      "precession, nutation and critical spin: the formulas are those of a fixed pivot, and the tip moves on the table");
+}
+
 /// Adds the figures of a body on which gravity has no torque about the pivot.
-void add_free_body(TopFigures& top, const Body<double>& body, const Vec3<double>& w, bool is_symmetric) {
+void add_free_body(TopFigures& top, const Body<double>& body, const Vec3<double>& w) {
   top.left_out.emplace_back("precession and critical spin: gravity has no torque about the pivot");
   const Mat3<double>& I = body.I_BP_B;
-  if (!is_symmetric) {
-    const bool middle = (I(2, 2) - I(0, 0)) * (I(2, 2) - I(1, 1)) < 0 && I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0;
-    if (middle) top.notes.emplace_back("I3 is the middle moment: turning about axis 3 is unstable");
-    top.left_out.emplace_back("nutation: I1 and I2 are not equal");
+  const bool is_principal = I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0;
+  if (!is_principal || I(0, 0) != I(1, 1)) {
+    if (is_principal && (I(2, 2) - I(0, 0)) * (I(2, 2) - I(1, 1)) < 0)
+      top.notes.emplace_back("I3 is the middle moment: turning about axis 3 is unstable");
+    top.left_out.emplace_back(is_principal ? "nutation: I1 and I2 about the pivot are not equal"
+                                           : "nutation: axis 3 is no principal axis of the body about the pivot");
     return;
   }
   const double across = I(0, 0) * real::hypot(w[0], w[1]), along = I(2, 2) * std::abs(w[2]);
@@ -193,21 +217,25 @@ TopFigures top_figures_of(const Scene& scene) {
   top.moments_about_center_kg_m2 = principal_moments(exact.I_BBcm_B());
   top.spin_rad_s = release.w_XB_B[2];
   top.rim_speed_m_s = rim_speed(scene.scenario().body, norm(release.w_XB_B));
+  const Mat3<double> R_LB = rotation_matrix(release.q_LB);
+  double cosine = R_LB(2, 2);
+  if (real::hypot(R_LB(0, 2), R_LB(1, 2)) <= kRoundOff) cosine = cosine > 0 ? 1 : -1;
+  if (std::abs(cosine) <= kRoundOff) cosine = 0;
+  if (scene.scenario().contact) {
+    add_top_on_table(top, scene, cosine);
+    return top;
+  }
   if (const std::string_view why = why_not_a_top_on_a_pivot(scene.scenario()); !why.empty()) {
     top.left_out.emplace_back(why);
     return top;
   }
   const bool is_symmetric = scene.symmetry_axis() == 2;
   if (scene.gravity_torque_N_m() == 0) {
-    add_free_body(top, body, release.w_XB_B, is_symmetric);
+    add_free_body(top, body, release.w_XB_B);
   } else if (!is_symmetric) {
     top.left_out.push_back(fmt::format("precession, nutation and critical spin: {}", why_not_symmetric(body)));
   } else {
     const SymmetricTop<double> symmetric{body.I_BP_B(0, 0), body.I_BP_B(2, 2), scene.axial_gravity_torque_N_m()};
-    const Mat3<double> R_LB = rotation_matrix(release.q_LB);
-    double cosine = R_LB(2, 2);
-    if (real::hypot(R_LB(0, 2), R_LB(1, 2)) <= kRoundOff) cosine = cosine > 0 ? 1 : -1;
-    if (std::abs(cosine) <= kRoundOff) cosine = 0;
     add_precession(top, symmetric, cosine);
     add_nutation(top, symmetric, release, cosine);
     add_critical_spin(top, symmetric, cosine);

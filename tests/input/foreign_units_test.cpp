@@ -2,7 +2,9 @@
 // Keys in other people's units: the right key and the factor to its unit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "input/pointers.hpp"
 #include "scenario/fields.hpp"
@@ -64,6 +66,34 @@ TEST(ForeignUnits, NameTheRightKeyAndTheFactor) {
 TEST(ForeignUnits, AnyCaseAndAHyphenWill) {
   EXPECT_EQ(answer("/body", "MASS_G"), "give mass_kg; 1 g = 0.001 kg");
   EXPECT_EQ(answer("/release", "spin-Hz").substr(0, 15), "give spin_rad_s");
+}
+
+/// The unit of every number of a scenario is in the table of symbols: with one of its symbols replaced, its key is understood.
+TEST(ForeignUnits, EveryKeyWithAUnitIsUnderstoodInAnother) {
+  const std::pair<std::string, std::string> others[] = {{"kg", "g"},    {"m", "mm"}, {"s", "ms"},   {"rad", "arcmin"},
+                                                        {"deg", "rad"}, {"N", "mN"}, {"hz", "kHz"}, {"arcsec", "rad"},
+                                                        {"rpm", "rps"}, {"ms", "s"}};
+  int walked = 0;
+  for (const Field& field : scenario::fields().fields) {
+    if (field.unit.empty() || field.pointer.starts_with("/criteria") || field.pointer.starts_with("/headline")) continue;
+    const std::string key(field.key());
+    // The unit's first symbol begins behind the last underscore at which the rest of the key spells the unit.
+    std::string unit(field.unit.starts_with("1/") ? field.unit.substr(2) : field.unit);
+    std::erase(unit, '^');
+    for (char& c : unit) c = c == ' ' || c == '/' ? '_' : c;
+    if (field.unit == "Hz") unit = "hz";
+    ASSERT_TRUE(key.ends_with("_" + unit)) << field.pointer;
+    const std::string stem = key.substr(0, key.size() - unit.size());
+    const std::size_t letters = std::min(unit.find_first_of("_23456789"), unit.size());
+    for (const auto& [symbol, other] : others) {
+      if (unit.substr(0, letters) != symbol) continue;
+      const std::string foreign = stem + other + unit.substr(letters);
+      EXPECT_NE(answer(std::string(field.parent()), foreign).find(key + "; 1 "), std::string::npos)
+          << field.pointer << " as " << foreign;
+      ++walked;
+    }
+  }
+  EXPECT_GT(walked, 60);
 }
 
 /// A key with the field's own unit, with a unit of another dimension, or with none is answered as a misspelling.

@@ -11,6 +11,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/vectors.hpp"
 #include "results/figures.hpp"
 #include "support/changed_scene.hpp"
 #include "support/effect_scenes.hpp"
@@ -256,6 +257,7 @@ TEST(TopFigures, WhatDoesNotApplyIsLeftOutWithTheReason) {
   expect_body_only(s, "the centre of mass is off axis 3");
   s = toy_top();
   s.contact = ContactSpec{};
+  s.contact->law = ContactLaw::viscous;
   expect_body_only(s, "the tip moves on the table");
   expect_body_only(testing::gyrocompass(45, 1, 0), "the gimbal holds the axis level");
   s = toy_top();
@@ -288,6 +290,37 @@ TEST(TopFigures, WhatDoesNotApplyIsLeftOutWithTheReason) {
   EXPECT_FALSE(figures_of(toy_top()).rim_speed_m_s);
 }
 
+/// On a table the steady release of each law precesses at its rate; sliding friction lets none be steady.
+TEST(TopFigures, OnATableTheSteadyPrecessionsAreThoseOfIntegratedMotions) {
+  for (const ContactLaw law : {ContactLaw::frictionless, ContactLaw::rolling}) {
+    Scenario s = toy_top();
+    s.contact.emplace().tip_radius_m = 0.002;
+    s.contact->law = law;
+    if (law == ContactLaw::rolling) s.contact->start = ContactStart::rolling;
+    for (const Precession which : {Precession::steady_slow, Precession::steady_fast}) {
+      s.release.precession = which;
+      const TopFigures top = figures_of(s);
+      EXPECT_FALSE(top.nutation_rad_s || top.critical_spin_rad_s);
+      EXPECT_TRUE(says(top.left_out, "nutation and critical spin"));
+      const auto& rate = which == Precession::steady_slow ? top.slow_precession_rad_s : top.fast_precession_rad_s;
+      ASSERT_TRUE(rate);
+      Scenario still = testing::non_rotating(s);
+      still.duration_s = 1;
+      still.output_step_s = 0.01;
+      const RunResult result = run(resolve(still));
+      double azimuth = 0;
+      for (std::size_t i = 1; i < result.rows.size(); ++i) {
+        const auto &p = result.rows[i - 1].axis_L, &q = result.rows[i].axis_L;
+        azimuth += std::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+      }
+      EXPECT_NEAR(azimuth / *rate, 1, 1e-8);
+    }
+  }
+  Scenario s = toy_top();
+  s.contact.emplace().law = ContactLaw::viscous;
+  EXPECT_TRUE(says(figures_of(s).left_out, "precession, nutation and critical spin"));
+}
+
 TEST(TopFigures, ABalancedGyroscopeHasTheRateOfItsCone) {
   Scenario s = toy_top();
   s.body.center_of_mass_m = {0, 0, 0};
@@ -303,6 +336,8 @@ TEST(TopFigures, ABalancedGyroscopeHasTheRateOfItsCone) {
   s = toy_top();
   s.site.gravity_m_s2 = 0;
   EXPECT_TRUE(says(figures_of(s).left_out, "no torque about the pivot"));
+  s.body.center_of_mass_m = {0.001, 0, 0.03};  // wherever its centre of mass is
+  EXPECT_NEAR(*figures_of(s).nutation_rad_s, 4e-5 * 200 / 1.2e-4, 1e-12);
   testing::set_principal(s.body, 1.2e-4, 3e-4, 2e-4);
   EXPECT_TRUE(says(figures_of(s).notes, "middle moment"));
 }
