@@ -109,7 +109,26 @@ std::string with_member(std::string_view text, std::size_t begin, const std::vec
   return result.insert(members.back().value.end, fmt::format(",{}{}", layout.empty() ? " " : layout, member));
 }
 
+/// Where the outermost value begins, behind a byte order mark.
+std::size_t outermost(std::string_view text) { return Scanner(text).past_space(text.starts_with("\xEF\xBB\xBF") ? 3 : 0); }
+
 }  // namespace
+
+std::string without_key(std::string_view text, std::string_view key) {
+  const Scanner scanner(text);
+  const std::size_t at = outermost(text);
+  std::string result(text);
+  if (at >= text.size() || text[at] != '{') return result;
+  const std::vector<Member> members = scanner.members(at);
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (scanner.word(members[k].key) != key) continue;
+    // With the comma and the layout before it; the first member, with those behind it.
+    const std::size_t begin = k > 0 ? members[k - 1].value.end : members[k].key.begin;
+    const std::size_t end = k == 0 && members.size() > 1 ? members[1].key.begin : members[k].value.end;
+    return result.erase(begin, end - begin);
+  }
+  return result;
+}
 
 std::string with_value(std::string_view text, std::string_view pointer, std::string_view given) {
   const auto no_place = [&] {
@@ -120,7 +139,7 @@ std::string with_value(std::string_view text, std::string_view pointer, std::str
   const nlohmann::ordered_json json = json_or_discarded(given);
   const std::string value = json.is_discarded() ? quoted(std::string(given)) : std::string(given);
   const Scanner scanner(text);
-  std::size_t at = scanner.past_space(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  std::size_t at = outermost(text);
   for (std::size_t k = 0; k < tokens->size(); ++k) {
     if (at >= text.size() || (text[at] != '{' && text[at] != '[')) throw no_place();
     const std::string& token = (*tokens)[k];

@@ -49,9 +49,14 @@ std::string with_combined_inputs(std::string text, const Scenario& wanted,
   return text;
 }
 
-/// Whether two scenarios differ at most in their names: without one in the text a scenario has its file's.
+/// What a text claims of its scenario's own numbers, which are others now.
+constexpr std::string_view kClaims[] = {"headline", "criteria"};
+
+/// Whether two scenarios differ at most in their claims and their names: without one in the text a scenario has its file's.
 bool are_alike(Scenario a, const Scenario& b) {
   a.name = b.name;
+  a.headline = b.headline;
+  a.criteria = b.criteria;
   return a == b;
 }
 
@@ -82,6 +87,7 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
   const Scenario& fitted = scene->scenario();
 
   std::string text = with_overrides(source.text, overrides);
+  for (const std::string_view key : kClaims) text = input::without_key(text, key);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
   text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "earthtop/model/body.hpp"
+
 namespace earthtop::measure {
 namespace {
 

@@ -35,6 +35,14 @@ TEST(TextEdit, ChangesOneValueAndLeavesTheRest) {
   for (const Case& c : cases) EXPECT_EQ(with_value(c.text, c.pointer, c.value), c.expected) << c.text << " " << c.pointer;
 }
 
+TEST(TextEdit, RemovesAMember) {
+  EXPECT_EQ(without_key(R"({"a": 1, "b": {"a": 2}, "c": 3})", "a"), R"({"b": {"a": 2}, "c": 3})");
+  EXPECT_EQ(without_key(R"({"a": 1, "b": {"a": 2}, "c": 3})", "b"), R"({"a": 1, "c": 3})");
+  EXPECT_EQ(without_key("{\n  \"a\": 1,\n  \"c\": 3\n}", "c"), "{\n  \"a\": 1\n}");
+  EXPECT_EQ(without_key(R"({"a": 1})", "a"), "{}");
+  EXPECT_EQ(without_key(R"({"a": 1})", "b"), R"({"a": 1})");
+}
+
 TEST(TextEdit, PlacesThatAreNotThereAreRefused) {
   for (const char* pointer : {"", "a", "/a/b", "/l/2", "/l/-", "/l/x", "/a~2"})
     EXPECT_THROW(with_value(R"({"a": 1, "l": [1, 2]})", pointer, "3"), ScenarioError) << pointer;

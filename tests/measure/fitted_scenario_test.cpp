@@ -93,8 +93,11 @@ TEST_F(FittedScenario, HasACoefficientOfFriction) {
   EXPECT_NEAR(*fit.estimates[0].estimate, 0.2, 2e-3 * *fit.estimates[0].standard_error);
   EXPECT_LT(*fit.estimates[0].standard_error, 1e-3) << "the data must determine it";
   const std::string file = (directory_.path() / "fitted.json").string();
-  EXPECT_EQ(compare_with_measurement({file, fitted_scenario(top, more, fit, file)}, {}, data).as_given.value,
-            fit.fitted->value);
+  const std::string text = fitted_scenario(top, more, fit, file);
+  EXPECT_EQ(compare_with_measurement({file, text}, {}, data).as_given.value, fit.fitted->value);
+  // What the scenario claims of its own numbers is no claim of these.
+  EXPECT_NE(top.text.find("\"headline\""), top.text.npos);
+  EXPECT_EQ(text.find("\"headline\""), text.npos);
 }
 
 TEST_F(FittedScenario, IsRefusedWithoutAFit) {

@@ -216,7 +216,8 @@ Figure residuals_histogram(const MeasurementReport& report);
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
 std::string measurement_json(const MeasurementReport& report);
 /// Puts the report's estimates into a scenario's text, after the overrides: compared with the same measurement it gives the
-/// residuals of the fit, to the last bit. What else the text holds stays as it is, comments and layout included.
+/// residuals of the fit, to the last bit. What else the text holds stays as it is, comments and layout included,
+/// but for `headline` and `criteria`, which are about the scenario's own numbers.
 /// @param file  where the text is to be written: files that it names are looked for beside it
 /// @throws ScenarioError where the fit did not converge, or no scenario in that place has these values
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
