@@ -22,9 +22,10 @@ constexpr double kRunsAnInput = 8;    // that differences take: three pairs of s
 double variations_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
   // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
   // measured on a toy top, on a body with three different moments and on a gyrocompass.
-  constexpr double kAgainstOne = 4;
+  constexpr double kAgainstOne = 4, kWithTorques = 6;  // the latter with friction and other applied torques, over those without
   const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
-  return double(groups) * kAgainstOne * general_evaluation_seconds(scene) *
+  const double torques = scene.scenario().effects.applied.any() ? kWithTorques : 1;
+  return double(groups) * kAgainstOne * torques * general_evaluation_seconds(scene) *
          variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
 }
 

@@ -93,7 +93,9 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   RunResult contact = test::made_up_contact_run();
   for (ContactBalances* balances : {&contact.contact->rotating, &contact.contact->reference})
     *balances = {ContactBalance{1, 3, 1.5, 0.5, 4}, ContactBalance{10, 7, -2, -1, 8}};
-  for (const RunResult& result : {full, other, braked, contact}) {
+  RunResult partly = full;
+  partly.sensitivities->inputs[2].unavailable = "a reason";
+  for (const RunResult& result : {full, other, braked, partly, contact}) {
     Json summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
   }

@@ -28,6 +28,9 @@ struct Setting {
 };
 
 const std::string kStart = "2026-11-22T12:00:00Z";
+constexpr const char* kHarmonic = R"({"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1})";
+constexpr const char* kRolls = R"({"tip_radius_m": 0.002, "law": "frictionless", "spinning_friction_m": 1e-5,
+    "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1})";
 
 /// The settings by the beginning of a key's pointer pattern. The longest beginning in the table that fits a key counts.
 const std::map<std::string, Setting>& settings() {
@@ -128,6 +131,31 @@ const std::map<std::string, Setting>& settings() {
       {"/effects/gimbal/damping_N_m_s", {{{"/release/tilt_deg", "90"}, {"/effects/gimbal", "{}"}}, "1e-6"}},
       {"/numerics/step_s", {{{"/numerics/method", "gauss"}}, "1e-3"}},
       {"/numerics/composition", {{{"/numerics/method", "splitting"}}}},
+      {"/uncertainty/viscous_torque_N_m_s", {{{"/effects/viscous_torque_N_m_s", "1e-6"}}}},
+      {"/uncertainty/quadratic_torque_N_m_s2", {{{"/effects/quadratic_torque_N_m_s2", "1e-9"}}}},
+      {"/uncertainty/coulomb_torque_N_m", {{{"/effects/coulomb_torque_N_m", "1e-6"}}}},
+      {"/uncertainty/disc_radius_m", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
+      {"/uncertainty/air_density_kg_m3", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
+      {"/uncertainty/air_viscosity_m2_s", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
+      {"/uncertainty/gimbal_damping_N_m_s", {{{"/release/tilt_deg", "90"}, {"/effects/gimbal", R"({"damping_N_m_s": 1e-6})"}}}},
+      {"/uncertainty/platform_rate_rad_s", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 0})"}}}},
+      {"/uncertainty/platform_acceleration_rad_s2", {{{"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 1})"}}}},
+      {"/uncertainty/platform_amplitude_rad", {{{"/platform", kHarmonic}}}},
+      {"/uncertainty/platform_frequency_hz", {{{"/platform", kHarmonic}}}},
+      {"/uncertainty/platform_phase_deg", {{{"/platform", kHarmonic}}}},
+      {"/uncertainty/pivot_offset_m",
+       {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1, "pivot_offset_m": [0, 0.1, 0]})"}}}},
+      {"/uncertainty/tip_radius_m", {{{"/contact", R"({"tip_radius_m": 0.002, "law": "frictionless"})"}}}},
+      {"/uncertainty/sliding_viscosity_N_s_m",
+       {{{"/contact", R"({"tip_radius_m": 0.002, "law": "viscous", "sliding_viscosity_N_s_m": 0.05})"}}}},
+      {"/uncertainty/sliding_viscosity_s_m",
+       {{{"/contact", R"({"tip_radius_m": 0.002, "law": "viscous_load", "sliding_viscosity_s_m": 0.3})"}}}},
+      {"/uncertainty/friction_coefficient",
+       {{{"/contact", R"({"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2})"}}}},
+      {"/uncertainty/patch_radius_m",
+       {{{"/contact", R"({"tip_radius_m": 0.002, "law": "contensou", "friction_coefficient": 0.2, "patch_radius_m": 1e-4})"}}}},
+      {"/uncertainty/spinning_friction_m", {{{"/contact", kRolls}}}},
+      {"/uncertainty/rolling_resistance_m", {{{"/contact", kRolls}}}},
   };
   return *all;
 }
