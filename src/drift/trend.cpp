@@ -73,20 +73,27 @@ class LeastSquares {
  private:
   void reflect(std::size_t j) {
     double* v = column(j);
-    double square = 0;
-    for (std::size_t i = j; i < rows_; ++i) square += v[i] * v[i];
+    const double square = product(v, v, j);
     if (square == 0) return;
     const double head = v[j], diagonal = head > 0 ? -std::sqrt(square) : std::sqrt(square);
     v[j] = head - diagonal;
     const double scale = -1 / (diagonal * v[j]);  // 2 / |v|^2
     for (std::size_t k = j + 1; k <= columns_; ++k) {
       double* x = column(k);
-      double along = 0;
-      for (std::size_t i = j; i < rows_; ++i) along += v[i] * x[i];
-      along *= scale;
+      const double along = scale * product(v, x, j);
       for (std::size_t i = j; i < rows_; ++i) x[i] -= along * v[i];
     }
     v[j] = diagonal;
+  }
+
+  /// The scalar product of the rows from `first` on, by four sums, none of which waits for another.
+  double product(const double* v, const double* x, std::size_t first) const {
+    std::array<double, 4> sums{};
+    std::size_t i = first;
+    for (; i + sums.size() <= rows_; i += sums.size())
+      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += v[i + k] * x[i + k];
+    for (; i < rows_; ++i) sums[0] += v[i] * x[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 
   std::size_t rows_, columns_;
@@ -166,6 +173,20 @@ class WindowFit {
   TrendFrequencies frequencies_;
 };
 
+/// A window, as parts of the run.
+struct Window {
+  double begin, end;
+};
+constexpr Window kWhole{0, 1};
+/// The windows whose slopes decide which fit is taken, and those whose slopes tell its error.
+constexpr std::array kChoosing{Window{0.08, 1}, Window{0, 0.85}};
+constexpr std::array kJudging{Window{0, 0.92},    Window{0.08, 1}, Window{0.04, 0.96}, Window{0, 0.96},   Window{0.04, 1},
+                              Window{0, 0.85},    Window{0.15, 1}, Window{0.08, 0.92}, Window{0, 0.8},    Window{0.2, 1}};
+/// The bound over the scatter of the slopes, for many turns, and by how much more it is for a single one, where all windows have
+/// less than a turn. Both were found by counting over 870 random tops: so that the bound contains the error in 94 % of them. The
+/// last is what rounding leaves of the fits.
+constexpr double kSafety = 1.15, kOfOneTurn = 8, kRounding = 1e-10;
+
 }  // namespace
 
 TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const TrendFrequencies& reference) {
@@ -176,25 +197,33 @@ TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const
   frequencies.precession_rad_s -= (drift[last] - drift[0]) / duration;
   const WindowFit fit(drift, step_s, frequencies);
 
-  constexpr double kCut = 0.08;  // part of the run that the shorter windows leave out
-  const auto cut = static_cast<std::size_t>(kCut * static_cast<double>(last) + 0.5);
+  const auto slope_in = [&](const Swings& swings, const Window& window) {
+    const auto at = [&](double part) { return static_cast<std::size_t>(part * static_cast<double>(last) + 0.5); };
+    return fit.slope(swings, at(window.begin), at(window.end));
+  };
   struct Fitted {
+    const Swings* swings;
     double rate, apart;
   };
   std::vector<Fitted> fitted;
   for (const Swings& swings : kFits) {
-    const double rate = fit.slope(swings, 0, last);
-    const double apart =
-        std::max(std::abs(fit.slope(swings, 0, last - cut) - rate), std::abs(fit.slope(swings, cut, last) - rate));
-    if (std::isfinite(rate) && std::isfinite(apart)) fitted.push_back({rate, apart});
+    const double rate = slope_in(swings, kWhole);
+    double apart = 0;
+    for (const Window& window : kChoosing) apart = std::max(apart, std::abs(slope_in(swings, window) - rate));
+    if (std::isfinite(rate) && std::isfinite(apart)) fitted.push_back({&swings, rate, apart});
   }
   if (fitted.size() < 3) return {(drift[last] - drift[0]) / duration, HUGE_VAL};
   std::ranges::stable_sort(fitted, {}, &Fitted::apart);
-  const double among =
-      std::max({fitted[0].apart, std::abs(fitted[1].rate - fitted[0].rate), std::abs(fitted[2].rate - fitted[0].rate)});
-  // The factor was found by counting; the smallest part is what rounding leaves of the fits.
-  constexpr double kSafety = 4, kRounding = 1e-10;
-  return {fitted[0].rate, kSafety * std::sqrt(among * fitted[1].apart) + kRounding * std::abs(fitted[0].rate)};
+  const double rate = fitted[0].rate;
+  double squares = 0;
+  for (const Window& window : kJudging) {
+    const double apart = slope_in(*fitted[0].swings, window) - rate;
+    squares += apart * apart / kJudging.size();
+  }
+  const double next = fitted[1].rate - rate, third = 0.5 * (fitted[2].rate - rate);
+  const double scatter = std::sqrt(squares + next * next + third * third);
+  const double turns = std::abs(reference.precession_rad_s) * duration / (2 * std::numbers::pi);
+  return {rate, kSafety * (1 + kOfOneTurn / (turns * turns * turns)) * scatter + kRounding * std::abs(rate)};
 }
 
 }  // namespace earthtop

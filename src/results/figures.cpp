@@ -243,7 +243,7 @@ constexpr auto kMembers = [] {
                [](R r) { return r.drift.secular->azimuth_rate_bound_95_rad_s; }),
       compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, any, kFromRows,
                [](R r) { return mean_precession_rate_change(*r.drift.secular); }),
-      compared("drift.secular.turns_seen", ratio, any, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
+      compared("drift.secular.turns_seen", derived, any, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
       told(
           "drift.secular.window_s", kFromRows, kOfScenario, [](R r) { return r.drift.secular->window_s; }, document),
       told("drift.secular.mean_of_window", kFromRows, kWords, [](R r) { return r.drift.secular->of_window; }),
@@ -390,7 +390,7 @@ constexpr auto kMembers = [] {
       told("theory.*.name", kFromRows, kLabel, [](R r, I i) { return r.theory[i].name; }),
       told("theory.*.statement", kFromRows, kLabel, [](R r, I i) { return r.theory[i].statement; }),
       told("theory.*.unit", kFromRows, kLabel, [](R r, I i) { return r.theory[i].unit; }),
-      compared("theory.*.predicted", input, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
+      compared("theory.*.predicted", derived, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
       compared("theory.*.predicted_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].predicted_error; }),
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
       compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),

@@ -14,7 +14,7 @@ namespace earthtop {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
-constexpr double kAzimuths = 640;       // within a run, at least
+constexpr double kAzimuths = 560;       // within a run, at least
 constexpr double kMostAzimuths = 2e4;
 constexpr double kFewestAzimuths = 100;
 
@@ -22,7 +22,7 @@ constexpr double kFewestAzimuths = 100;
 std::string other_action(const Scene& scene) {
   const Scenario& s = scene.scenario();
   if (s.contact) return "the top stands on a table";
-  if (s.platform) return "the pivot rides on a platform";
+  if (s.platform && s.platform->pivot_offset_m != std::array<double, 3>{}) return "the pivot rides on a platform";
   if (s.effects.applied.friction()) return "friction acts";
   if (s.effects.applied.gimbal) return "a gimbal holds the axis";
   if (s.effects.tide) return "the tide changes with the time";
@@ -111,6 +111,18 @@ double half_range(std::span<const AzimuthSample> azimuths, double step, double r
   return (most - least) / 2;
 }
 
+/// The bound on the azimuth drift at the last row until a time.
+double azimuth_bound(const RunResult& result, double until) {
+  double bound = 0;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > until) break;
+    const double horizontal =
+        std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
+    if (row.drift_azimuth_rad) bound = row.drift_axis_bound_rad / horizontal;
+  }
+  return bound;
+}
+
 /// The mean of a motion on which more than gravity and the Earth's rotation acts, over the reliable rows.
 void take_mean(const RunResult& result, SecularDrift& trend) {
   const DriftRow* last = last_reliable_row(result);
@@ -118,7 +130,7 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
     trend.reason = "not every reliable row has an azimuth";
     return;
   }
-  double least = 0, most = 0, horizontal = 1;
+  double least = 0, most = 0;
   trend.window_s = {0, last->t_s};
   trend.azimuth_rate_rad_s = *last->drift_azimuth_rad / last->t_s;
   for (const DriftRow& row : result.rows) {
@@ -127,9 +139,8 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
     const double rest = *row.drift_azimuth_rad - *trend.azimuth_rate_rad_s * row.t_s;
     least = std::min(least, rest), most = std::max(most, rest);
   }
-  horizontal = std::min(real::hypot(last->axis_L[0], last->axis_L[1]), real::hypot(last->ref_axis_L[0], last->ref_axis_L[1]));
   trend.azimuth_oscillation_rad = (most - least) / 2;
-  trend.azimuth_rate_bound_95_rad_s = last->drift_axis_bound_rad / horizontal / last->t_s;
+  trend.azimuth_rate_bound_95_rad_s = azimuth_bound(result, last->t_s) / last->t_s;
   trend.of_window = true;
 }
 
@@ -224,7 +235,8 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   if (!std::isfinite(estimate.bound_rad_s)) return trend;
   trend.reason.clear();
   trend.azimuth_rate_rad_s = estimate.rate_rad_s;
-  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s;
+  // The drift's own error, at either end, adds to that of the fit.
+  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + 2 * azimuth_bound(result, until) / trend.window_s[1];
   trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
   return trend;
 }
