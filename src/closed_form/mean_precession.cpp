@@ -70,7 +70,7 @@ std::optional<MeanRates> mean_rates(const TopConstants& given) {
       azimuth += (over({c.vertical - c.axial * u.re, -c.axial * u.im}, sine_squared) * dt).re;
     }
     if (!std::isfinite(time) || !(time > 0) || !std::isfinite(azimuth)) return std::nullopt;
-    const MeanRates rates{azimuth / time, count / time};
+    const MeanRates rates{azimuth / time, count / time, count};
     if (count > kFewest && std::abs(rates.precession_rad_s - before.precession_rad_s) <= kConverged * rates.nutation_rad_s &&
         std::abs(rates.nutation_rad_s - before.nutation_rad_s) <= kConverged * rates.nutation_rad_s)
       return rates;

@@ -173,6 +173,24 @@ class WindowFit {
   TrendFrequencies frequencies_;
 };
 
+/// Every `factor`-th value of smooth means over four times as many; a line stays the same line.
+std::vector<double> thinned(std::span<const double> values, std::size_t factor) {
+  std::vector<double> weights;
+  double sum = 0;
+  for (std::size_t k = 1; k < 4 * factor; ++k) {
+    const double x = static_cast<double>(k) / static_cast<double>(4 * factor);
+    weights.push_back(real::exp(-1 / (x * (1 - x))));
+    sum += weights.back();
+  }
+  std::vector<double> means;
+  for (std::size_t first = 0; first + weights.size() <= values.size(); first += factor) {
+    double mean = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) mean += weights[k] / sum * values[first + k];
+    means.push_back(mean);
+  }
+  return means;
+}
+
 /// A window, as parts of the run.
 struct Window {
   double begin, end;
@@ -185,11 +203,16 @@ constexpr std::array kJudging{Window{0, 0.92},    Window{0.08, 1}, Window{0.04, 
 /// The bound over the scatter of the slopes, for many turns, and by how much more it is for a single one, where all windows have
 /// less than a turn. Both were found by counting over 870 random tops: so that the bound contains the error in 94 % of them. The
 /// last is what rounding leaves of the fits.
-constexpr double kSafety = 1.15, kOfOneTurn = 8, kRounding = 1e-10;
+constexpr double kSafety = 1.15, kOfOneTurn = 8, kRounding = 1e-9;
 
 }  // namespace
 
 TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const TrendFrequencies& reference) {
+  constexpr std::size_t kMost = 1200;
+  if (drift.size() > kMost) {
+    const std::size_t factor = drift.size() / kMost + 1;
+    return estimate_trend(thinned(drift, factor), step_s * static_cast<double>(factor), reference);
+  }
   const std::size_t last = drift.size() - 1;
   const double duration = step_s * static_cast<double>(last);
   TrendFrequencies frequencies = reference;

@@ -8,14 +8,16 @@
 #include <numbers>
 
 #include "closed_form/mean_precession.hpp"
+#include "run/assessment.hpp"
 #include "run/top_constants.hpp"
 
 namespace earthtop {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
-constexpr double kAzimuths = 560;       // within a run, at least
-constexpr double kMostAzimuths = 2e4;
+constexpr double kAzimuths = 560;  // within a run, at least
+constexpr double kAzimuthsAPrecession = 7.3;
+constexpr double kMostAzimuths = 1e5;
 constexpr double kFewestAzimuths = 100;
 
 /// What acts on the top besides gravity and the Earth's rotation, in words; empty if nothing does.
@@ -31,9 +33,9 @@ std::string other_action(const Scene& scene) {
 }
 
 /// The step between looks at a top with this period of nutation.
-double step_between_looks(double duration, double period) {
+double step_between_looks(double duration, double least_count, double period) {
   constexpr double kGolden = 0.5 * (std::numbers::phi * 2 - 2);  // 0.618...
-  const double step = duration / kAzimuths;
+  const double step = duration / std::clamp(least_count, kAzimuths, kMostAzimuths);
   if (step < period) return period / (std::ceil(period / step) + kGolden);
   return period * (std::floor(step / period) + (1 - kGolden));
 }
@@ -118,7 +120,7 @@ double azimuth_bound(const RunResult& result, double until) {
     if (row.t_s > until) break;
     const double horizontal =
         std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
-    if (row.drift_azimuth_rad) bound = row.drift_axis_bound_rad / horizontal;
+    if (row.drift_azimuth_rad && horizontal > 0) bound = row.drift_axis_bound_rad / horizontal;
   }
   return bound;
 }
@@ -163,8 +165,14 @@ TrendPlan plan_trend(const Scene& scene) {
       return plan;
     }
     plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
-    if (std::abs(rates->precession_rad_s) * duration < kWholeTurn) return plan;
-    plan.times_s = times_in_steps(duration, step_between_looks(duration, kWholeTurn / rates->nutation_rad_s));
+    const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
+    if (turns < 1) return plan;
+    // A tilt that is no simple sine has many multiples of its frequency, all of which must be seen.
+    constexpr int kSimple = 32;
+    const double period = kWholeTurn / rates->nutation_rad_s;
+    const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
+    plan.times_s = times_in_steps(
+        duration, step_between_looks(duration, std::max(turns * kAzimuthsAPrecession, of_nutation), period));
     return plan;
   }
   constexpr double kAzimuthsATurn = 3.3;
@@ -236,7 +244,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   trend.reason.clear();
   trend.azimuth_rate_rad_s = estimate.rate_rad_s;
   // The drift's own error, at either end, adds to that of the fit.
-  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + 2 * azimuth_bound(result, until) / trend.window_s[1];
+  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + unseen_swings(result.modelled, trend.window_s[1]) + 2 * azimuth_bound(result, until) / trend.window_s[1];
   trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
   return trend;
 }

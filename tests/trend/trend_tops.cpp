@@ -23,7 +23,7 @@ std::optional<SecularDrift> trend_of(const Scenario& scenario) {
   problem.trend_times_s = plan.times_s;
   IntegrationOptions options;
   options.method = Method::taylor;
-  options.relative_tolerance = 1e-10;
+  options.relative_tolerance = 1e-12;
   options.observer = Observer::laboratory;
   if (!takes_reduced_form(problem.model, options)) options.observer = Observer::body, options.form = ModelForm::general;
   const DriftTrajectory<double> trajectory = integrate_drift(problem, options);
@@ -33,6 +33,7 @@ std::optional<SecularDrift> trend_of(const Scenario& scenario) {
   for (const DriftSample<double>& sample : trajectory.samples) {
     DriftRow row;
     row.t_s = sample.state.t_s;
+    row.axis_L = row.ref_axis_L = {1, 0, 0};
     if (sample.measures.azimuth_defined) row.drift_azimuth_rad = sample.azimuth;
     result.rows.push_back(row);
   }
@@ -100,7 +101,7 @@ std::optional<TrendJudged> judge_trend(const Scenario& scenario, double times) {
   longer.duration_s *= times;
   longer.output_step_s *= times;
   const std::optional<SecularDrift> truth = trend_of(longer);
-  if (!truth) return std::nullopt;
+  if (!truth || *truth->azimuth_rate_bound_95_rad_s > *result.drift.secular->azimuth_rate_bound_95_rad_s) return std::nullopt;
   TrendJudged judged{*result.drift.secular, {}, *truth->azimuth_rate_rad_s, *truth->azimuth_rate_bound_95_rad_s};
   if (!result.theory.empty()) judged.theory = result.theory.front();
   return judged;
