@@ -2,6 +2,7 @@
 /// Runs a scenario: computes both predictions, their difference (the drift) and a bound on its error.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,10 @@ struct TheoryReport {
   std::string statement;  ///< the formula in words
   std::string unit;
   double predicted = 0;
-  double computed = 0;
+  std::optional<double> computed;        ///< none where the run does not determine it
+  double predicted_error = 0;            ///< size of the terms that the theory leaves out
+  bool applies = true;                   ///< whether these terms are small
+  std::optional<double> computed_error;  ///< bound on the error of `computed`
 };
 
 /// The torques on the motion on the rotating Earth, as seen by the observer that the scenario names.

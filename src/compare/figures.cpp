@@ -59,7 +59,7 @@ class FigureErrors {
     final_rad_ = a.number("/drift/axis_final_rad").value_or(0);
     azimuth_rad_ = a.number("/drift/azimuth_max_rad").value_or(0);
     threshold_time_ = sum("/drift/threshold_time_bound_s");
-    duration_s_ = a.number("/outcome/reached_s").value_or(0);
+    trend_ = sum("/drift/secular/azimuth_rate_bound_95_rad_s");
     ratio_ = a.number("/drift/axis_final_over_earth_angle").value_or(0);
   }
   /// Size of the Earth's effect, for a figure of this kind.
@@ -76,9 +76,7 @@ class FigureErrors {
       case FigureKind::drift_axis: return axis_;
       case FigureKind::drift_tilt: return axis_ ? std::optional(*axis_ + turned * steeper) : std::nullopt;
       case FigureKind::drift_azimuth: return axis_ ? std::optional((*axis_ + turned * steeper) * steeper) : std::nullopt;
-      // The slope of a straight line through points that are off by no more than e changes by at most 3 e over the duration.
-      case FigureKind::azimuth_rate:
-        return axis_ && duration_s_ > 0 ? std::optional(3 * (*axis_ + turned * steeper) * steeper / duration_s_) : std::nullopt;
+      case FigureKind::azimuth_rate: return trend_;
       case FigureKind::drift_attitude:
       case FigureKind::drift_spin: return attitude_drift_;
       case FigureKind::attitude: return attitude_;
@@ -111,9 +109,9 @@ class FigureErrors {
     return number < events_.size() ? events_[number] : std::nullopt;
   }
 
-  std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_, tip_;
+  std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_, trend_, tip_;
   std::vector<std::optional<double>> events_;
-  double tip_drift_m_ = 0, axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, duration_s_ = 0, ratio_ = 0;
+  double tip_drift_m_ = 0, axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, ratio_ = 0;
 };
 
 QuantityVerdict failed(const std::string& name, std::string reason) {

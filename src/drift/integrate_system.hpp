@@ -8,6 +8,7 @@
 #include "drift/contact_run_watch.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
+#include "drift/trend_times.hpp"
 #include "integrate/drive_problem.hpp"
 
 namespace earthtop {
@@ -26,24 +27,32 @@ concept HasContact = requires(const System& system, const typename System::State
   system.contact_state(x, t);
 };
 
-/// @param times  in natural units: of the release, or of another state at which the integration begins, then of the rows, and of
+/// @param row_times  in natural units: of the release, or of another state at which the integration begins, then of the rows, and of
 /// an end beyond the last row if there is one more   @param largest_step  the longest time between two states that are seen; 0: no
 /// limit
 template <class T, class System>
-DriftTrajectory<T> integrate_system_at(const std::vector<T>& times, System& system, typename System::State x,
+DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& system, typename System::State x,
                                        const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch,
                                        T largest_step) {
   DriveOptions<T> drive = drive_options(problem, options, watch);
   drive.largest_step = largest_step;
 
   DriftTrajectory<T> trajectory;
-  trajectory.samples.reserve(times.size());
+  trajectory.samples.reserve(row_times.size());
   StepWatcher<T, System> watcher(system, problem);
-  const auto on_row = [&](std::size_t row, const typename System::State& state) {
+  const TimesOfLooks<T> looks(row_times, problem, options.method);
+  const std::vector<T>& times = looks.times();
+  trajectory.azimuths.reserve(looks.trend_count());
+  const auto on_row = [&](std::size_t look, const typename System::State& state) {
+    if (looks.is_of_trend(look)) {
+      trajectory.azimuths.push_back(watcher.azimuths(state, times[look]));
+      return;
+    }
+    const std::size_t row = looks.row(look);
     if (row >= problem.times_s.size()) return;
-    trajectory.samples.push_back(watcher.sample(state, times[row], problem.times_s[row]));
+    trajectory.samples.push_back(watcher.sample(state, times[look], problem.times_s[row]));
     if constexpr (HasContact<System, T>)
-      trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[row]));
+      trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[look]));
     if (row == 0 && times[0] == T(0)) set_release_rates(problem, trajectory.samples.front().state);
   };
   if constexpr (HasContact<System, T>) {

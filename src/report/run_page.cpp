@@ -71,6 +71,30 @@ std::string events_of(const Run& run) {
   return html;
 }
 
+/// The trend of the azimuth with its bound, and what theory says of it; all azimuths clockwise from above.
+std::string trend_of(const Run& run) {
+  const auto word_of = [&](const char* pointer) { return escaped(run.word(pointer)); };
+  std::string html;
+  const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
+  const auto bound = run.number("/drift/secular/azimuth_rate_bound_95_rad_s");
+  if (rate && bound) {
+    html = fmt::format("<p>Trend: the azimuth drifts by {} ± {}, clockwise from above", number_html(*rate, "rad/s"),
+                       number_html(*bound, "rad/s", 2));
+    if (const auto turns = run.number("/drift/secular/turns_seen"))
+      html += fmt::format(", from {} turns of precession; ± contains 95 %", number_html(*turns, "", 3));
+    else
+      html += ": the mean of the run and no more, as " + word_of("/drift/secular/reason");
+    html += ".</p>\n";
+  } else if (const std::string reason = word_of("/drift/secular/reason"); !reason.empty()) {
+    html = "<p>Trend: not determined: " + reason + ".</p>\n";
+  }
+  const auto predicted = run.number("/theory/0/predicted"), error = run.number("/theory/0/predicted_error");
+  if (predicted && error && run.word("/theory/0/name") == "precession_rate_change")
+    html += fmt::format("<p>First-order theory: {} ± {}{}.</p>\n", number_html(0.0 - *predicted, "rad/s"),
+                        number_html(*error, "rad/s", 2), run.results.summary->value(Json::json_pointer("/theory/0/applies"), true) ? "" : ": it does not apply");
+  return html;
+}
+
 Figure axis_figure(const Run& run) {
   return {"Angle between the two spin axes",
           "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
@@ -314,7 +338,7 @@ Report run_page(const std::filesystem::path& directory) {
       "drift", "Drift",
       page.chart("axis", axis_figure(run), "The angle between the two axes, and the bound on its error." + thinned) +
           page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line.") +
-          events_of(run));
+          trend_of(run) + events_of(run));
   if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
   page.section("sphere", "Path of the axis", kSphere);
   page.section("motion", "The top in motion", kAnimation);

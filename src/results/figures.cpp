@@ -55,6 +55,12 @@ std::optional<double> largest(R r, T DriftRow::*member) {
   return most;
 }
 
+/// The change of the mean precession rate, counterclockwise about Up: minus the secular rate of the azimuth.
+std::optional<double> mean_precession_rate_change(const SecularDrift& trend) {
+  if (!trend.azimuth_rate_rad_s) return std::nullopt;
+  return 0.0 - *trend.azimuth_rate_rad_s;
+}
+
 /// The mean of all rows' axes, about which a precessing or nutating axis moves.
 std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
   std::array<double, 3> mean{};
@@ -294,14 +300,19 @@ constexpr auto kMembers = [] {
       told("drift.reliable.attitude_bound_rad", kFromRows, kIsRow,
            [](R r) { return reliable(r, &DriftRow::drift_attitude_bound_rad); }),
       object_or_null("drift.secular", [](R r) { return r.drift.secular.has_value(); }),
-      compared("drift.secular.azimuth_rate_rad_s", azimuth_rate, rows, kFromRows,
+      compared("drift.secular.azimuth_rate_rad_s", azimuth_rate, any, kFromRows,
                [](R r) { return r.drift.secular->azimuth_rate_rad_s; }),
-      compared("drift.secular.azimuth_rate_standard_error_rad_s", azimuth_rate, rows, kFromRows,
-               [](R r) { return r.drift.secular->azimuth_rate_standard_error_rad_s; }),
-      compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, rows, kFromRows,
-               [](R r) { return r.drift.secular->mean_precession_rate_change_rad_s; }),
+      compared("drift.secular.azimuth_rate_bound_95_rad_s", error, any, kFromRows,
+               [](R r) { return r.drift.secular->azimuth_rate_bound_95_rad_s; }),
+      compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, any, kFromRows,
+               [](R r) { return mean_precession_rate_change(*r.drift.secular); }),
+      compared("drift.secular.turns_seen", derived, any, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
+      told(
+          "drift.secular.window_s", kFromRows, kOfScenario, [](R r) { return r.drift.secular->window_s; }, document),
+      told("drift.secular.mean_of_window", kFromRows, kWords, [](R r) { return r.drift.secular->of_window; }),
+      told("drift.secular.reason", kFromRows, kWords, [](R r) { return r.drift.secular->reason; }),
       object_or_null("drift.oscillation", [](R r) { return r.drift.secular.has_value(); }),
-      compared("drift.oscillation.azimuth_rad", drift_azimuth, rows, kFromRows,
+      compared("drift.oscillation.azimuth_rad", drift_azimuth, any, kFromRows,
                [](R r) { return r.drift.secular->azimuth_oscillation_rad; }),
       compared("drift.threshold_rad", input, any, kFromRows, [](R r) { return r.scene.scenario().threshold_rad; }),
       compared("drift.threshold_time_s", threshold_time, any, kAtEnd, [](R r) { return r.drift.threshold_time_s; }),
@@ -442,8 +453,11 @@ constexpr auto kMembers = [] {
       told("theory.*.name", kFromRows, kLabel, [](R r, I i) { return r.theory[i].name; }),
       told("theory.*.statement", kFromRows, kLabel, [](R r, I i) { return r.theory[i].statement; }),
       told("theory.*.unit", kFromRows, kLabel, [](R r, I i) { return r.theory[i].unit; }),
-      compared("theory.*.predicted", input, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
+      compared("theory.*.predicted", derived, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
+      compared("theory.*.predicted_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].predicted_error; }),
+      told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
       compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
+      compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
 
       object_or_nothing("sensitivities", [](R r) { return r.sensitivities.has_value(); }),
       compared("sensitivities.at_s", input, end, kAtEnd, [](R r) { return r.sensitivities->at_s; }),

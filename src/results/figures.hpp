@@ -24,7 +24,7 @@ enum class FigureKind {
   drift_axis,      ///< has the error bound of the axis drift
   drift_tilt,      ///< the same, plus the effect of the attitudes' errors on the drift's direction
   drift_azimuth,   ///< the bound of the tilt drift, larger near the vertical; an angle modulo 2 pi
-  azimuth_rate,    ///< the bound of the azimuth drift, divided by the duration
+  azimuth_rate,    ///< has a bound of its own
   drift_attitude,  ///< has the error bound of the attitude drift
   drift_spin,      ///< has the error bound of the attitude drift; an angle modulo 2 pi
   drift_tip,       ///< has the error bound of the drift of the contact point

@@ -150,6 +150,7 @@ void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<doubl
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
   problem.times_s.resize(std::max<std::size_t>(1, rows));
+  problem.trend_times_s.clear();
   nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)));
 }
 
@@ -235,6 +236,9 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     if (stop()) return stopped(scene, made, partial);
     result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
                                          : assess_invariants(result, rows);
+    if (stop()) return stopped(scene, made, partial);
+    result.drift.secular =
+        assess_trend(result, made.trend, made.first.azimuths, made.options, made.first.kick_steps, rows);
     if (stop()) return stopped(scene, made, partial);
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);

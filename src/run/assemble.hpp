@@ -6,6 +6,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "run/trend.hpp"
 
 namespace earthtop {
 
@@ -15,6 +16,7 @@ struct TwoIntegrations {
   IntegrationOptions options, other_options;
   IntegrationReport solution, certificate;
   DriftTrajectory<T> first, second;
+  TrendPlan trend;
 };
 
 /// Turns the problem of the rows into that of the second integration: nudged, and ending where the rows end.

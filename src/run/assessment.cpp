@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
@@ -70,49 +69,6 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
   if (!scene.is_plain()) return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
                                       : follow_invariants(scene, result.extended_rows, watch);
-}
-
-std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
-  const Scenario& scenario = scene.scenario();
-  const double Omega = scene.rotation_rate_rad_s();
-  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() ||
-      scenario.effects.tide || !scenario.effects.coriolis || Omega == 0 || rows.size() < 3)
-    return {};
-  const Body<double>& body = scene.body<double>();
-  const Release<double>& release = scene.release<double>();
-  const SinCos<double> phi = sin_cos_degrees(scene.site().latitude_deg);
-  const double I1 = body.I_BP_B(0, 0), spin_momentum = body.I_BP_B(2, 2) * release.w_XB_B[2];
-  const double mgl = scene.axial_gravity_torque_N_m();
-  const Vec3<double> axis_L = rotation_matrix(release.q_LB).col(2);
-  const bool vertical = real::hypot(axis_L[0], axis_L[1]) < 1e-9;
-  std::vector<TheoryReport> theory;
-  if (mgl == 0) {
-    const bool along_axis = release.X == RatesRelativeTo::inertial && release.w_XB_B[0] == 0 && release.w_XB_B[1] == 0;
-    if (along_axis) {
-      // The axis keeps its direction in space: in the laboratory it turns about the celestial axis.
-      const double sine = norm(Vec3<double>(celestial_axis_L<double>(scene.site()).cross(axis_L)));
-      const double t = rows.back().t_s;
-      theory.push_back({"free_gyro_axis_drift",
-                        "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)", "rad",
-                        balanced_gyroscope_drift(sine, Omega, t), drift.axis_final_rad});
-    }
-    return theory;
-  }
-  // A top is fast if it has at least twice the spin above which an upright top sleeps (is stable).
-  const bool fast = spin_momentum * spin_momentum > 16 * I1 * std::abs(mgl);
-  if (!fast) return theory;
-  if (vertical) {
-    double lean_south = 0;
-    for (const DriftRow& row : rows) lean_south -= (row.axis_L[1] - row.ref_axis_L[1]) / static_cast<double>(rows.size());
-    if (axis_L[2] > 0)
-      theory.push_back({"sleeping_top_lean_south", "mean lean I3 w3 Omega cos(latitude) / (m g l)", "rad",
-                        spin_momentum * Omega * phi.cos / mgl, lean_south});
-    return theory;
-  }
-  if (drift.secular)
-    theory.push_back({"precession_rate_change", "-Omega sin(latitude), counterclockwise about Up", "rad/s", -Omega * phi.sin,
-                      drift.secular->mean_precession_rate_change_rad_s});
-  return theory;
 }
 
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch) {

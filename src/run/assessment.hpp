@@ -15,6 +15,11 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 /// Returns the leading-order predictions that apply to the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 
+/// Returns by how much the rate of the azimuth drift may change beyond a time (rad/s), to first order: where precession and
+/// nutation nearly agree, as in fast precession, the drift swings with the difference of the two, and a run that is shorter than
+/// such a swing takes it for a trend. It is 0 for other tops, and where the body is not symmetric about axis 3.
+double unseen_swings(const Scene& scene, double duration_s);
+
 /// Returns the torque ledger of the motion on the rotating Earth, for the observer that the scenario names; empty without one.
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch);
 

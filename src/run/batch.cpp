@@ -78,8 +78,13 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
   std::vector<DriftProblem<double>> problems;
   problems.reserve(points.size());
-  for (const LanePoint& point : points) problems.push_back(scenes[point.index].problem<double>());
   std::vector<TwoIntegrations<double>> made(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Scene& scene = scenes[points[i].index];
+    made[i].trend = plan_trend(scene);
+    problems.push_back(scene.problem<double>());
+    problems.back().trend_times_s = made[i].trend.times_s;
+  }
 
   std::vector<double> seconds;
   seconds.reserve(2 * points.size());

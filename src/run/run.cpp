@@ -89,7 +89,9 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   if (beside.runs()) seconds.bound = std::max(0.0, seconds.bound - seconds.solution);
   Parts parts(watch, seconds.all());
 
-  const DriftProblem<T>& rows = scene.problem<T>();
+  made.trend = plan_trend(scene);
+  DriftProblem<T> rows = scene.problem<T>();
+  rows.trend_times_s = made.trend.times_s;
   made.first = integrate_timed(rows, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
   made.solution.reason = scene.choice().reason;
   const Watch bound = parts.next(seconds.bound, "error bound");

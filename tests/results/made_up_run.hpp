@@ -48,7 +48,7 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   result.drift.azimuth_final_rad = result.rows.back().drift_azimuth_rad;
   result.drift.tilt_final_rad = result.rows.back().drift_tilt_rad;
   result.drift.axis_final_over_earth_angle = result.drift.axis_final_rad / (kEarthRateWgs84 * 60);
-  result.drift.secular = SecularDrift{5.15e-5, 3e-7, 2e-4, -5.15e-5};
+  result.drift.secular = SecularDrift{5.15e-5, 3e-7, 18.5, {0, 60}, 2e-4, false, ""};
   result.solution.method = Method::rkf78;
   result.solution.relative_tolerance = 1e-12;
   result.solution.counters = {12345, 67, 161196};
@@ -57,7 +57,7 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   result.certificate.observer = Observer::inertial;
   result.attitude_bound_rad = 1e-9;
   result.invariants = {{"jacobi_integral", "J", 0.8, 1e-14, 0.83}};
-  result.theory = {{"precession_rate_change", "-Omega sin(latitude)", "rad/s", -5.156e-5, -5.15e-5}};
+  result.theory = {{"precession_rate_change", "-Omega sin(latitude)", "rad/s", -5.156e-5, -5.15e-5, 4e-8, true, 3e-7}};
   result.notes = {"made up"};
   return result;
 }

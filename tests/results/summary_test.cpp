@@ -44,7 +44,11 @@ TEST(Summary, HoldsTheRestOfTheResult) {
   EXPECT_EQ(drift.at("tilt_final_rad").get<double>(), result.drift.tilt_final_rad);
   EXPECT_EQ(drift.at("axis_final_over_earth_angle").get<double>(), *result.drift.axis_final_over_earth_angle);
   EXPECT_EQ(drift.at("/secular/azimuth_rate_rad_s"_json_pointer).get<double>(), 5.15e-5);
-  EXPECT_EQ(drift.at("/secular/azimuth_rate_standard_error_rad_s"_json_pointer).get<double>(), 3e-7);
+  EXPECT_EQ(drift.at("/secular/azimuth_rate_bound_95_rad_s"_json_pointer).get<double>(), 3e-7);
+  EXPECT_EQ(drift.at("/secular/turns_seen"_json_pointer).get<double>(), 18.5);
+  EXPECT_EQ(drift.at("/secular/window_s"_json_pointer), json::parse("[0.0, 60.0]"));
+  EXPECT_EQ(drift.at("/secular/mean_of_window"_json_pointer), false);
+  EXPECT_FALSE(drift.at("secular").contains("azimuth_rate_standard_error_rad_s"));
   EXPECT_EQ(drift.at("/secular/mean_precession_rate_change_rad_s"_json_pointer).get<double>(), -5.15e-5);
   EXPECT_EQ(drift.at("/oscillation/azimuth_rad"_json_pointer).get<double>(), 2e-4);
   EXPECT_TRUE(drift.at("threshold_rad").is_null());
@@ -62,6 +66,9 @@ TEST(Summary, HoldsTheRestOfTheResult) {
   EXPECT_EQ(summary.at("/invariants/0/largest_change"_json_pointer).get<double>(), 1e-14);
   EXPECT_EQ(summary.at("/theory/0/predicted"_json_pointer).get<double>(), -5.156e-5);
   EXPECT_EQ(summary.at("/theory/0/computed"_json_pointer).get<double>(), -5.15e-5);
+  EXPECT_EQ(summary.at("/theory/0/predicted_error"_json_pointer).get<double>(), 4e-8);
+  EXPECT_EQ(summary.at("/theory/0/computed_error"_json_pointer).get<double>(), 3e-7);
+  EXPECT_EQ(summary.at("/theory/0/applies"_json_pointer), true);
   EXPECT_EQ(summary.at("/notes/0"_json_pointer), "made up");
 }
 
@@ -135,6 +142,19 @@ TEST(Summary, AbsentValuesAreNull) {
   const json drift = summary_of(result).at("drift");
   for (const char* key : {"secular", "oscillation", "azimuth_final_rad", "axis_final_over_earth_angle", "axis_bound_rad"})
     EXPECT_TRUE(drift.at(key).is_null()) << key;
+}
+
+TEST(Summary, ATrendThatIsNotDeterminedIsNullWithTheReason) {
+  RunResult result = made_up_run();
+  result.drift.secular = SecularDrift{{}, {}, 0.4, {0, 60}, {}, false, "the run sees 0.4 turns"};
+  result.theory[0].computed.reset();
+  const json summary = summary_of(result), secular = summary.at("/drift/secular"_json_pointer);
+  for (const char* key : {"azimuth_rate_rad_s", "azimuth_rate_bound_95_rad_s", "mean_precession_rate_change_rad_s"})
+    EXPECT_TRUE(secular.at(key).is_null()) << key;
+  EXPECT_EQ(secular.at("turns_seen").get<double>(), 0.4);
+  EXPECT_EQ(secular.at("reason"), "the run sees 0.4 turns");
+  EXPECT_TRUE(summary.at("/drift/oscillation/azimuth_rad"_json_pointer).is_null());
+  EXPECT_TRUE(summary.at("/theory/0/computed"_json_pointer).is_null());
 }
 
 TEST(Summary, MatchingRuleIsSaidInWords) {

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "contact_text.hpp"
-#include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
@@ -201,25 +200,40 @@ void write_threshold(Page& page, const RunResult& result) {
   }
 }
 
+/// A prediction of theory with its error, and the computed number. @param sign  -1 for a rate that is counted counterclockwise:
+/// the page counts azimuths clockwise
+std::string theory_line(const TheoryReport& report, double sign) {
+  if (!report.applies)
+    return fmt::format("first-order theory does not apply: it leaves out {:.1e} {} of {:+.3e}", report.predicted_error,
+                       report.unit, 0.0 + sign * report.predicted);
+  return fmt::format("first-order theory: {:+.4e} ± {:.1e} {}", 0.0 + sign * report.predicted, report.predicted_error,
+                     report.unit);
+}
+
 void write_trend(Page& page, const RunResult& result) {
-  const bool has_azimuth = std::all_of(result.rows.begin(), result.rows.end(), [](const DriftRow& row) {
-    return !row.drift_reliable ||
-           (row.drift_azimuth_rad && azimuths_are_meaningful(row.axis_L, row.ref_axis_L, row.drift_axis_rad));
-  });
-  if (const auto secular = reliable_drift(result).secular; secular && has_azimuth) {
-    page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
-                                    secular->azimuth_rate_rad_s, secular->azimuth_rate_standard_error_rad_s));
+  if (const auto& secular = result.drift.secular) {
+    if (secular->azimuth_rate_rad_s) {
+      page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
+                                      *secular->azimuth_rate_rad_s, secular->azimuth_rate_bound_95_rad_s.value_or(0)));
+      if (secular->of_window)
+        page.entry("", fmt::format("the mean over {} to {} s and no more than that, as {}", secular->window_s[0],
+                                   secular->window_s[1], secular->reason));
+      else
+        page.entry("", fmt::format("± contains 95 %; from {:.3g} turns of precession, {:.6g} to {:.6g} s",
+                                   secular->turns_seen.value_or(0), secular->window_s[0], secular->window_s[1]));
+    } else {
+      page.entry("Trend", "not determined: " + secular->reason);
+    }
     for (const TheoryReport& report : result.theory)
-      if (report.name == "precession_rate_change")  // its sign is the opposite: counted counterclockwise
-        page.entry("", fmt::format("first-order theory of a fast top: Ω sin(latitude) = {:+.4e} rad/s, + as above",
-                                   0.0 - report.predicted));
-    page.entry("Swings",
-               fmt::format("up to {:.3g} rad of azimuth to either side of the trend", secular->azimuth_oscillation_rad));
+      if (report.name == "precession_rate_change") page.entry("", theory_line(report, -1));
+    if (secular->azimuth_oscillation_rad)
+      page.entry("Swings",
+                 fmt::format("up to {:.3g} rad of azimuth to either side of the trend", *secular->azimuth_oscillation_rad));
   }
   for (const TheoryReport& report : result.theory) {
-    if (report.name == "precession_rate_change") continue;  // printed above, if the azimuth has a trend
-    page.entry("Theory", fmt::format("{}: {:.6g} {} predicted, {:.6g} computed", spoken(report.name), report.predicted,
-                                     report.unit, report.computed));
+    if (report.name == "precession_rate_change") continue;  // printed above, with the trend
+    page.entry("Theory", fmt::format("{}: {}; {:.6g} {} computed", spoken(report.name), theory_line(report, 1),
+                                     report.computed.value_or(0), report.unit));
   }
   write_threshold(page, result);
   for (const InvariantReport& invariant : result.invariants) {

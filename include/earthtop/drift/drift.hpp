@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,13 +57,19 @@ struct BasicDriftRow {
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
 
-/// A least-squares line through the azimuth drift of all rows, and what the line leaves out. The standard error assumes
-/// independent residuals, which those of an oscillation are not: it tells the scatter of the fit, not an error of the numbers.
+/// The trend of the azimuth drift: its secular rate, apart from the swings at the frequencies of precession and nutation. It comes
+/// from looks at the motions at times of its own, and so does not depend on the output times.
+///
+/// The rate of a top on which only gravity and the Earth's rotation act is that of all time, and the bound contains its error in
+/// about 95 of 100 such tops. Where anything else acts, as friction does, the rate is the mean over the window and nothing more.
 struct SecularDrift {
-  double azimuth_rate_rad_s = 0;
-  double azimuth_rate_standard_error_rad_s = 0;
-  double azimuth_oscillation_rad = 0;            ///< largest distance of a row from the line
-  double mean_precession_rate_change_rad_s = 0;  ///< counterclockwise about Up: minus the azimuth rate
+  std::optional<double> azimuth_rate_rad_s;           ///< none where it is not determined, for the `reason`
+  std::optional<double> azimuth_rate_bound_95_rad_s;  ///< none where there is no rate
+  std::optional<double> turns_seen;                   ///< of the reference's azimuth within the window
+  std::array<double, 2> window_s = {};                ///< begin and end of what the rate comes from
+  std::optional<double> azimuth_oscillation_rad;      ///< largest distance from the line, half of the whole swing
+  bool of_window = false;                             ///< whether the rate is only the mean over the window
+  std::string reason;                                 ///< why it is not determined, or why it is only a mean; else empty
 };
 
 /// Whether the axis drift passes a threshold, given the error of the drift.
@@ -92,8 +99,8 @@ struct DriftSummary {
   std::optional<double> tip_final_m, tip_max_m, tip_bound_m;  ///< of a top on a table
 };
 
-/// Summarises the rows. The members on the threshold stay empty: its crossing is found by the integrations, which see every
-/// step.
+/// Summarises the rows. The members on the threshold and the trend stay empty: the integrations, which see every step, find
+/// them.
 /// @param rows  of one run, in the order of time   @param rotation_rate_rad_s  of the Earth
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s);
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "closed_form/mean_precession.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "closed_form/complex.hpp"
+#include "earthtop/elementary.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The cubic's roots: the two between which u moves, by their mean and the square of half their distance, and the third.
+struct Roots {
+  double middle, half_squared, third;
+};
+
+std::optional<Roots> roots_of(const TopConstants& c) {
+  const double square = c.energy + c.axial * c.axial, linear = 2 * c.vertical * c.axial - c.gravity;
+  const double constant = c.energy - c.vertical * c.vertical;
+  // Newton's method comes down to the largest root from above, where the cubic is convex.
+  double u = 1 + std::max({std::abs(square), std::abs(linear), std::abs(constant)}) / c.gravity;
+  for (int i = 0; i < 200; ++i) {
+    const double value = ((c.gravity * u - square) * u + linear) * u + constant;
+    const double slope = (3 * c.gravity * u - 2 * square) * u + linear;
+    if (!(slope > 0)) break;
+    const double next = u - value / slope;
+    if (!(next < u)) break;
+    u = next;
+  }
+  if (!std::isfinite(u)) return std::nullopt;
+  const double product = -constant / (c.gravity * u), sum = (linear / c.gravity - product) / u;
+  return Roots{sum / 2, sum * sum / 4 - product, u};
+}
+
+using C = Complex<double>;
+C over(const C& a, const C& b) {
+  const double size = b.re * b.re + b.im * b.im;
+  return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
+}
+C root(const C& z) {
+  const double size = real::hypot(z.re, z.im), re = std::sqrt((size + std::abs(z.re)) / 2);
+  if (!(re > 0)) return {0, 0};
+  return z.re >= 0 ? C{re, z.im / (2 * re)} : C{std::abs(z.im) / (2 * re), z.im < 0 ? -re : re};
+}
+
+}  // namespace
+
+std::optional<MeanRates> mean_rates(const TopConstants& given) {
+  TopConstants c = given;
+  if (c.gravity == 0) return std::nullopt;
+  if (c.gravity < 0) c.gravity = -c.gravity, c.axial = -c.axial;  // u is then that of the other end of the axis
+  const std::optional<Roots> roots = roots_of(c);
+  if (!roots) return std::nullopt;
+  const double half = std::sqrt(std::abs(roots->half_squared));
+  const bool real_roots = roots->half_squared >= 0;
+  constexpr int kFewest = 16, kMost = 1 << 14;
+  constexpr double kConverged = 1e-13;
+  MeanRates before;
+  for (int count = kFewest; count <= kMost; count *= 2) {
+    double time = 0, azimuth = 0;
+    for (int k = 0; k < count; ++k) {
+      const double part = half * real::cos(std::numbers::pi * (k + 0.5) / count);
+      const C u = real_roots ? C{roots->middle + part, 0} : C{roots->middle, part};
+      const C speed = root({c.gravity * (roots->third - u.re), -c.gravity * u.im});
+      const C dt = over({1, 0}, speed);
+      const C sine_squared = {1 - (u.re * u.re - u.im * u.im), -2 * u.re * u.im};
+      time += dt.re;
+      azimuth += (over({c.vertical - c.axial * u.re, -c.axial * u.im}, sine_squared) * dt).re;
+    }
+    if (!std::isfinite(time) || !(time > 0) || !std::isfinite(azimuth)) return std::nullopt;
+    const MeanRates rates{azimuth / time, count / time, count};
+    if (count > kFewest && std::abs(rates.precession_rad_s - before.precession_rad_s) <= kConverged * rates.nutation_rad_s &&
+        std::abs(rates.nutation_rad_s - before.nutation_rad_s) <= kConverged * rates.nutation_rad_s)
+      return rates;
+    before = rates;
+  }
+  return std::nullopt;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Predictions of first-order theory, each with the size of what it leaves out.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "closed_form/complex.hpp"
+#include "closed_form/mean_precession.hpp"
+#include "earthtop/closed_form/lagrange_top.hpp"
+#include "earthtop/closed_form/special_cases.hpp"
+#include "run/assessment.hpp"
+#include "run/top_constants.hpp"
+
+namespace earthtop {
+namespace {
+
+/// A scene whose top is symmetric about body axis 3, with gravity and the Earth's rotation only.
+struct TopOnEarth {
+  SymmetricTop<double> top;
+  const Body<double>& body;
+  const Release<double>& release;
+  Vec3<double> W_L;  ///< the Earth's rate (rad/s)
+  Vec3<double> n_L;  ///< the axis at release
+};
+
+/// The mean over all time of the integral of L_E + i L_N from the release on, where L is the angular momentum of the reference
+/// over I1. Seen from axes that turn with the mean precession it repeats with the nutation, so that one period tells all.
+Complex<double> mean_integral(const TopOnEarth& scene, const MeanRates& rates) {
+  constexpr int kSteps = 256;  // of Simpson's rule, within a period
+  const LagrangeTop<double> motion(scene.top, scene.release.q_LB, scene.release.w_XB_B, ClosedFormSpan::few_periods);
+  const double period = 2 * std::numbers::pi / rates.nutation_rad_s, ratio = scene.top.I3 / scene.top.I1;
+  Complex<double> sum;
+  for (int i = 0; i <= kSteps; ++i) {
+    const ClosedFormState<double> state = motion.at(period * i / kSteps);
+    const Vec3<double> L_B(state.w_NB_B[0], state.w_NB_B[1], ratio * state.w_NB_B[2]);
+    const Vec3<double> L_L = times(rotation_matrix(state.q_NB), L_B);
+    const double weight = i == 0 || i == kSteps ? 1 : i % 2 == 1 ? 4 : 2;
+    sum = sum + weight * Complex<double>{L_L[0], L_L[1]};
+  }
+  sum = (period / (3 * kSteps)) * sum;
+  // The integral is C plus a swing that begins at -C and has turned with the precession after a period: S = C (1 - turn).
+  const Complex<double> turn = turned(rates.precession_rad_s * period);
+  const Complex<double> rest{1 - turn.re, -turn.im};
+  return (1 / norm2(rest)) * (sum * conj(rest));
+}
+
+/// How the constants of the motion differ from those of the reference, on average and to first order in the Earth's rate. With
+/// H = H_0 - W.L, the mean of -W.L over precession and nutation is -W_Up L_Up. So the precession changes by -W_Up at given mean
+/// constants, and these follow from the release, from dL_Up/dt = -(W x L)_Up, and from the conservation of H and of the spin.
+TopConstants mean_change(const TopOnEarth& scene, const MeanRates& rates) {
+  const double I1 = scene.top.I1, I3 = scene.top.I3, w3 = scene.release.w_XB_B[2];
+  const Vec3<double>& W = scene.W_L;
+  const Mat3<double> R_LB = rotation_matrix(scene.release.q_LB);
+  const Vec3<double>& w_B = scene.release.w_XB_B;
+  const Vec3<double> L = times(R_LB, Vec3<double>(I1 * w_B[0], I1 * w_B[1], I3 * w_B[2]));
+  const bool in_laboratory = scene.release.X == RatesRelativeTo::laboratory;
+  const double W_n = W.dot(scene.n_L);
+  const double axial = in_laboratory ? I3 * W_n : 0;
+  const double vertical_at_release = in_laboratory ? I1 * W[2] + (I3 - I1) * W_n * scene.n_L[2] : 0;
+  const double energy = (in_laboratory ? W[2] * L[2] : W[2] * L[2] - W.dot(L)) - w3 * axial;
+  const Complex<double> mean = mean_integral(scene, rates);
+  TopConstants change;
+  change.energy = 2 * energy / I1;
+  change.vertical = vertical_at_release / I1 + W[1] * mean.re - W[0] * mean.im;
+  change.axial = axial / I1;
+  return change;
+}
+
+/// The change of the mean precession rate, to first order, and the size of what is left out.
+struct RateChange {
+  double value, left_out;
+};
+std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
+  const TopConstants constants = top_constants(scene.body, scene.top.mgl, scene.release.q_LB, scene.release.w_XB_B);
+  const std::optional<MeanRates> rates = mean_rates(constants);
+  if (!rates || rates->precession_rad_s == 0) return std::nullopt;
+  const TopConstants change = mean_change(scene, *rates);
+  const double energy_scale = std::abs(constants.energy) + std::abs(constants.gravity) + constants.axial * constants.axial;
+  const double rate_scale = std::sqrt(energy_scale);
+  const double size = std::max(std::abs(change.energy) / energy_scale,
+                               std::max(std::abs(change.vertical), std::abs(change.axial)) / rate_scale);
+  // Derivatives along the change, by differences over a small part of the constants.
+  constexpr double kPart = 1e-4;
+  const double h = size > 0 ? kPart / size : 0;
+  const auto rate_at = [&](double times) -> double {
+    const double s = times * h;
+    const auto there = mean_rates({constants.energy + s * change.energy, constants.vertical + s * change.vertical,
+                                   constants.axial + s * change.axial, constants.gravity});
+    return there ? there->precession_rad_s : std::numeric_limits<double>::quiet_NaN();
+  };
+  double first = 0, second = 0, uncertain = 0;
+  if (h > 0) {
+    const double p1 = rate_at(1), m1 = rate_at(-1), p2 = rate_at(2), m2 = rate_at(-2);
+    const double narrow = (p1 - m1) / (2 * h), wide = (p2 - m2) / (4 * h);
+    first = narrow + (narrow - wide) / 3;
+    uncertain = std::abs(narrow - wide);
+    second = (p1 - 2 * rates->precession_rad_s + m1) / (h * h);
+  }
+  if (!std::isfinite(first) || !std::isfinite(second)) return std::nullopt;
+  // Terms of second order have the sums of multiples of both frequencies as divisors.
+  double slowest = std::numeric_limits<double>::infinity();
+  constexpr int kMost = 2;
+  for (int j = 0; j <= kMost; ++j)
+    for (int k = -kMost; k <= kMost; ++k)
+      if (j > 0 || k > 0) slowest = std::min(slowest, std::abs(j * rates->nutation_rad_s + k * rates->precession_rad_s));
+  const double Omega = norm(scene.W_L);
+  constexpr double kSecondOrder = 3;
+  return RateChange{first - scene.W_L[2],
+                    kSecondOrder * (std::abs(second) / 2 + (Omega + std::abs(first)) * Omega / slowest) + uncertain};
+}
+
+/// The mean lean of a top released upright, which circles about its place of rest; what is left out counts the circles that the
+/// rows have not averaged away.
+FirstOrder<double> mean_lean(const TopOnEarth& scene, const std::vector<DriftRow>& rows) {
+  FirstOrder<double> lean = sleeping_top_lean_south(scene.top, scene.release.w_XB_B[2], scene.W_L);
+  const double b = std::abs(scene.top.I3 * scene.release.w_XB_B[2] / scene.top.I1);
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * scene.top.mgl / scene.top.I1));
+  const double fast = (b + root) / 2, slow = (b - root) / 2, duration = rows.back().t_s;
+  const double step = duration / static_cast<double>(rows.size() - 1);
+  const auto left_of = [&](double amplitude, double rate) {
+    // Rows farther apart than half a circle may see the same side of it each time.
+    return rate * step > std::numbers::pi ? amplitude : amplitude * std::min(1.0, 2 / (rate * duration));
+  };
+  lean.left_out += std::abs(lean.value) * (left_of(fast / root, slow) + left_of(slow / root, fast) +
+                                           2 / static_cast<double>(rows.size()));
+  return lean;
+}
+
+/// A theory applies where what it leaves out is at most this part of the prediction or of the Earth's rate.
+constexpr double kSmall = 0.1;
+
+}  // namespace
+
+double unseen_swings(const Scene& scene, double duration_s) {
+  if (scene.symmetry_axis() != 2) return 0;
+  const Body<double>& body = scene.body<double>();
+  const Release<double>& release = scene.release<double>();
+  const double mgl = scene.axial_gravity_torque_N_m();
+  const TopConstants constants = top_constants(body, mgl, release.q_LB, release.w_XB_B);
+  const std::optional<MeanRates> rates = mean_rates(constants);
+  if (!rates) return 0;
+  constexpr double kSeen = 1.5;  // swings of which the run has so many are told from the trend
+  const Vec3<double> W = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
+  const double across = real::hypot(W[0], W[1]);
+  // The slowest of the sums of the precession and multiples of the nutation.
+  const double multiple = -std::round(rates->precession_rad_s / rates->nutation_rad_s);
+  const double beat = rates->precession_rad_s + multiple * rates->nutation_rad_s;
+  if (multiple == 0 || beat == 0 || std::abs(beat) * duration_s > kSeen * 2 * std::numbers::pi) return 0;
+  // The part of the horizontal angular momentum over I1 that turns with it.
+  constexpr int kSteps = 64;
+  const LagrangeTop<double> motion({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl}, release.q_LB, release.w_XB_B,
+                                   ClosedFormSpan::few_periods);
+  const double period = 2 * std::numbers::pi / rates->nutation_rad_s, ratio = body.I_BP_B(2, 2) / body.I_BP_B(0, 0);
+  Complex<double> part;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = period * i / kSteps;
+    const ClosedFormState<double> state = motion.at(t);
+    const Vec3<double> L_L = times(rotation_matrix(state.q_NB),
+                                   Vec3<double>(state.w_NB_B[0], state.w_NB_B[1], ratio * state.w_NB_B[2]));
+    part = part + (1.0 / kSteps) * (Complex<double>{L_L[0], L_L[1]} * turned(-beat * t));
+  }
+  const double swing = across * std::sqrt(norm2(part));
+  // It moves the energy by W.L, and the vertical angular momentum by the integral of W x L.
+  const double scale = std::sqrt(std::abs(constants.energy) + std::abs(constants.gravity) + constants.axial * constants.axial);
+  const auto slope = [&](double energy, double vertical) {
+    constexpr double kPart = 1e-4;
+    const auto rate_at = [&](double h) {
+      const auto there = mean_rates({constants.energy + h * energy * scale * scale, constants.vertical + h * vertical * scale,
+                                     constants.axial, constants.gravity});
+      return there ? there->precession_rad_s : rates->precession_rad_s;
+    };
+    return std::abs(rate_at(kPart) - rate_at(-kPart)) / (2 * kPart);
+  };
+  const double first_order = slope(1, 0) * 2 * swing / (scale * scale) + slope(0, 1) * swing / std::abs(beat) / scale;
+  // Of second order is what the Earth's own nutation of a steady precession makes; a factor of 1.6 to 2.5 was seen.
+  constexpr double kSecondOrderSwing = 3;
+  return first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat);
+}
+
+std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
+  const Scenario& scenario = scene.scenario();
+  const double Omega = scene.rotation_rate_rad_s();
+  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() ||
+      scenario.effects.tide || !scenario.effects.all_on() || Omega == 0 || rows.size() < 3)
+    return {};
+  const Body<double>& body = scene.body<double>();
+  const Release<double>& release = scene.release<double>();
+  const double mgl = scene.axial_gravity_torque_N_m();
+  const TopOnEarth top{{body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl},
+                       body,
+                       release,
+                       Vec3<double>(Omega * celestial_axis_L<double>(scene.site())),
+                       Vec3<double>(rotation_matrix(release.q_LB).col(2))};
+  const bool vertical = real::hypot(top.n_L[0], top.n_L[1]) < 1e-9;
+  TheoryReport report;
+  if (mgl == 0) {
+    const bool along_axis = release.X == RatesRelativeTo::inertial && release.w_XB_B[0] == 0 && release.w_XB_B[1] == 0;
+    if (!along_axis) return {};
+    // The axis keeps its direction in space: in the laboratory it turns about the celestial axis.
+    const double sine = norm(Vec3<double>(celestial_axis_L<double>(scene.site()).cross(top.n_L)));
+    const double t = rows.back().t_s;
+    report.name = "free_gyro_axis_drift";
+    report.statement = "the axis stays in inertial space: 2 asin(sin(angle from the celestial axis) |sin(Omega t/2)|)";
+    report.unit = "rad";
+    report.predicted = balanced_gyroscope_drift(sine, Omega, t);
+    report.predicted_error = 8 * real::epsilon<double>() * (1 + std::abs(Omega) * t);
+    report.computed = drift.axis_final_rad;
+    report.computed_error = drift.axis_bound_rad;
+    return {report};
+  }
+  if (vertical) {
+    if (!(top.n_L[2] > 0) || !(mgl > 0) || !(std::abs(release.w_XB_B[2]) > critical_spin(top.top))) return {};
+    double lean_south = 0;
+    for (const DriftRow& row : rows) lean_south -= (row.axis_L[1] - row.ref_axis_L[1]) / static_cast<double>(rows.size());
+    const FirstOrder<double> lean = mean_lean(top, rows);
+    report.name = "sleeping_top_lean_south";
+    report.statement = "mean lean I3 w3 Omega cos(latitude) / (m g l)";
+    report.unit = "rad";
+    report.predicted = lean.value;
+    report.predicted_error = lean.left_out;
+    report.computed = lean_south;
+    report.computed_error = drift.axis_bound_rad;
+    constexpr double kSmallLean = 0.5;  // the rest of the circles may be as large as this part of the lean
+    report.applies = lean.left_out <= kSmallLean * std::abs(lean.value);
+    return {report};
+  }
+  if (!drift.secular || drift.secular->of_window) return {};
+  const std::optional<RateChange> change = precession_rate_change(top);
+  if (!change) return {};
+  report.name = "precession_rate_change";
+  report.statement =
+      "-Omega sin(latitude), counterclockwise about Up, and the precession's dependence on the mean energy and momenta";
+  report.unit = "rad/s";
+  report.predicted = change->value;
+  report.predicted_error = change->left_out;
+  report.applies = change->left_out <= kSmall * std::max(std::abs(Omega), std::abs(change->value));
+  if (drift.secular->azimuth_rate_rad_s) {
+    report.computed = 0.0 - *drift.secular->azimuth_rate_rad_s;
+    report.computed_error = drift.secular->azimuth_rate_bound_95_rad_s;
+  }
+  return {report};
+}
+
+}  // namespace earthtop

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/trend.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "closed_form/mean_precession.hpp"
+#include "run/assessment.hpp"
+#include "run/top_constants.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kWholeTurn = 2 * std::numbers::pi;
+constexpr double kAzimuths = 560;  // within a run, at least
+constexpr double kAzimuthsAPrecession = 7.3;
+constexpr double kMostAzimuths = 1e5;
+constexpr double kFewestAzimuths = 100;
+
+/// What acts on the top besides gravity and the Earth's rotation, in words; empty if nothing does.
+std::string other_action(const Scene& scene) {
+  const Scenario& s = scene.scenario();
+  if (s.contact) return "the top stands on a table";
+  if (s.platform && s.platform->pivot_offset_m != std::array<double, 3>{}) return "the pivot rides on a platform";
+  if (s.effects.applied.friction()) return "friction acts";
+  if (s.effects.applied.gimbal) return "a gimbal holds the axis";
+  if (s.effects.tide) return "the tide changes with the time";
+  if (!s.effects.all_on()) return "a non-inertial torque is left out";
+  return "";
+}
+
+/// The step between looks at a top with this period of nutation.
+double step_between_looks(double duration, double least_count, double period) {
+  constexpr double kGolden = 0.5 * (std::numbers::phi * 2 - 2);  // 0.618...
+  const double step = duration / std::clamp(least_count, kAzimuths, kMostAzimuths);
+  if (step < period) return period / (std::ceil(period / step) + kGolden);
+  return period * (std::floor(step / period) + (1 - kGolden));
+}
+
+std::vector<double> times_in_steps(double duration, double step) {
+  std::vector<double> times;
+  for (std::size_t k = 0; step * static_cast<double>(k) <= duration; ++k) times.push_back(step * static_cast<double>(k));
+  return times;
+}
+
+/// The looks of an integration that is made only for them.
+std::vector<AzimuthSample> look_again(const Scene& scene, const TrendPlan& plan, const IntegrationOptions& options,
+                                      const std::optional<KickSteps>& kick_steps, const Watch& watch) {
+  constexpr double kLookTolerance = 1e-10;
+  DriftProblem<double> problem = scene.problem<double>();
+  problem.times_s = plan.times_s;
+  problem.threshold_rad.reset();
+  IntegrationOptions again = options;
+  if (options.method == Method::long_horizon) {
+    again.kick_steps = kick_steps;
+  } else if (options.method != Method::closed_form) {
+    if (scene.method_refusal(Method::taylor)) return {};
+    again.method = Method::taylor;
+    again.step_s.reset();
+    again.observer = Observer::laboratory;
+    again.form = ModelForm::automatic;
+    again.relative_tolerance = kLookTolerance;
+    if (!takes_reduced_form(problem.model, again)) again.observer = Observer::body, again.form = ModelForm::general;
+  }
+  const DriftTrajectory<double> trajectory = integrate_drift(problem, again, watch.with_progress(nullptr));
+  std::vector<AzimuthSample> azimuths;
+  azimuths.reserve(trajectory.samples.size());
+  for (const DriftSample<double>& sample : trajectory.samples) {
+    AzimuthSample look = azimuth_sample(sample.state);
+    look.drift_rad = sample.azimuth;
+    azimuths.push_back(look);
+  }
+  return azimuths;
+}
+
+/// The mean rate of the reference's azimuth (rad/s, counterclockwise), with weights that fall to zero at both ends.
+double mean_precession(std::span<const AzimuthSample> azimuths, double step) {
+  double sum = 0, weights = 0, before = 0;
+  const auto count = static_cast<double>(azimuths.size() - 1);
+  for (std::size_t i = 0; i < azimuths.size(); ++i) {
+    const double angle = real::atan2(azimuths[i].ref_north, azimuths[i].ref_east);
+    if (i > 0) {
+      const double turned = angle - before, x = (static_cast<double>(i) - 0.5) / count;
+      const double weight = real::exp(-1 / (x * (1 - x)));
+      sum += weight * (turned - kWholeTurn * std::round(turned / kWholeTurn));
+      weights += weight * step;
+    }
+    before = angle;
+  }
+  return sum / weights;
+}
+
+/// The Earth must not move the axis as far as it stands from the vertical: the azimuths would tell nothing of each other.
+bool azimuths_tell(std::span<const AzimuthSample> azimuths) {
+  double widest = 0, ref_widest = 0;
+  for (const AzimuthSample& look : azimuths) {
+    widest = std::max(widest, look.horizontal);
+    ref_widest = std::max(ref_widest, real::hypot(look.ref_east, look.ref_north));
+  }
+  return widest < 2 * ref_widest && ref_widest < 2 * widest;
+}
+
+double half_range(std::span<const AzimuthSample> azimuths, double step, double rate) {
+  double least = 0, most = 0;
+  for (std::size_t i = 0; i < azimuths.size(); ++i) {
+    const double rest = azimuths[i].drift_rad - rate * step * static_cast<double>(i);
+    least = i == 0 ? rest : std::min(least, rest);
+    most = i == 0 ? rest : std::max(most, rest);
+  }
+  return (most - least) / 2;
+}
+
+/// The bound on the azimuth drift at the last row until a time.
+double azimuth_bound(const RunResult& result, double until) {
+  double bound = 0;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > until) break;
+    const double horizontal =
+        std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
+    if (row.drift_azimuth_rad && horizontal > 0) bound = row.drift_axis_bound_rad / horizontal;
+  }
+  return bound;
+}
+
+/// The mean of a motion on which more than gravity and the Earth's rotation acts, over the reliable rows.
+void take_mean(const RunResult& result, SecularDrift& trend) {
+  const DriftRow* last = last_reliable_row(result);
+  if (last == nullptr || !(last->t_s > 0) || !last->drift_azimuth_rad || !result.rows.front().drift_azimuth_rad) {
+    trend.reason = "not every reliable row has an azimuth";
+    return;
+  }
+  double least = 0, most = 0;
+  trend.window_s = {0, last->t_s};
+  trend.azimuth_rate_rad_s = *last->drift_azimuth_rad / last->t_s;
+  for (const DriftRow& row : result.rows) {
+    if (row.t_s > last->t_s) break;
+    if (!row.drift_azimuth_rad) continue;
+    const double rest = *row.drift_azimuth_rad - *trend.azimuth_rate_rad_s * row.t_s;
+    least = std::min(least, rest), most = std::max(most, rest);
+  }
+  trend.azimuth_oscillation_rad = (most - least) / 2;
+  trend.azimuth_rate_bound_95_rad_s = azimuth_bound(result, last->t_s) / last->t_s;
+  trend.of_window = true;
+}
+
+}  // namespace
+
+TrendPlan plan_trend(const Scene& scene) {
+  TrendPlan plan;
+  plan.mean_only = other_action(scene);
+  if (!plan.mean_only.empty()) return plan;
+  if (scene.gravity_torque_N_m() == 0) {
+    plan.no_precession = "no torque of gravity acts, so that the axis does not precess";
+    return plan;
+  }
+  const double duration = scene.scenario().duration_s;
+  if (scene.symmetry_axis() == 2) {
+    const std::optional<MeanRates> rates = mean_rates(top_constants(scene.body<double>(), scene.axial_gravity_torque_N_m(),
+                                                                    scene.release<double>().q_LB, scene.release<double>().w_XB_B));
+    if (!rates || rates->precession_rad_s == 0) {
+      plan.no_precession = "the azimuth of the non-rotating prediction does not go round at a mean rate";
+      return plan;
+    }
+    plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
+    const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
+    if (turns < 1) return plan;
+    // A tilt that is no simple sine has many multiples of its frequency, all of which must be seen.
+    constexpr int kSimple = 32;
+    const double period = kWholeTurn / rates->nutation_rad_s;
+    const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
+    plan.times_s = times_in_steps(
+        duration, step_between_looks(duration, std::max(turns * kAzimuthsAPrecession, of_nutation), period));
+    return plan;
+  }
+  constexpr double kAzimuthsATurn = 3.3;
+  const double looks = std::clamp(duration * scene.fastest_rate_rad_s() / kWholeTurn * kAzimuthsATurn, kAzimuths, kMostAzimuths);
+  plan.times_s = times_in_steps(duration, duration / std::ceil(looks));
+  return plan;
+}
+
+std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan,
+                                         std::span<const AzimuthSample> seen, const IntegrationOptions& options,
+                                         const std::optional<KickSteps>& kick_steps, const Watch& watch) {
+  if (std::ranges::count_if(result.rows, [](const DriftRow& row) { return row.drift_azimuth_rad.has_value(); }) < 3)
+    return std::nullopt;
+  SecularDrift trend;
+  trend.reason = plan.no_precession;
+  if (!trend.reason.empty()) return trend;
+  if (!plan.mean_only.empty()) {
+    trend.reason = plan.mean_only;
+    take_mean(result, trend);
+    return trend;
+  }
+  const double until = std::min(result.reached_s, result.verdict.reliable_until_s);
+  const auto under_one_turn = [&](double turns) {
+    trend.turns_seen = turns;
+    trend.reason = fmt::format("the run sees {:.2g} turns of precession, and a trend takes one", turns);
+    return trend;
+  };
+  trend.window_s = {0, until};
+  if (plan.frequencies)
+    if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
+      return under_one_turn(turns);
+
+  std::vector<AzimuthSample> made;
+  if (seen.empty()) {
+    made = look_again(result.modelled, plan, options, kick_steps, watch);
+    seen = made;
+  }
+  std::size_t count = 0;
+  while (count < seen.size() && plan.times_s[count] <= until) ++count;
+  const std::span<const AzimuthSample> azimuths = seen.first(count);
+  trend.reason = "too little of the run is reliable";
+  if (static_cast<double>(count) < kFewestAzimuths) return trend;
+  trend.reason = "an axis goes through the vertical";
+  if (!std::ranges::all_of(azimuths, &AzimuthSample::defined)) return trend;
+  trend.reason = "the Earth moves the axis about as far as it stands from the vertical";
+  if (!azimuths_tell(azimuths)) return trend;
+
+  const double step = plan.times_s[1];
+  trend.window_s = {0, plan.times_s[count - 1]};
+  TrendFrequencies frequencies;
+  if (plan.frequencies) {
+    frequencies = *plan.frequencies;
+  } else {
+    frequencies.precession_rad_s = mean_precession(azimuths, step);
+    const Body<double>& body = result.modelled.body<double>();
+    frequencies.nutation_rad_s = std::abs(body.I_BP_B(2, 2) * result.modelled.release<double>().w_XB_B[2]) /
+                                 (0.5 * (body.I_BP_B(0, 0) + body.I_BP_B(1, 1)));
+  }
+  const double turns = std::abs(frequencies.precession_rad_s) * trend.window_s[1] / kWholeTurn;
+  constexpr double kAlmostOne = 0.99;  // the looks of a run of just one turn may end a little earlier
+  if (turns < kAlmostOne) return under_one_turn(turns);
+  trend.turns_seen = turns;
+  std::vector<double> drift;
+  drift.reserve(count);
+  for (const AzimuthSample& look : azimuths) drift.push_back(look.drift_rad);
+  const TrendEstimate estimate = estimate_trend(drift, step, frequencies);
+  trend.reason = "the swings cannot be told from a trend";
+  if (!std::isfinite(estimate.bound_rad_s)) return trend;
+  trend.reason.clear();
+  trend.azimuth_rate_rad_s = estimate.rate_rad_s;
+  // The drift's own error, at either end, adds to that of the fit.
+  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + unseen_swings(result.modelled, trend.window_s[1]) + 2 * azimuth_bound(result, until) / trend.window_s[1];
+  trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
+  return trend;
+}
+
+}  // namespace earthtop

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/drift/trend.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "earthtop/run_batch.hpp"
+#include "trend/trend_tops.hpp"
+
+namespace earthtop {
+namespace {
+
+using testing::toy_top;
+
+/// A drift with a line, swings of precession and of both, and a swing of nutation that grows with the time.
+std::vector<double> made_drift(double rate, double p, double n, double step, int count) {
+  std::vector<double> drift;
+  for (int i = 0; i < count; ++i) {
+    const double t = step * i;
+    drift.push_back(rate * t + 3e-5 * std::sin(p * t + 0.4) + 4e-6 * std::cos(2 * p * t) + 2e-6 * std::sin((n - p) * t + 1) +
+                    1e-6 * t * std::cos(n * t));
+  }
+  return drift;
+}
+
+TEST(EstimateTrend, TakesTheSwingsOutOfALine) {
+  const double p = 2.2, n = 17.3, rate = 5e-5;
+  for (const double turns : {1.2, 2.5, 4.0, 12.0}) {
+    const int count = 600;
+    const double step = turns * 2 * std::numbers::pi / p / (count - 1);
+    const std::vector<double> drift = made_drift(rate, p, n, step, count);
+    const TrendEstimate estimate = estimate_trend(drift, step, {p + rate, n});  // the drift counts azimuths clockwise
+    const double error = std::abs(estimate.rate_rad_s - rate);
+    EXPECT_LE(error, estimate.bound_rad_s) << turns;
+    // A straight line alone is off by 6 A sin(phase) / (pi N T), about a swing per duration.
+    EXPECT_LT(estimate.bound_rad_s, 0.05 * 3e-5 / (step * (count - 1))) << turns;
+  }
+}
+
+TEST(EstimateTrend, DoesNotDependOnTheSizeOfTheDrift) {
+  std::vector<double> drift = made_drift(5e-5, 2.2, 17.3, 0.02, 600);
+  const TrendEstimate whole = estimate_trend(drift, 0.02, {2.2, 17.3});
+  for (double& value : drift) value *= 1e-290;
+  const TrendEstimate tiny = estimate_trend(drift, 0.02, {2.2, 17.3});
+  EXPECT_NEAR(tiny.rate_rad_s / 1e-290, whole.rate_rad_s, whole.bound_rad_s);
+  EXPECT_GT(tiny.bound_rad_s, 0);
+  EXPECT_EQ(estimate_trend(std::vector<double>(600, 0.0), 0.02, {2.2, 17.3}).rate_rad_s, 0);
+}
+
+TEST(Trend, DoesNotDependOnTheOutputStep) {
+  std::vector<SecularDrift> trends;
+  for (const double step : {0.5, 0.03, 0.001}) {
+    Scenario s = toy_top();
+    s.duration_s = 6;
+    s.output_step_s = step;
+    trends.push_back(run(s).drift.secular.value());
+  }
+  for (const SecularDrift& trend : trends) {
+    EXPECT_EQ(trend.azimuth_rate_rad_s, trends[0].azimuth_rate_rad_s);
+    EXPECT_EQ(trend.azimuth_oscillation_rad, trends[0].azimuth_oscillation_rad);
+    EXPECT_NEAR(*trend.azimuth_rate_bound_95_rad_s, *trends[0].azimuth_rate_bound_95_rad_s,
+                0.2 * *trends[0].azimuth_rate_bound_95_rad_s);
+  }
+}
+
+// Methods that look for the trend on their way, those that need an integration of their own, and lanes agree.
+TEST(Trend, IsTheSameByEveryMethod) {
+  Scenario s = toy_top();
+  s.duration_s = 4;
+  const SecularDrift trend = run(s).drift.secular.value();
+  const double bound = *trend.azimuth_rate_bound_95_rad_s;
+  for (const Method method : {Method::rkf78, Method::dop853, Method::long_horizon}) {
+    Scenario other = s;
+    other.numerics.method = method;
+    other.threshold_rad = method == Method::dop853 ? std::optional(1e-4) : std::nullopt;
+    EXPECT_NEAR(*run(other).drift.secular->azimuth_rate_rad_s, *trend.azimuth_rate_rad_s, bound) << to_string(method);
+  }
+  Scenario watched = s;
+  watched.threshold_rad = 1e-4;
+  EXPECT_NEAR(*run(watched).drift.secular->azimuth_rate_rad_s, *trend.azimuth_rate_rad_s, bound);
+  const std::vector<Scene> scenes(2, Scene(s));
+  for (const BatchOutcome& outcome : run_batch(scenes))
+    EXPECT_NEAR(*outcome.result->drift.secular->azimuth_rate_rad_s, *trend.azimuth_rate_rad_s, bound);
+}
+
+TEST(Trend, TakesATurnOfPrecession) {
+  Scenario s = toy_top();
+  s.duration_s = 1.5;  // a turn takes 1.62 s
+  const SecularDrift trend = run(s).drift.secular.value();
+  EXPECT_FALSE(trend.azimuth_rate_rad_s);
+  EXPECT_FALSE(trend.azimuth_rate_bound_95_rad_s);
+  EXPECT_NEAR(trend.turns_seen.value(), 1.5 / 1.617, 0.01);
+  EXPECT_NE(trend.reason.find("turns of precession"), std::string::npos);
+  s.duration_s = 1.7;
+  EXPECT_TRUE(run(s).drift.secular->azimuth_rate_rad_s);
+}
+
+TEST(Trend, OfABodyWithoutPrecessionIsNotDetermined) {
+  Scenario gyro = toy_top();
+  gyro.body.center_of_mass_m = {0, 0, 0};
+  gyro.duration_s = 20;
+  EXPECT_FALSE(run(gyro).drift.secular->azimuth_rate_rad_s);
+  EXPECT_NE(run(gyro).drift.secular->reason.find("no torque of gravity"), std::string::npos);
+}
+
+// With friction the rate is the mean of the time that is stated, and not that of a conservative top.
+TEST(Trend, WithFrictionIsTheMeanOfItsWindow) {
+  Scenario s = toy_top();
+  s.duration_s = 10;
+  s.effects.applied.viscous_N_m_s = 2e-6;
+  const RunResult result = run(s);
+  const SecularDrift& trend = result.drift.secular.value();
+  EXPECT_TRUE(trend.of_window);
+  EXPECT_EQ(trend.reason, "friction acts");
+  EXPECT_EQ(trend.window_s, (std::array<double, 2>{0, 10}));
+  EXPECT_DOUBLE_EQ(*trend.azimuth_rate_rad_s, *result.rows.back().drift_azimuth_rad / 10);
+  EXPECT_GT(*trend.azimuth_rate_bound_95_rad_s, 0);
+  EXPECT_FALSE(trend.turns_seen);
+  EXPECT_TRUE(result.theory.empty());
+}
+
+/// A sample of what earthtop-trend-coverage counts, with runs 8 times as long.
+const std::vector<testing::TrendJudged>& judged_sample() {
+  static const std::vector<testing::TrendJudged> sample = [] {
+    std::vector<testing::TrendJudged> all;
+    constexpr std::size_t kTops = 60;
+    constexpr double kMostPhase = 1.5e3;
+    for (std::uint64_t i = 0; all.size() < kTops; ++i)
+      if (const auto scenario = testing::random_trend_top(i, kMostPhase))
+        if (auto judged = testing::judge_trend(*scenario, 8)) all.push_back(*std::move(judged));
+    return all;
+  }();
+  return sample;
+}
+
+TEST(Trend, BoundHoldsForLongerRunsAndIsNoLooserThanItMustBe) {
+  std::vector<double> errors, bounds;
+  std::size_t inside = 0;
+  for (const auto& judged : judged_sample()) {
+    // The longer run's own error counts as well.
+    errors.push_back(judged.error() / std::abs(judged.true_rate_rad_s));
+    bounds.push_back(*judged.trend.azimuth_rate_bound_95_rad_s / std::abs(judged.true_rate_rad_s));
+    inside += judged.error() <= *judged.trend.azimuth_rate_bound_95_rad_s + judged.true_bound_rad_s;
+  }
+  // Of 60 tops of which 93.5 % are inside, fewer than 51 are in one of 100 samples.
+  EXPECT_GE(inside, 51U);
+  const auto median = [](std::vector<double>& values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+  };
+  EXPECT_LT(median(bounds), 15 * median(errors));  // 5 over 1000 tops; the median of 60 errors scatters by a factor of 3
+}
+
+TEST(Theory, IsWithinItsStatedErrorWhereItApplies) {
+  std::size_t seen = 0, applies = 0, holds = 0;
+  for (const auto& judged : judged_sample()) {
+    const TheoryReport& theory = judged.theory;
+    if (theory.name != "precession_rate_change" || !theory.computed) continue;
+    ++seen;
+    if (!theory.applies) continue;
+    ++applies;
+    holds += std::abs(theory.predicted - *theory.computed) <= theory.predicted_error + *theory.computed_error;
+  }
+  EXPECT_GE(seen, 40U);
+  EXPECT_GE(10 * applies, 6 * seen);  // its domain is not needlessly small
+  EXPECT_GE(100 * holds, 94 * applies);  // as often as the computed rate's bound holds
+}
+
+// The formula of a fast top, -Omega sin(latitude), is what is left of the prediction where the spin is fast.
+TEST(Theory, OfAFastTopIsOmegaSineOfTheLatitude) {
+  Scenario s = toy_top();
+  s.release.spin_rad_s = 3200;
+  s.release.rates_relative_to = RatesRelativeTo::inertial;
+  s.duration_s = 1;
+  const RunResult result = run(s);
+  ASSERT_EQ(result.theory.size(), 1U);
+  const double expected = -s.rotation_rate_rad_s * std::sin(s.site.latitude_deg * std::numbers::pi / 180);
+  EXPECT_NEAR(result.theory[0].predicted, expected, 1e-3 * std::abs(expected));
+  EXPECT_FALSE(result.theory[0].computed);  // a second is less than a turn
+}
+
+}  // namespace
+}  // namespace earthtop
