@@ -71,10 +71,10 @@ TEST(EstimatedInputs, InertiaRatioAndCenterOfMass) {
   const measure::EstimatedInputs inputs(kTop, {}, base, {"inertia_ratio", "center_of_mass_m", "/body/mass_kg"});
   EXPECT_EQ(inputs.list()[0].start, 0.5);
   EXPECT_EQ(inputs.list()[1].start, 0.1);
-  const auto scene = inputs.scene({0.6, 0.11, 1.5});
+  const auto scene = inputs.scene({0.6, 0.11, 0.8});
   ASSERT_TRUE(scene);
   const Body<double>& body = scene->body<double>();
-  EXPECT_EQ(body.mass, 1.5);
+  EXPECT_EQ(body.mass, 0.8);
   EXPECT_NEAR(body.p_PBcm_B[2], 0.11, 1e-16);
   EXPECT_EQ(body.I_BP_B(0, 0), 0.02);
   EXPECT_EQ(body.I_BP_B(1, 1), 0.02);
