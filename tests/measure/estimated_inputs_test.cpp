@@ -85,9 +85,9 @@ TEST(EstimatedInputs, InertiaRatioAndCenterOfMass) {
   const Overrides solids = {{"/body", R"({"solids": [{"shape": "disc", "radius_m": 0.05, "mass_kg": 0.2, "at_m": 0.03}]})"}};
   const Scene disc = parse_scene(kTop, solids);
   const measure::EstimatedInputs of_disc(kTop, solids, disc, {"center_of_mass_m"});
-  const auto moved = of_disc.scene({0.031});
+  const auto moved = of_disc.scene({0.029});
   ASSERT_TRUE(moved);
-  EXPECT_NEAR(moved->body<double>().p_PBcm_B[2], 0.031, 1e-16);
+  EXPECT_NEAR(moved->body<double>().p_PBcm_B[2], 0.029, 1e-16);
   EXPECT_EQ(moved->body<double>().I_BP_B(0, 0), disc.body<double>().I_BP_B(0, 0));
 }
 
