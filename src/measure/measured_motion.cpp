@@ -123,6 +123,8 @@ bool has_drifts(const Measurement& measurement) {
 PredictedMotion predict(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch) {
   Scenario scenario = measured.scenario();
   prepare(scenario, times_s.back());
+  // The choice of the method depends on the number of rows.
+  scenario.output_step_s = scenario.duration_s / static_cast<double>(std::max<std::size_t>(times_s.size() - 1, 1));
   const Scene scene(std::move(scenario));
   if (const auto& reason = scene.method_refusal()) throw ScenarioError("/numerics/method", *reason);
   scene.require_affordable();

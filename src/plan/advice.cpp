@@ -90,9 +90,12 @@ std::string change_text(const PlanReport& report, const PlanVariation& change) {
 
 std::string advice_on(const PlanReport& report) {
   const PlannedEstimate& target = report.estimates[0];
-  std::string text = target.significance()
+  // Only of the Earth's rate the absence would mean something.
+  const bool is_seen = target.name.starts_with("omega_") || target.name.ends_with("rotation_rate_rad_s");
+  std::string text = is_seen && target.significance()
                          ? fmt::format("{} would be seen at {:.3g} sigma. ", target.name, *target.significance())
-                         : std::string();
+                         : fmt::format("{} would be known to ± {:.3g}{}{}. ", target.name, *target.standard_error,
+                                       target.unit.empty() ? "" : " ", target.unit);
   const auto sentence = [&](const PlanVariation& change) {
     return fmt::format("{}: its standard error would be {:.3g} times smaller, {:.2e}{}{}", change_text(report, change),
                        gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);

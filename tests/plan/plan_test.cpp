@@ -128,6 +128,19 @@ TEST(Plan, StatedUncertaintiesArePriors) {
   EXPECT_NE(rate.notes[0].find("uncertainty of latitude_deg is not used"), std::string::npos);
 }
 
+/// The spin may be given as a rate about body axis 3; a quaternion has no tilt that could be changed.
+TEST(Plan, UncertaintiesOfOtherFormsOfTheRelease) {
+  const Overrides set = {
+      {"/release", R"({"quaternion_LB": {"w": 0.8, "x": 0.6, "y": 0, "z": 0}, "angular_velocity_body_rad_s": [0, 0, 200]})"},
+      {"/uncertainty", R"({"spin_rad_s": 0.5, "tilt_deg": 0.1})"}};
+  const PlanReport report = plan_measurement(shipped("toy-top"), set, plan_for("axis_deg", 0.01, 0.1, 5));
+  ASSERT_EQ(report.estimates.size(), 2u);
+  EXPECT_EQ(report.estimates[1].name, "/release/angular_velocity_body_rad_s/2");
+  EXPECT_EQ(*report.estimates[1].prior, 0.5);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_NE(report.notes[0].find("uncertainty of tilt_deg is not used"), std::string::npos);
+}
+
 /// Of a top's spin and inertia ratio only the product, its angular momentum, is seen. Where a prior tells them apart, the Earth's
 /// rate is seen as well as if the ratio were known exactly.
 TEST(Plan, APriorTellsApartWhatTheDataDoNot) {

@@ -24,7 +24,7 @@ struct PlanArguments {
   std::string scenario;
   std::vector<std::string> quantities, sigmas, estimates, nuisances, design, sets;
   double every_s = 0, correlation_time_s = 0;
-  std::optional<double> until_s;
+  double until_s = 0;  // 0: not given
   std::string svg, data;
   unsigned seed = 1;
   bool json = false, quiet = false;
@@ -47,7 +47,7 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
     plan.quantities.push_back(planned_quantity(arguments.quantities[i], sigma));
   }
   plan.every_s = arguments.every_s;
-  plan.until_s = arguments.until_s;
+  if (arguments.until_s > 0) plan.until_s = arguments.until_s;
   plan.correlation_time_s = arguments.correlation_time_s;
   plan.estimates = arguments.estimates;
   plan.nuisances = arguments.nuisances;
