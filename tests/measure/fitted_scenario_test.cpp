@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-const char* const kTop = R"({
+const char* const kTopWithNote = R"({
   "_note": "kept as it is: 1.50, {",
   "site": { "latitude_deg": 45.0, "height_m": 0 },
   "body": { "mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03],
@@ -26,7 +26,7 @@ const char* const kTop = R"({
 
 class FittedScenario : public MeasurementTest {
  protected:
-  ScenarioSource source() const { return {(directory_.path() / "top.json").string(), kTop}; }
+  ScenarioSource source() const { return {(directory_.path() / "top.json").string(), kTopWithNote}; }
   /// The motion of a slightly other top, with errors.
   Measurement measurement(const Overrides& truth) const {
     Overrides set = truth;
