@@ -34,6 +34,7 @@ constexpr int kMostIterations = 60;
 constexpr double kSmallSimplex = 2e-3;  // rad; a thousandth of the range in its middle
 constexpr double kFirstStep = 0.25;     // rad
 constexpr double kNearLimit = 0.02;     // part of the range; a best value so near to a limit is compared with the limit
+constexpr double kNoWorse = 1e-3;  // a design at a limit is taken if its standard error is not larger by more than this part
 constexpr double kAtLimit = 1e-3;
 constexpr double kNoDesign = 1e3;  // in place of the logarithm of a standard error
 
@@ -69,7 +70,7 @@ class Designs {
     try {
       const Tried tried = bound_at(x, watch);
       error = tried.error;
-      if (error && (!best_ || *error < best_->error)) {
+      if (error && (!best_ || *error < slack_ * best_->error)) {
         if (is_reliable(tried, watch))
           best_ = Best{x, *error, tried.value, tried.rows};
         else
@@ -80,6 +81,13 @@ class Designs {
     if (watch_.asks_to_stop()) throw Stopped();
     if (!error) ++avoided_;
     return error;
+  }
+
+  /// Takes this design for the best one unless it is worse by more than `kNoWorse`.
+  void prefer(const Point& x) {
+    slack_ = 1 + kNoWorse;
+    standard_error(x);
+    slack_ = 1;
   }
 
   struct Best {
@@ -140,7 +148,7 @@ class Designs {
   const std::vector<DesignInput>& design_;
   const Watch& watch_;
   std::int64_t& predictions_;
-  double part_, share_ = 0;
+  double part_, share_ = 0, slack_ = 1;
   std::optional<Best> best_;
   std::int64_t evaluations_ = 0, avoided_ = 0;
 };
@@ -223,7 +231,7 @@ void simplex_search(Designs& designs, const std::vector<DesignInput>& design, co
   if (search.thrown) std::rethrow_exception(search.thrown);
 }
 
-/// Takes numbers that are near a limit to the limit, if that is no worse.
+/// Takes numbers that are near a limit to the limit, if that is hardly worse.
 void try_limits(Designs& designs, const std::vector<DesignInput>& design) {
   for (std::size_t i = 0; i < design.size(); ++i) {
     const double range = design[i].high - design[i].low;
@@ -231,7 +239,7 @@ void try_limits(Designs& designs, const std::vector<DesignInput>& design) {
     const double before = x[i];
     if (x[i] - design[i].low < kNearLimit * range) x[i] = design[i].low;
     if (design[i].high - x[i] < kNearLimit * range) x[i] = design[i].high;
-    if (x[i] != before) designs.standard_error(x);
+    if (x[i] != before) designs.prefer(x);
   }
 }
 

@@ -9,18 +9,26 @@
 namespace earthtop::testing {
 namespace {
 
-TEST(PlanScatter, ThousandEstimatesScatterAsPlanned) {
+/// @param name  of the case
+void expect_scatter_as_planned(const std::string& name) {
   for (const ScatterCase& what : scatter_cases()) {
+    if (what.name != name) continue;
     const Scatter scatter = scatter_of(what, 1000);
     for (std::size_t j = 0; j < scatter.names.size(); ++j) {
-      const std::string name = what.name + ' ' + scatter.names[j];
-      fmt::print("{}: scatter {:.4f} of the planned one, mean {:+.4f} planned errors\n", name, scatter.over_prediction[j],
+      const std::string number = name + ' ' + scatter.names[j];
+      fmt::print("{}: scatter {:.4f} of the planned one, mean {:+.4f} planned errors\n", number, scatter.over_prediction[j],
                  scatter.mean_pull[j]);
-      EXPECT_NEAR(scatter.over_prediction[j], 1, 0.08) << name;
-      EXPECT_NEAR(scatter.mean_pull[j], 0, 0.1) << name;
+      EXPECT_NEAR(scatter.over_prediction[j], 1, 0.08) << number;
+      EXPECT_NEAR(scatter.mean_pull[j], 0, 0.1) << number;
     }
+    return;
   }
+  FAIL() << "no case " << name;
 }
+
+TEST(PlanManyScatter, HeavyTop) { expect_scatter_as_planned("heavy top"); }
+TEST(PlanManyScatter, Friction) { expect_scatter_as_planned("friction"); }
+TEST(PlanManyScatter, Gyrocompass) { expect_scatter_as_planned("gyrocompass"); }
 
 }  // namespace
 }  // namespace earthtop::testing

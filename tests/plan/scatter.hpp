@@ -15,7 +15,7 @@ struct ScatterCase {
   Overrides set;
   MeasurementPlan plan;
 };
-/// A heavy top, one with friction, a gyrocompass, and one whose errors are correlated in no way.
+/// A heavy top, one with friction, and a gyrocompass.
 std::vector<ScatterCase> scatter_cases();
 
 struct Scatter {
