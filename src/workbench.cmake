@@ -42,6 +42,7 @@ add_library(earthtop-workbench
   measure/file.cpp
   measure/fitted_scenario.cpp
   measure/influences.cpp
+  measure/input_places.cpp
   measure/measured_motion.cpp
   measure/measurement.cpp
   measure/priors.cpp

@@ -11,6 +11,7 @@
 
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
@@ -21,14 +22,6 @@ namespace {
 
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 
-struct NamedInput {
-  std::string_view name, pointer;
-};
-constexpr NamedInput kNamedInputs[] = {{"rotation_rate_rad_s", "/earth/rotation_rate_rad_s"},
-                                       {"latitude_deg", "/site/latitude_deg"},
-                                       {"gravity_m_s2", "/site/gravity_m_s2"},
-                                       {"spin_rad_s", "/release/spin_rad_s"},
-                                       {"tilt_deg", "/release/tilt_deg"}};
 struct CombinedName {
   std::string_view name;
   CombinedInput combined;
@@ -42,7 +35,7 @@ constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
     "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, release, "
-    "platform or effects, as /release/azimuth_deg";
+    "contact, platform or effects, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
@@ -91,9 +84,9 @@ void EstimatedInputs::refuse_conflicts() const {
 }
 
 void EstimatedInputs::add(const std::string& name) {
-  const auto* named = std::find_if(std::begin(kNamedInputs), std::end(kNamedInputs),
-                                   [&](const NamedInput& input) { return input.name == name; });
-  const std::string pointer(named != std::end(kNamedInputs) ? named->pointer : name);
+  // The inputs of the `uncertainty` block may be called by their names.
+  const auto named = std::ranges::find_if(kInputs, [&](const InputRow& row) { return row.name() == name && !row.of.empty(); });
+  const std::string pointer(named != kInputs.end() ? named->of : name);
   for (const EstimatedInput& input : list_)
     if (input.name == name || input.pointer == pointer) refuse_estimate(name, "is asked for twice");
   for (const CombinedName& combined : kCombinedNames)
@@ -101,7 +94,7 @@ void EstimatedInputs::add(const std::string& name) {
   if (!pointer.starts_with('/')) {
     std::vector<std::string_view> names;
     for (const CombinedName& combined : kCombinedNames) names.push_back(combined.name);
-    for (const NamedInput& input : kNamedInputs) names.push_back(input.name);
+    for (const InputRow& row : kInputs) names.push_back(row.name());
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }

@@ -7,7 +7,6 @@
 #include <map>
 #include <string_view>
 
-#include "earthtop/elementary.hpp"
 #include "measure/measured_motion.hpp"
 
 namespace earthtop::measure {
@@ -21,11 +20,9 @@ Whitening::Whitening(const std::vector<MeasurementResidual>& residuals, double t
     const auto [place, is_first] = latest.try_emplace(residual.quantity, i);
     if (!is_first) {
       const MeasurementResidual& before = residuals[place->second];
-      const double elapsed = (residual.t_s - before.t_s) / tau_s;
       link.before = place->second;
-      link.rho = real::exp(-elapsed);
-      link.root = std::sqrt(-real::expm1(-2 * elapsed));
-      if (!(link.root > 0)) {
+      link.memory = error_memory(residual.t_s - before.t_s, tau_s);
+      if (!(link.memory.fresh > 0)) {
         const std::string message = fmt::format(
             "{} at {:.9g} s stands on line {} too: with a correlation time their errors would be the same; keep one, or their "
             "mean",
@@ -45,13 +42,13 @@ void Whitening::whiten(Eigen::VectorXd& normalised) const {
     const Link& link = links_[i];
     if (!link.before) continue;
     const auto at = static_cast<Eigen::Index>(i), before = static_cast<Eigen::Index>(*link.before);
-    const double expected = link.rho * unfolded[before];
+    const double expected = link.memory.rho * unfolded[before];
     double fresh = unfolded[at] - expected;
     if (link.period > 0 && std::abs(fresh) > link.period / 2) {
       fresh = std::remainder(fresh, link.period);
       unfolded[at] = expected + fresh;
     }
-    normalised[at] = fresh / link.root;
+    normalised[at] = fresh / link.memory.fresh;
   }
 }
 
@@ -60,7 +57,7 @@ void Whitening::whiten_derivative(Eigen::VectorXd& derivative) const {
     const Link& link = links_[i];
     if (!link.before) continue;
     double& value = derivative[static_cast<Eigen::Index>(i)];
-    value = (value - link.rho * derivative[static_cast<Eigen::Index>(*link.before)]) / link.root;
+    value = (value - link.memory.rho * derivative[static_cast<Eigen::Index>(*link.before)]) / link.memory.fresh;
   }
 }
 

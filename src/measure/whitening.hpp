@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "earthtop/measure/measurement.hpp"
+#include "measure/error_memory.hpp"
 
 namespace earthtop::measure {
 
@@ -32,8 +33,8 @@ class Whitening {
   /// How a value depends on the one before it in its series.
   struct Link {
     std::optional<std::size_t> before;
-    double rho = 0, root = 1;  // exp(-dt / tau), sqrt(1 - rho^2)
-    double period = 0;         // a whole turn in standard errors; 0: none
+    ErrorMemory memory = {};
+    double period = 0;  // a whole turn in standard errors; 0: none
   };
   std::vector<Link> links_;  // empty for independent errors
 };

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earthtop/elementary.hpp"
 #include "error/gsl_errors.hpp"
+#include "measure/error_memory.hpp"
 #include "measure/influences.hpp"
 
 namespace earthtop::plan {
@@ -49,9 +49,9 @@ RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
     Index& before = latest[value.series];
     J.row(to) = all.J.row(chosen[k]);
     if (choice.correlation_time_s > 0 && before >= 0) {
-      const double elapsed = (value.t_s - all.values[static_cast<std::size_t>(before)].t_s) / choice.correlation_time_s;
-      const double rho = real::exp(-elapsed), root = std::sqrt(-real::expm1(-2 * elapsed));
-      J.row(to) = (J.row(to) - rho * all.J.row(before)) / root;
+      const double elapsed_s = value.t_s - all.values[static_cast<std::size_t>(before)].t_s;
+      const auto [rho, fresh] = measure::error_memory(elapsed_s, choice.correlation_time_s);
+      J.row(to) = (J.row(to) - rho * all.J.row(before)) / fresh;
     }
     before = chosen[k];
     J.row(to) /= choice.sigma_factor;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "measure/input_places.hpp"
 #include "plan/planned_rows.hpp"
 
 namespace earthtop::plan {
@@ -16,29 +16,14 @@ using measure::EstimatedInputs;
 
 namespace {
 
-/// The estimable inputs that an input of the `uncertainty` block may be, the usual one first, and their change for a unit of it.
-struct InputPlace {
-  std::string_view name;
-  const char* estimated;
-  double per_unit;
-};
-constexpr InputPlace kPlaces[] = {{"latitude_deg", "latitude_deg", 1},
-                                  {"gravity_m_s2", "gravity_m_s2", 1},
-                                  {"spin_rad_s", "spin_rad_s", 1},
-                                  {"spin_rad_s", "/release/spin_rpm", 30 / std::numbers::pi},
-                                  {"spin_rad_s", "/release/angular_velocity_body_rad_s/2", 1},
-                                  {"tilt_deg", "tilt_deg", 1},
-                                  {"rotation_rate_rad_s", "rotation_rate_rad_s", 1},
-                                  {"inertia_ratio", "inertia_ratio", 1},
-                                  {"center_of_mass_m", "center_of_mass_m", 1}};
-
 using InputsOf = std::function<EstimatedInputs(const std::vector<std::string>&)>;
 
 /// Adds a prior on an input, and the input if it is not estimated yet. @param why  is set to the reason of the first refusal
 /// @returns whether the scenario has this input, and it can be estimated beside the others
-bool add_prior(Numbers& numbers, const InputPlace& place, double standard_error, const InputsOf& inputs_of, std::string& why) {
+bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standard_error, const InputsOf& inputs_of,
+               std::string& why) {
   try {
-    const EstimatedInputs alone = inputs_of({place.estimated}), asked = inputs_of(numbers.names);
+    const EstimatedInputs alone = inputs_of({std::string(place.estimated)}), asked = inputs_of(numbers.names);
     const measure::EstimatedInput& input = alone.list()[0];
     const auto same = std::find_if(asked.list().begin(), asked.list().end(), [&](const measure::EstimatedInput& candidate) {
       return candidate.pointer == input.pointer && candidate.combined == input.combined;
@@ -94,14 +79,13 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
   };
   inputs_of(numbers.names);  // refuses what cannot be estimated
   const auto& uncertainty = scene.scenario().uncertainty;
-  for (std::size_t k = 0; uncertainty && k < kInputNames.size(); ++k) {
-    const std::string name(kInputNames[k]);
+  for (std::size_t k = 0; uncertainty && k < kInputs.size(); ++k) {
     if (!((*uncertainty)[k] > 0)) continue;
     std::string why;
     bool is_used = false;
-    for (const InputPlace& place : kPlaces)
-      if (!is_used && place.name == name) is_used = add_prior(numbers, place, (*uncertainty)[k], inputs_of, why);
-    if (!is_used) numbers.notes.push_back(fmt::format("the stated uncertainty of {} is not used: {}", name, why));
+    for (const measure::InputPlace& place : measure::places_of(kInputs[k]))
+      if (!is_used) is_used = add_prior(numbers, place, (*uncertainty)[k], inputs_of, why);
+    if (!is_used) numbers.notes.push_back(fmt::format("the stated uncertainty of {} is not used: {}", kInputNames[k], why));
   }
   return numbers;
 }

@@ -10,6 +10,7 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/plan/plan.hpp"
+#include "measure/error_memory.hpp"
 #include "plan/planned_rows.hpp"
 #include "plan/preparation.hpp"
 
@@ -41,7 +42,7 @@ class Normal {
   std::optional<double> spare_;
 };
 
-/// The errors of one series, in its standard error: e_k = rho e_(k-1) + sqrt(1 - rho^2) z_k with rho = exp(-dt / tau).
+/// The errors of one series, in its standard error.
 class SeriesErrors {
  public:
   double next(double t_s, double correlation_time_s, Normal& normal) {
@@ -49,8 +50,8 @@ class SeriesErrors {
     if (!(correlation_time_s > 0) || !has_latest_) {
       latest_ = fresh;
     } else {
-      const double elapsed = (t_s - t_s_) / correlation_time_s;
-      latest_ = real::exp(-elapsed) * latest_ + std::sqrt(-real::expm1(-2 * elapsed)) * fresh;
+      const measure::ErrorMemory memory = measure::error_memory(t_s - t_s_, correlation_time_s);
+      latest_ = memory.rho * latest_ + memory.fresh * fresh;
     }
     has_latest_ = true;
     t_s_ = t_s;

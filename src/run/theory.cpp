@@ -11,7 +11,7 @@
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "run/assessment.hpp"
-#include "run/top_constants.hpp"
+#include "closed_form/top_constants.hpp"
 
 namespace earthtop {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "closed_form/mean_precession.hpp"
 #include "run/assessment.hpp"
-#include "run/top_constants.hpp"
+#include "closed_form/top_constants.hpp"
 
 namespace earthtop {
 namespace {

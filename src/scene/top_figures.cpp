@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "closed_form/principal_axes.hpp"
+#include "closed_form/top_constants.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/body.hpp"
@@ -128,30 +129,6 @@ void add_precession(TopFigures& top, const SymmetricTop<double>& body, double co
     top.notes.emplace_back("without spin the two precessions are those of a conical pendulum, either way round");
 }
 
-/// The mean rate of the azimuth over one period of the tilt (rad/s), the mean of w_across.z / sin^2(tilt) at equal times: for a
-/// periodic function without singularities such means converge exponentially. Empty if they have not converged, as where the axis
-/// passes next to the vertical.
-std::optional<double> mean_precession(const LagrangeTop<double>& motion, double period_s) {
-  constexpr int kMostTimes = 1 << 13;
-  constexpr double kConverged = 1e-12;  // of a turn in a period; at() errs by some 20 eps
-  const auto rate_at = [&](double t_s) {
-    const ClosedFormState<double> state = motion.at(t_s);
-    const Vec3<double> up_B = rotation_matrix(state.q_NB).row(2).transpose();
-    return (up_B[0] * state.w_NB_B[0] + up_B[1] * state.w_NB_B[1]) / (up_B[0] * up_B[0] + up_B[1] * up_B[1]);
-  };
-  double sum = 0, before = 0;
-  for (int times = 16; times <= kMostTimes; times *= 2) {
-    const int stride = times == 16 ? 1 : 2;  // the times between those summed already
-    for (int i = stride - 1; i < times; i += stride) sum += rate_at(period_s * i / times);
-    const double mean = sum / times;
-    if (!std::isfinite(mean)) return std::nullopt;
-    if (times > 16 && std::abs(mean - before) <= kConverged * std::max(std::abs(mean), 2 * std::numbers::pi / period_s))
-      return mean;
-    before = mean;
-  }
-  return std::nullopt;
-}
-
 /// Whether the axis keeps away from the vertical, so that its azimuth has a mean rate.
 bool goes_round_the_vertical(LagrangeRegime regime) {
   return regime == LagrangeRegime::steady || regime == LagrangeRegime::wavy || regime == LagrangeRegime::cusped ||
@@ -182,7 +159,8 @@ void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Relea
   give(2 * std::numbers::pi / period,
        regime == LagrangeRegime::steady ? NutationKind::small_amplitude : NutationKind::of_release);
   if (goes_round_the_vertical(regime)) {
-    top.mean_precession_rad_s = mean_precession(motion, period);
+    if (const auto rates = mean_rates(top_constants(body, release.q_LB, release.w_XB_B)))
+      top.mean_precession_rad_s = rates->precession_rad_s;
     if (!top.mean_precession_rad_s) top.left_out.emplace_back("mean precession: the axis passes too near the vertical");
   }
   if (regime == LagrangeRegime::plane_swinging)

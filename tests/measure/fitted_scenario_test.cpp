@@ -75,6 +75,11 @@ TEST_F(FittedScenario, HasTheVerticalRate) {
                      {{"/site/gravity_m_s2", "9.8"}, {"/earth/rotation_rate_rad_s", "-1e-3"}});
 }
 
+TEST_F(FittedScenario, HasInputsThatAreNoNumbersOfTheText) {
+  expect_same_motion({"omega_cos_latitude_rad_s", "omega_sin_latitude_rad_s"}, {}, {{"/earth/rotation_rate_rad_s", "1e-3"}});
+  expect_same_motion({"inertia_ratio", "center_of_mass_m"}, {}, {{"/body/center_of_mass_m/2", "0.030001"}});
+}
+
 // A coefficient of a table's friction from the axis of a top that slips on it, as `run` computes it.
 TEST_F(FittedScenario, HasACoefficientOfFriction) {
   const auto top = shipped("toy-top-on-table");
