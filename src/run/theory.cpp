@@ -176,7 +176,9 @@ double unseen_swings(const Scene& scene, double duration_s) {
   const double first_order = slope(1, 0) * 2 * swing / (scale * scale) + slope(0, 1) * swing / std::abs(beat) / scale;
   // Of second order is what the Earth's own nutation of a steady precession makes; a factor of 1.6 to 2.5 was seen.
   constexpr double kSecondOrderSwing = 3;
-  return first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat);
+  // The factor in front was found by counting, with that of the trend's bound.
+  constexpr double kCounted = 0.85;
+  return kCounted * (first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat));
 }
 
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
