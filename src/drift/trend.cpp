@@ -18,17 +18,17 @@ namespace {
 /// those that grow with the time.
 struct Swings {
   int precessions, nutations, sums, growing;
-  double edge;              ///< part of the window over which the weights fall to zero at either end
-  double edge_nutations;    ///< the same in periods of nutation, if that is shorter; 0: not asked for
+  double edge;            ///< part of the window over which the weights fall to zero at either end
+  double edge_nutations;  ///< the same in periods of nutation, if that is shorter; 0: not asked for
 };
-constexpr std::array kFits{Swings{2, 0, 0, 0, 0.25, 0}, Swings{3, 0, 0, 0, 0.4, 0}, Swings{2, 1, 1, 1, 0.25, 8},
+constexpr std::array kFits{Swings{2, 0, 0, 0, 0.25, 0}, Swings{3, 0, 0, 0, 0.4, 0},  Swings{2, 1, 1, 1, 0.25, 8},
                            Swings{2, 1, 1, 1, 0, 0},    Swings{2, 2, 1, 2, 0.25, 8}, Swings{2, 3, 2, 3, 0.4, 0}};
 
 /// A swing, as an odd function of the time from the middle of the window.
 struct Swing {
-  double rate;   ///< rad/s
-  bool grows;    ///< with the time: time x cosine instead of a sine
-  double size;   ///< expected, relative to the others
+  double rate;  ///< rad/s
+  bool grows;   ///< with the time: time x cosine instead of a sine
+  double size;  ///< expected, relative to the others
 };
 
 /// A function that rises from 0 to 1 between 0 and 1 and has all derivatives.
@@ -40,7 +40,7 @@ double smooth_step(double x) {
 }
 
 std::vector<Swing> swings_of(const Swings& fit, const TrendFrequencies& frequencies, double half_width) {
-  constexpr double kDecay = 0.5;       // of the swings from one multiple of a frequency to the next
+  constexpr double kDecay = 0.5;  // of the swings from one multiple of a frequency to the next
   constexpr double kGrowing = 0.1;
   std::vector<Swing> swings;
   const double p = frequencies.precession_rad_s, n = frequencies.nutation_rad_s;

@@ -168,7 +168,7 @@ TEST(Theory, IsWithinItsStatedErrorWhereItApplies) {
     holds += std::abs(theory.predicted - *theory.computed) <= theory.predicted_error + *theory.computed_error;
   }
   EXPECT_GE(seen, 40U);
-  EXPECT_GE(10 * applies, 6 * seen);  // its domain is not needlessly small
+  EXPECT_GE(10 * applies, 6 * seen);     // its domain is not needlessly small
   EXPECT_GE(100 * holds, 94 * applies);  // as often as the computed rate's bound holds
 }
 
