@@ -17,7 +17,7 @@ struct TopConstants {
 struct MeanRates {
   double precession_rad_s = 0;  ///< mean rate of the axis's azimuth, counterclockwise about Up
   double nutation_rad_s = 0;    ///< 2 pi over the period of the tilt
-  int terms = 0;                ///< steps within half a period that the means took: the more, the less the motion is like a sine
+  int terms = 0;  ///< steps within half a period that the means took: the more, the less the motion is like a sine
 };
 
 /// With u = cos(tilt), (du/dt)^2 = (1 - u^2)(energy - gravity u) - (vertical - axial u)^2 and the azimuth's rate is

@@ -52,7 +52,8 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     if (row >= problem.times_s.size()) return;
     trajectory.samples.push_back(watcher.sample(state, times[look], problem.times_s[row]));
     if constexpr (HasContact<System, T>)
-      trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[look]));
+      trajectory.samples.back().contact =
+          std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[look]));
     if (row == 0 && times[0] == T(0)) set_release_rates(problem, trajectory.samples.front().state);
   };
   if constexpr (HasContact<System, T>) {

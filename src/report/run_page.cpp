@@ -91,7 +91,8 @@ std::string trend_of(const Run& run) {
   const auto predicted = run.number("/theory/0/predicted"), error = run.number("/theory/0/predicted_error");
   if (predicted && error && run.word("/theory/0/name") == "precession_rate_change")
     html += fmt::format("<p>First-order theory: {} ± {}{}.</p>\n", number_html(0.0 - *predicted, "rad/s"),
-                        number_html(*error, "rad/s", 2), run.results.summary->value(Json::json_pointer("/theory/0/applies"), true) ? "" : ": it does not apply");
+                        number_html(*error, "rad/s", 2),
+                        run.results.summary->value(Json::json_pointer("/theory/0/applies"), true) ? "" : ": it does not apply");
   return html;
 }
 

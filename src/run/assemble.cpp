@@ -237,8 +237,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
                                          : assess_invariants(result, rows);
     if (stop()) return stopped(scene, made, partial);
-    result.drift.secular =
-        assess_trend(result, made.trend, made.first.azimuths, made.options, made.first.kick_steps, rows);
+    result.drift.secular = assess_trend(result, made.trend, made.first.azimuths, made.options, made.first.kick_steps, rows);
     if (stop()) return stopped(scene, made, partial);
     result.theory = assess_theory(scene, result.rows, result.drift);
     if (stop()) return stopped(scene, made, partial);

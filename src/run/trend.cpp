@@ -158,8 +158,8 @@ TrendPlan plan_trend(const Scene& scene) {
   }
   const double duration = scene.scenario().duration_s;
   if (scene.symmetry_axis() == 2) {
-    const std::optional<MeanRates> rates = mean_rates(top_constants(scene.body<double>(), scene.axial_gravity_torque_N_m(),
-                                                                    scene.release<double>().q_LB, scene.release<double>().w_XB_B));
+    const std::optional<MeanRates> rates = mean_rates(top_constants(
+        scene.body<double>(), scene.axial_gravity_torque_N_m(), scene.release<double>().q_LB, scene.release<double>().w_XB_B));
     if (!rates || rates->precession_rad_s == 0) {
       plan.no_precession = "the azimuth of the non-rotating prediction does not go round at a mean rate";
       return plan;
@@ -171,19 +171,20 @@ TrendPlan plan_trend(const Scene& scene) {
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
     const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
-    plan.times_s = times_in_steps(
-        duration, step_between_looks(duration, std::max(turns * kAzimuthsAPrecession, of_nutation), period));
+    plan.times_s =
+        times_in_steps(duration, step_between_looks(duration, std::max(turns * kAzimuthsAPrecession, of_nutation), period));
     return plan;
   }
   constexpr double kAzimuthsATurn = 3.3;
-  const double looks = std::clamp(duration * scene.fastest_rate_rad_s() / kWholeTurn * kAzimuthsATurn, kAzimuths, kMostAzimuths);
+  const double looks =
+      std::clamp(duration * scene.fastest_rate_rad_s() / kWholeTurn * kAzimuthsATurn, kAzimuths, kMostAzimuths);
   plan.times_s = times_in_steps(duration, duration / std::ceil(looks));
   return plan;
 }
 
-std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan,
-                                         std::span<const AzimuthSample> seen, const IntegrationOptions& options,
-                                         const std::optional<KickSteps>& kick_steps, const Watch& watch) {
+std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan, std::span<const AzimuthSample> seen,
+                                         const IntegrationOptions& options, const std::optional<KickSteps>& kick_steps,
+                                         const Watch& watch) {
   if (std::ranges::count_if(result.rows, [](const DriftRow& row) { return row.drift_azimuth_rad.has_value(); }) < 3)
     return std::nullopt;
   SecularDrift trend;
@@ -244,7 +245,8 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   trend.reason.clear();
   trend.azimuth_rate_rad_s = estimate.rate_rad_s;
   // The drift's own error, at either end, adds to that of the fit.
-  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + unseen_swings(result.modelled, trend.window_s[1]) + 2 * azimuth_bound(result, until) / trend.window_s[1];
+  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + unseen_swings(result.modelled, trend.window_s[1]) +
+                                      2 * azimuth_bound(result, until) / trend.window_s[1];
   trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
   return trend;
 }

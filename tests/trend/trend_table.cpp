@@ -54,15 +54,16 @@ int main(int argc, char** argv) {
       if (judged->theory.applies) ++applies, theory_holds += used <= 1;
     }
     if (list)
-      fmt::print("{:12} turns {:6.2f} rate {:+.3e} error {:.1e} bound {:.1e} longer run's {:.1e} {} theory {} off {:.1e} stated "
-                 "{:.1e} uses {:.2g}{}\n",
-                 scenario->name, judged->trend.turns_seen.value_or(0), judged->true_rate_rad_s, error, bound,
-                 judged->true_bound_rad_s, holds ? "" : "BEYOND", judged->theory.applies ? "applies" : "does not",
-                 judged->theory.computed ? std::abs(judged->theory.predicted - *judged->theory.computed) : 0.0,
-                 judged->theory.predicted_error, used, used > 1 && judged->theory.applies ? " THEORY" : "");
+      fmt::print(
+          "{:12} turns {:6.2f} rate {:+.3e} error {:.1e} bound {:.1e} longer run's {:.1e} {} theory {} off {:.1e} stated "
+          "{:.1e} uses {:.2g}{}\n",
+          scenario->name, judged->trend.turns_seen.value_or(0), judged->true_rate_rad_s, error, bound, judged->true_bound_rad_s,
+          holds ? "" : "BEYOND", judged->theory.applies ? "applies" : "does not",
+          judged->theory.computed ? std::abs(judged->theory.predicted - *judged->theory.computed) : 0.0,
+          judged->theory.predicted_error, used, used > 1 && judged->theory.applies ? " THEORY" : "");
   }
-  fmt::print("{} tops: the rate of a run {} times as long is within the bound of {} ({:.1f} %)\n", judged_tops, numbers[1], inside,
-             100.0 * inside / judged_tops);
+  fmt::print("{} tops: the rate of a run {} times as long is within the bound of {} ({:.1f} %)\n", judged_tops, numbers[1],
+             inside, 100.0 * inside / judged_tops);
   fmt::print("median error {:.2e}, median bound {:.2e} rad/s (ratio {:.2f}); relative {:.2e}, {:.2e} (ratio {:.2f})\n",
              median(errors), median(bounds), median(bounds) / median(errors), median(relative_errors), median(relative_bounds),
              median(relative_bounds) / median(relative_errors));

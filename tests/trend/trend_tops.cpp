@@ -68,7 +68,8 @@ std::optional<Scenario> random_trend_top(std::uint64_t index, double most_phase)
   const double mgl = mass * s.site.gravity_m_s2 * l, I1 = (across + other) / 2 + along + mass * l * l, I3 = across + other;
   const double critical = 2 * std::sqrt(I1 * mgl) / I3;
   const bool slow = random.uniform(0, 1) < 0.25;
-  s.release.spin_rad_s = (random.coin() ? 1 : -1) * critical * (slow ? random.log_uniform(0.2, 1.2) : random.log_uniform(1.2, 20));
+  s.release.spin_rad_s =
+      (random.coin() ? 1 : -1) * critical * (slow ? random.log_uniform(0.2, 1.2) : random.log_uniform(1.2, 20));
   const double precession = random.uniform(0, 1);
   if (precession > 0.75 || (precession > 0.45 && across != other)) {
     s.release.precession = Precession::given;

@@ -8,10 +8,10 @@ namespace earthtop {
 
 /// One look at the two axes for the trend.
 struct AzimuthSample {
-  bool defined = true;                ///< false where an axis is vertical
-  double drift_rad = 0;               ///< compass azimuth less that of the reference, continuous
-  double ref_east = 0, ref_north = 0; ///< horizontal part of the reference axis
-  double horizontal = 0;              ///< length of the horizontal part of the rotating axis
+  bool defined = true;                 ///< false where an axis is vertical
+  double drift_rad = 0;                ///< compass azimuth less that of the reference, continuous
+  double ref_east = 0, ref_north = 0;  ///< horizontal part of the reference axis
+  double horizontal = 0;               ///< length of the horizontal part of the rotating axis
 };
 
 /// The frequencies of the reference motion: its azimuth turns at `precession` (rad/s, counterclockwise about Up, the mean) and
