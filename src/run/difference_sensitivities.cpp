@@ -27,7 +27,7 @@ constexpr double kGood = 1e-6;       // error of a derivative, as a share, for w
 constexpr double kUnsettled = 0.1;   // difference of two extrapolations, as a share, above which there is no derivative
 constexpr double kNoiseSafety = 4;   // times the largest second difference seen, for the noise of a drift
 constexpr double kProbe = 0.004;     // rad: so small a change of the fastest phase that a drift's curvature does not show
-constexpr std::size_t kProbed[] = {1, 2, 3};  // gravity, spin and tilt, which every scene has
+constexpr std::size_t kProbed[] = {0, 1, 2};  // latitude, gravity and spin, which every scene has
 constexpr double kDriftRounding = 1e-13;      // of a drift, as a share: what a bound leaves out
 
 /// A derivative and a bound on its error.

@@ -2,6 +2,7 @@
 // earthtop explain: the effect budget of a scenario.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scenario/inputs.hpp"
 #include "explain_text.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
@@ -45,13 +47,9 @@ std::string effects_text(const Budget& budget) {
   return text;
 }
 
-/// The unit of an input, from its name, which ends with the unit like the keys of a scenario.
-std::string unit_of(const std::string& name) {
-  if (name.ends_with("_deg")) return "deg";
-  if (name.ends_with("_rad_s")) return "rad/s";
-  if (name.ends_with("_m_s2")) return "m/s^2";
-  if (name.ends_with("_m")) return "m";
-  return "";
+std::string_view unit_of(const std::string& name) {
+  const auto* row = std::ranges::find(kInputs, name, &InputRow::name);
+  return row != kInputs.end() ? row->unit : "";
 }
 
 std::string inputs_text(const Budget& budget) {
@@ -59,11 +57,13 @@ std::string inputs_text(const Budget& budget) {
   std::string text =
       fmt::format("How well the inputs must be known: an error that moves the axis as far as the Earth does, {:.3e} rad\n",
                   budget.earth_drift_rad);
+  std::size_t width = 22;
+  for (const InputNeed& need : budget.inputs) width = std::max(width, need.name.size() + 2);
   for (const InputNeed& need : budget.inputs) {
     const std::string relative =
         need.value != 0 && need.hides_earth ? fmt::format(", {:.1e} of it", *need.hides_earth / std::abs(need.value)) : "";
     text += fmt::format(
-        "  {:<22}{:>14.6g}   {}\n", need.name, need.value,
+        "  {:<{}}{:>14.6g}   {}\n", need.name, width, need.value,
         need.hides_earth ? fmt::format("{:.2e} {}{}", *need.hides_earth, unit_of(need.name), relative) : "has no part in it");
   }
   text += "  (of latitude and rotation rate: an error that changes the drift by all of itself)\n";
