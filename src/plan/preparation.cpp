@@ -49,8 +49,6 @@ Scene scene_to_measure(const ScenarioSource& source, const Overrides& overrides)
   Scene scene = parse_scene(source, overrides);
   if (scene.scenario().effects.automatic)
     throw ScenarioError("/effects", "the choice of effects is left to the program; name those to plan a measurement with");
-  if (scene.scenario().contact)
-    throw ScenarioError("/contact", "a measurement is planned for the motion of a top on a fixed pivot only");
   return scene;
 }
 

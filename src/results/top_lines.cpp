@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
   lines.emplace_back("the same", fmt::format("{} kg m² about the centre of mass", listed(top.moments_about_center_kg_m2)));
   std::string spin = in_rpm(top.spin_rad_s) + " about axis 3";
   if (top.critical_spin_rad_s && top.spin_over_critical)
-    spin += fmt::format(", {:.4g} of the critical spin of {}", *top.spin_over_critical, in_rpm(*top.critical_spin_rad_s));
+    spin += fmt::format(", {:.4g} times the critical spin of {}", *top.spin_over_critical, in_rpm(*top.critical_spin_rad_s));
   lines.emplace_back("spin", spin);
   if (top.rim_speed_m_s) lines.emplace_back("rim speed", fmt::format("{:.4g} m/s", *top.rim_speed_m_s));
   if (top.mean_precession_rad_s)

@@ -277,13 +277,6 @@ Method any_method(const Scenario& scenario, Random& random) {
 
 }  // namespace
 
-Site random_site(Random& random) {
-  constexpr std::array kSpecial{90.0, -90.0, 0.0};
-  const double where = random.uniform(0, 1);
-  return {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
-          random.uniform(9.76, 9.84)};
-}
-
 std::span<const Stratum> strata() { return kStrata; }
 
 Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase) {

@@ -17,9 +17,6 @@ struct Stratum {
 };
 std::span<const Stratum> strata();
 
-/// A place at a pole, on the equator or anywhere, with some gravity.
-Site random_site(Random& random);
-
 /// Scene `index` of a stratum, the same on every platform. It has a dozen rows, over a duration in which the fastest rate turns
 /// through `least_phase` to `largest_phase` rad, distributed log-uniformly.
 Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);

@@ -92,6 +92,14 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+/// A place at a pole, on the equator or anywhere, with some gravity.
+inline Site random_site(Random& random) {
+  constexpr std::array kSpecial{90.0, -90.0, 0.0};
+  const double where = random.uniform(0, 1);
+  return {where < 0.3 ? kSpecial[static_cast<std::size_t>(where * 10)] : random.uniform(-90, 90), 0, 0,
+          random.uniform(9.76, 9.84)};
+}
+
 /// A random top, over `radians` of its fastest rate: symmetric or not, centre of mass on the axis or anywhere, any latitude
 /// (poles and equator among them), both matching rules, Earth rates from 1e-6 to 1 rad/s.
 inline Scenario random_scene(std::uint64_t seed, double radians) {
