@@ -320,7 +320,6 @@ TEST(Plan, RefusalsSayWhatInstead) {
   refused([] { design_input("/release/tilt_deg=6:5"); }, "below the second");
   // A vertical axis has no azimuth.
   refused([&] { plan_measurement(source, {{"/release/tilt_deg", "0"}}, plan_for("azimuth_deg", 1, 1, 10)); }, "has no azimuth");
-  refused([&] { plan_measurement(shipped("rolling-ball"), {}, plan_for("azimuth_deg", 1, 1, 10)); }, "fixed pivot");
 }
 
 TEST(Plan, TheDocumentAndThePictureHaveEverything) {

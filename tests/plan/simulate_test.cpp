@@ -24,6 +24,24 @@ std::vector<MeasurementResidual> residuals_of(const MeasurementPlan& plan, std::
   return compare_with_measurement(shipped("free-gyro"), set, read_measurement(file), {}).residuals;
 }
 
+/// A top on a table is planned by the same motions that a fit computes: the standard errors are those of the fit.
+TEST(PlanData, OfATopOnATableIsFittedAsPlanned) {
+  MeasurementPlan plan = plan_for("axis_deg", 0.001, 0.25, 2);
+  plan.estimates = {"/contact/friction_coefficient", "tilt_deg"};
+  const auto source = shipped("toy-top-on-table");
+  const PlanReport planned = plan_measurement(source, {}, plan);
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory.path() / "simulated.csv").string();
+  std::ofstream(file, std::ios::binary) << *simulated_measurement(source, {}, plan, 3);
+  const MeasurementReport fit = compare_with_measurement(source, {}, read_measurement(file), {plan.estimates});
+  ASSERT_EQ(fit.fit, FitOutcome::converged) << fit.fit_reason;
+  for (std::size_t j = 0; j < 2; ++j) {
+    // The derivatives at the estimate differ from those at the truth by some of its error.
+    EXPECT_NEAR(*fit.estimates[j].standard_error / *planned.estimates[j].standard_error, 1, 1e-3);
+    EXPECT_LT(std::abs(*fit.estimates[j].estimate - planned.estimates[j].value), 4 * *planned.estimates[j].standard_error);
+  }
+}
+
 TEST(PlanData, OneSeedGivesTheSameBytesEverywhere) {
   const MeasurementPlan plan = plan_for({{"azimuth_deg", 0.01}, {"axis_arcsec", 20}}, 20, 60);
   const std::string csv = *simulated_measurement(shipped("free-gyro"), {}, plan, 7);
