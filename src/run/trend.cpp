@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "closed_form/mean_precession.hpp"
-#include "run/assessment.hpp"
 #include "closed_form/top_constants.hpp"
+#include "run/assessment.hpp"
 
 namespace earthtop {
 namespace {
