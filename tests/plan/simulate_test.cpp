@@ -26,7 +26,7 @@ std::vector<MeasurementResidual> residuals_of(const MeasurementPlan& plan, std::
 
 /// A top on a table is planned by the same motions that a fit computes: the standard errors are those of the fit.
 TEST(PlanData, OfATopOnATableIsFittedAsPlanned) {
-  MeasurementPlan plan = plan_for("axis_deg", 0.001, 0.25, 2);
+  MeasurementPlan plan = plan_for("axis_deg", 1e-5, 0.25, 2);
   plan.estimates = {"/contact/friction_coefficient", "tilt_deg"};
   const auto source = shipped("toy-top-on-table");
   const PlanReport planned = plan_measurement(source, {}, plan);
