@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -21,6 +22,11 @@ std::string with_period(double rad_s, std::string_view name) {
   const auto period = period_of(rad_s);
   return period ? fmt::format("{:.6g} rad/s, {} {:.6g} s", rad_s, name, *period) : fmt::format("{:.6g} rad/s", rad_s);
 }
+/// A rate of precession by its size and sense, so that no sign has to be explained.
+std::string precession(double rad_s) {
+  if (rad_s == 0) return "0 rad/s";
+  return with_period(std::abs(rad_s), rad_s > 0 ? "counterclockwise from above, a turn in" : "clockwise from above, a turn in");
+}
 
 }  // namespace
 
@@ -36,13 +42,11 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
   lines.emplace_back("spin", spin);
   if (top.rim_speed_m_s) lines.emplace_back("rim speed", fmt::format("{:.4g} m/s", *top.rim_speed_m_s));
   if (top.mean_precession_rad_s)
-    lines.emplace_back("precession", fmt::format("{}; mean of this release, + is counterclockwise from above",
-                                                 with_period(*top.mean_precession_rad_s, "a turn in")));
+    lines.emplace_back("precession", precession(*top.mean_precession_rad_s) + "; mean of this release");
   if (top.slow_precession_rad_s)
-    lines.emplace_back("slow precession",
-                       fmt::format("{}; steady at this tilt and spin", with_period(*top.slow_precession_rad_s, "a turn in")));
+    lines.emplace_back("slow precession", precession(*top.slow_precession_rad_s) + "; steady at this tilt and spin");
   if (top.fast_precession_rad_s)
-    lines.emplace_back("fast precession", fmt::format("{}; the same", with_period(*top.fast_precession_rad_s, "a turn in")));
+    lines.emplace_back("fast precession", precession(*top.fast_precession_rad_s) + "; steady, too");
   if (top.nutation_rad_s)
     lines.emplace_back("nutation", fmt::format("{}, {}", with_period(*top.nutation_rad_s, "period"),
                                                top.nutation_kind == NutationKind::of_release
