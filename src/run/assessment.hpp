@@ -15,10 +15,16 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 /// Returns the leading-order predictions that apply to the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 
-/// Returns by how much the rate of the azimuth drift may change beyond a time (rad/s), to first order: where precession and
-/// nutation nearly agree, as in fast precession, the drift swings with the difference of the two, and a run that is shorter than
-/// such a swing takes it for a trend. It is 0 for other tops, and where the body is not symmetric about axis 3.
-double unseen_swings(const Scene& scene, double duration_s);
+/// A swing of the azimuth drift's rate with the small difference of precession and nutation.
+struct SlowSwing {
+  double rate_rad_s = 0;       ///< by how much the rate may swing, to first order; 0: there is no such swing
+  double frequency_rad_s = 0;  ///< unsigned
+};
+
+/// Returns the swing that a run of this duration may take for a trend: where precession and nutation nearly agree, as in fast
+/// precession, the drift swings with their difference, and the run may be shorter than such a swing. There is none for other tops,
+/// and where the body is not symmetric about axis 3.
+SlowSwing unseen_swing(const Scene& scene, double duration_s);
 
 /// Returns the torque ledger of the motion on the rotating Earth, for the observer that the scenario names; empty without one.
 std::optional<LedgerReport> assess_ledger(const RunResult& result, const Watch& watch);

@@ -133,21 +133,21 @@ constexpr double kSmall = 0.1;
 
 }  // namespace
 
-double unseen_swings(const Scene& scene, double duration_s) {
-  if (scene.symmetry_axis() != 2) return 0;
+SlowSwing unseen_swing(const Scene& scene, double duration_s) {
+  if (scene.symmetry_axis() != 2) return {};
   const Body<double>& body = scene.body<double>();
   const Release<double>& release = scene.release<double>();
   const double mgl = scene.axial_gravity_torque_N_m();
   const TopConstants constants = top_constants(body, mgl, release.q_LB, release.w_XB_B);
   const std::optional<MeanRates> rates = mean_rates(constants);
-  if (!rates) return 0;
+  if (!rates) return {};
   constexpr double kSeen = 1.5;  // swings of which the run has so many are told from the trend
   const Vec3<double> W = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
   const double across = real::hypot(W[0], W[1]);
   // The slowest of the sums of the precession and multiples of the nutation.
   const double multiple = -std::round(rates->precession_rad_s / rates->nutation_rad_s);
   const double beat = rates->precession_rad_s + multiple * rates->nutation_rad_s;
-  if (multiple == 0 || beat == 0 || std::abs(beat) * duration_s > kSeen * 2 * std::numbers::pi) return 0;
+  if (multiple == 0 || beat == 0 || std::abs(beat) * duration_s > kSeen * 2 * std::numbers::pi) return {};
   // The part of the horizontal angular momentum over I1 that turns with it.
   constexpr int kSteps = 64;
   const LagrangeTop<double> motion({body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl}, release.q_LB, release.w_XB_B,
@@ -176,9 +176,7 @@ double unseen_swings(const Scene& scene, double duration_s) {
   const double first_order = slope(1, 0) * 2 * swing / (scale * scale) + slope(0, 1) * swing / std::abs(beat) / scale;
   // Of second order is what the Earth's own nutation of a steady precession makes; a factor of 1.6 to 2.5 was seen.
   constexpr double kSecondOrderSwing = 3;
-  // The factor in front was found by counting, with that of the trend's bound.
-  constexpr double kCounted = 0.85;
-  return kCounted * (first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat));
+  return {first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat), std::abs(beat)};
 }
 
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {

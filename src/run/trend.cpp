@@ -34,7 +34,7 @@ std::string other_action(const Scene& scene) {
 
 /// The step between looks at a top with this period of nutation.
 double step_between_looks(double duration, double least_count, double period) {
-  constexpr double kGolden = 0.5 * (std::numbers::phi * 2 - 2);  // 0.618...
+  constexpr double kGolden = std::numbers::phi - 1;
   const double step = duration / std::clamp(least_count, kAzimuths, kMostAzimuths);
   if (step < period) return period / (std::ceil(period / step) + kGolden);
   return period * (std::floor(step / period) + (1 - kGolden));
@@ -123,6 +123,15 @@ double azimuth_bound(const RunResult& result, double until) {
     if (row.drift_azimuth_rad && horizontal > 0) bound = row.drift_axis_bound_rad / horizontal;
   }
   return bound;
+}
+
+/// What a swing slower than the run adds to the bound of the rate. A window shifted by a part of such a swing's period sees another
+/// slope by about that part of the swing's rate, so that the fit's own bound, which windows have told, over the part of a period that
+/// the run sees bounds the swing where its first-order size is pessimistic.
+double bound_of_slow_swing(const SlowSwing& swing, double duration, double bound_of_fit) {
+  if (!(swing.rate_rad_s > 0)) return 0;
+  const double seen = swing.frequency_rad_s * duration / kWholeTurn;
+  return std::min(swing.rate_rad_s, bound_of_fit / seen);
 }
 
 /// The mean of a motion on which more than gravity and the Earth's rotation acts, over the reliable rows.
@@ -227,6 +236,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   if (plan.frequencies) {
     frequencies = *plan.frequencies;
   } else {
+    frequencies.exact = false;
     frequencies.precession_rad_s = mean_precession(azimuths, step);
     const Body<double>& body = result.modelled.body<double>();
     frequencies.nutation_rad_s = std::abs(body.I_BP_B(2, 2) * result.modelled.release<double>().w_XB_B[2]) /
@@ -245,8 +255,10 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   trend.reason.clear();
   trend.azimuth_rate_rad_s = estimate.rate_rad_s;
   // The drift's own error, at either end, adds to that of the fit.
-  trend.azimuth_rate_bound_95_rad_s = estimate.bound_rad_s + unseen_swings(result.modelled, trend.window_s[1]) +
-                                      2 * azimuth_bound(result, until) / trend.window_s[1];
+  trend.azimuth_rate_bound_95_rad_s =
+      estimate.bound_rad_s +
+      bound_of_slow_swing(unseen_swing(result.modelled, trend.window_s[1]), trend.window_s[1], estimate.bound_rad_s) +
+      2 * azimuth_bound(result, until) / trend.window_s[1];
   trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
   return trend;
 }

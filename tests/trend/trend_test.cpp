@@ -152,9 +152,9 @@ TEST(Trend, BoundHoldsForLongerRunsAndIsNoLooserThanItMustBe) {
     std::ranges::sort(values);
     return values[values.size() / 2];
   };
-  // Over 600 tops of all kinds the ratio is 8. In this sample of few nutations it is larger, and the median of 60 errors, which
-  // are spread over ten decades, scatters by a factor of 5.
-  EXPECT_LT(median(bounds), 60 * median(errors));
+  // Over 1000 tops of all kinds the ratio is some 6, as in this sample; the median of 60 errors, which are spread over ten decades,
+  // scatters by a factor of 3.
+  EXPECT_LT(median(bounds), 20 * median(errors));
 }
 
 TEST(Theory, IsWithinItsStatedErrorWhereItApplies) {

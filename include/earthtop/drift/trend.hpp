@@ -19,6 +19,7 @@ struct AzimuthSample {
 struct TrendFrequencies {
   double precession_rad_s = 0;
   double nutation_rad_s = 0;
+  bool exact = true;  ///< false for those of a body without symmetry, which are estimates
 };
 
 struct TrendEstimate {
@@ -32,8 +33,8 @@ struct TrendEstimate {
 /// sums and differences with that of precession, and, because the Earth changes the frequency of nutation, swings at multiples
 /// of the nutation that grow with the time. Several selections of these are fitted, each with weights that fall smoothly to zero
 /// at both ends, which takes out the swings that are not among them, and each to three windows. The fit whose windows agree best
-/// is taken. The distances of its windows and of the next best fits tell the error; the factor between the two was found by
-/// counting (tests/trend).
+/// is taken. The scatter of its slopes in further windows tells the error; the factor between the two was found by counting
+/// (tests/trend).
 /// @param drift_rad  at least 100 values   @param step_s  time between two of them
 TrendEstimate estimate_trend(std::span<const double> drift_rad, double step_s, const TrendFrequencies& frequencies);
 
