@@ -240,7 +240,7 @@ TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const
   const WindowFit fit(drift, step_s, frequencies);
 
   const auto slope_in = [&](const Swings& swings, const Window& window) {
-    const auto at = [&](double part) { return static_cast<std::size_t>(part * static_cast<double>(last) + 0.5); };
+    const auto at = [&](double part) { return static_cast<std::size_t>(std::lround(part * static_cast<double>(last))); };
     return fit.slope(swings, at(window.begin), at(window.end));
   };
   struct Fitted {

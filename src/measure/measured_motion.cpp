@@ -105,12 +105,13 @@ std::vector<double> measured_times(const Measurement& measurement) {
 }
 
 std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
   std::vector<CurvePoint> points;
   points.reserve(motion.axes.size());
   for (const PredictedAxis& axis : motion.axes)
-    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L), drift ? axis.drift_azimuth_rad.value_or(kNone) : kNone,
-                      drift ? axis.drift_tilt_rad : kNone});
+    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
+                      drift ? axis.drift_azimuth_rad.value_or(kNotMeasured) : kNotMeasured,
+                      drift ? axis.drift_tilt_rad : kNotMeasured});
   return points;
 }
 

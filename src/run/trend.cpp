@@ -215,6 +215,8 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
       return under_one_turn(turns);
 
+  trend.reason = "no looks at the motion were planned";
+  if (plan.times_s.size() < 2) return trend;
   std::vector<AzimuthSample> made;
   if (seen.empty()) {
     made = look_again(result.modelled, plan, options, kick_steps, watch);
