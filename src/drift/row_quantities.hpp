@@ -50,8 +50,9 @@ enum class RowPart {
 
 /// One quantity of a row: a number, or several that belong together.
 struct RowQuantity {
-  std::string_view stem;  ///< the beginning of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
-  std::string_view unit;  ///< the end of its columns' names, after the component: "_rad_s"; empty for a pure number
+  std::string_view stem;     ///< the beginning of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
+  std::string_view unit;     ///< the end of its columns' names, after the component: "_rad_s"; empty for a pure number
+  std::string_view meaning;  ///< what it is, with frames and axes, for people
   MeasureKind kind;
   RowPart part;
   std::string_view measure;           ///< name, with its unit, of the difference of two rows in this quantity
@@ -142,45 +143,59 @@ constexpr void for_each_drift_quantity(const Visit& visit) {
   using Q = RowQuantity;
   visit(
       [](auto& r) -> auto& { return r.q_LB; },
-      Q{"q_LB", "", attitude, rotating, "attitude_rad", Bound::attitude, "drift_attitude_rad"});
+      Q{"q_LB", "", "attitude of the body in the laboratory on the rotating Earth, quaternion (w, x, y, z)", attitude, rotating,
+        "attitude_rad", Bound::attitude, "drift_attitude_rad"});
   visit(
       [](auto& r) -> auto& { return r.w_LB_B; },
-      Q{"w_LB_B", "_rad_s", vector, rotating, "rates_rad_s", Bound::rates, "rates_rad_s"});
+      Q{"w_LB_B", "_rad_s", "rate of the body relative to the laboratory on the rotating Earth, in body axes", vector, rotating,
+        "rates_rad_s", Bound::rates, "rates_rad_s"});
   visit(
       [](auto& r) -> auto& { return r.ref_q_LB; },
-      Q{"ref_q_LB", "", attitude, reference, "ref_attitude_rad", Bound::attitude, "drift_attitude_rad"});
+      Q{"ref_q_LB", "", "attitude of the non-rotating prediction, quaternion (w, x, y, z)", attitude, reference,
+        "ref_attitude_rad", Bound::attitude, "drift_attitude_rad"});
   visit(
       [](auto& r) -> auto& { return r.ref_w_LB_B; },
-      Q{"ref_w_LB_B", "_rad_s", vector, reference, "ref_rates_rad_s", Bound::rates, "rates_rad_s"});
+      Q{"ref_w_LB_B", "_rad_s", "rate of the non-rotating prediction, in body axes", vector, reference, "ref_rates_rad_s",
+        Bound::rates, "rates_rad_s"});
   visit(
       [](auto& r) -> auto& { return r.axis_L; },
-      Q{"axis_L", "", direction, rotating, "axis_rad", Bound::attitude, "drift_axis_rad"});
+      Q{"axis_L", "", "body axis 3 on the rotating Earth: East, North, Up", direction, rotating, "axis_rad", Bound::attitude,
+        "drift_axis_rad"});
   visit(
       [](auto& r) -> auto& { return r.ref_axis_L; },
-      Q{"ref_axis_L", "", direction, reference, "ref_axis_rad", Bound::attitude, "drift_axis_rad"});
+      Q{"ref_axis_L", "", "body axis 3 of the non-rotating prediction: East, North, Up", direction, reference, "ref_axis_rad",
+        Bound::attitude, "drift_axis_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_axis_rad; },
-      Q{"drift_axis", "_rad", number, drift, "drift_axis_rad", Bound::drift_axis, "drift_axis_rad"});
+      Q{"drift_axis", "_rad", "angle between the two spin axes", number, drift, "drift_axis_rad", Bound::drift_axis,
+        "drift_axis_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_axis_bound_rad; },
-      Q{"drift_axis_bound", "_rad", number, error, "drift_axis_bound_rad"});
+      Q{"drift_axis_bound", "_rad", "bound on the error of drift_axis_rad", number, error, "drift_axis_bound_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_azimuth_rad; },
-      Q{"drift_azimuth", "_rad", angle, drift, "drift_azimuth_rad", Bound::drift_azimuth, "drift_azimuth_rad"});
+      Q{"drift_azimuth", "_rad",
+        "compass azimuth, rotating minus prediction: clockwise from above is positive; continuous; absent where an axis is "
+        "vertical",
+        angle, drift, "drift_azimuth_rad", Bound::drift_azimuth, "drift_azimuth_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_tilt_rad; },
-      Q{"drift_tilt", "_rad", number, drift, "drift_tilt_rad", Bound::drift_tilt, "drift_axis_rad"});
+      Q{"drift_tilt", "_rad", "angle of the axis from the vertical, rotating minus prediction", number, drift, "drift_tilt_rad",
+        Bound::drift_tilt, "drift_axis_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_attitude_rad; },
-      Q{"drift_attitude", "_rad", number, drift, "drift_attitude_rad", Bound::drift_attitude, "drift_attitude_rad"});
+      Q{"drift_attitude", "_rad", "angle of the whole rotation between the two attitudes, 0 to pi", number, drift,
+        "drift_attitude_rad", Bound::drift_attitude, "drift_attitude_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_attitude_bound_rad; },
-      Q{"drift_attitude_bound", "_rad", number, error, "drift_attitude_bound_rad"});
+      Q{"drift_attitude_bound", "_rad", "bound on the error of drift_attitude_rad", number, error, "drift_attitude_bound_rad"});
   visit(
       [](auto& r) -> auto& { return r.drift_spin_rad; },
-      Q{"drift_spin", "_rad", angle, drift, "drift_spin_rad", Bound::drift_attitude, "drift_attitude_rad"});
+      Q{"drift_spin", "_rad", "spin phase, rotating minus prediction; continuous", angle, drift, "drift_spin_rad",
+        Bound::drift_attitude, "drift_attitude_rad"});
   visit(
-      [](auto& r) -> auto& { return r.drift_reliable; }, Q{"drift_reliable", "", flag, error, "drift_reliable"});
+      [](auto& r) -> auto& { return r.drift_reliable; },
+      Q{"drift_reliable", "", "whether the run's verdict trusts the drift at this time", flag, error, "drift_reliable"});
 }
 
 /// The quantities that follow them in the runs of a top on a table.
@@ -196,42 +211,58 @@ constexpr void for_each_contact_quantity(const Visit& visit) {
   };
   using Q = RowQuantity;
   visit_one(
-      [](auto& c) -> auto& { return c.tip_m; }, Q{"tip_L", "_m", place, rotating, "tip_m", Bound::none, "drift_tip_m"});
+      [](auto& c) -> auto& { return c.tip_m; },
+      Q{"tip_L", "_m",
+        "contact point on the table, on the rotating Earth: East and North, or on a tilted table its axes 1 and 2", place,
+        rotating, "tip_m", Bound::none, "drift_tip_m"});
   visit_one(
       [](auto& c) -> auto& { return c.ref_tip_m; },
-      Q{"ref_tip_L", "_m", place, reference, "ref_tip_m", Bound::none, "drift_tip_m"});
+      Q{"ref_tip_L", "_m", "contact point of the non-rotating prediction, in the same axes", place, reference, "ref_tip_m",
+        Bound::none, "drift_tip_m"});
   visit_one(
       [](auto& c) -> auto& { return c.slip_m_s; },
-      Q{"slip", "_m_s", number, rotating, "slip_m_s", Bound::none, "drift_slip_m_s"});
+      Q{"slip", "_m_s", "speed of the tip over the table where it touches, on the rotating Earth", number, rotating, "slip_m_s",
+        Bound::none, "drift_slip_m_s"});
   visit_one(
       [](auto& c) -> auto& { return c.ref_slip_m_s; },
-      Q{"ref_slip", "_m_s", number, reference, "ref_slip_m_s", Bound::none, "drift_slip_m_s"});
+      Q{"ref_slip", "_m_s", "speed of the tip over the table in the non-rotating prediction", number, reference, "ref_slip_m_s",
+        Bound::none, "drift_slip_m_s"});
   visit_one(
-      [](auto& c) -> auto& { return c.normal_force_N; }, Q{"normal_force", "_N", number, rotating, "normal_force_N"});
+      [](auto& c) -> auto& { return c.normal_force_N; },
+      Q{"normal_force", "_N", "force of the table on the tip along the table's normal, on the rotating Earth", number, rotating,
+        "normal_force_N"});
   visit_one(
       [](auto& c) -> auto& { return c.ref_normal_force_N; },
-      Q{"ref_normal_force", "_N", number, reference, "ref_normal_force_N"});
+      Q{"ref_normal_force", "_N", "force of the table on the tip along its normal in the non-rotating prediction", number,
+        reference, "ref_normal_force_N"});
   // The components are quantities of their own, because the vector's name would be that of its length.
   visit_one(
       [](auto& c) -> auto& { return c.drift_tip_xy_m[0]; },
-      Q{"drift_tip_x", "_m", number, drift, "drift_tip_x_m", Bound::drift_tip, "drift_tip_m"});
+      Q{"drift_tip_x", "_m", "contact point, rotating minus prediction: to East, or along axis 1 of a tilted table", number,
+        drift, "drift_tip_x_m", Bound::drift_tip, "drift_tip_m"});
   visit_one(
       [](auto& c) -> auto& { return c.drift_tip_xy_m[1]; },
-      Q{"drift_tip_y", "_m", number, drift, "drift_tip_y_m", Bound::drift_tip, "drift_tip_m"});
+      Q{"drift_tip_y", "_m", "contact point, rotating minus prediction: to North, or along axis 2 of a tilted table", number,
+        drift, "drift_tip_y_m", Bound::drift_tip, "drift_tip_m"});
   visit_one(
       [](auto& c) -> auto& { return c.drift_tip_m; },
-      Q{"drift_tip", "_m", number, drift, "drift_tip_m", Bound::drift_tip, "drift_tip_m"});
+      Q{"drift_tip", "_m", "distance of the two contact points", number, drift, "drift_tip_m", Bound::drift_tip,
+        "drift_tip_m"});
   visit_one(
-      [](auto& c) -> auto& { return c.drift_tip_bound_m; }, Q{"drift_tip_bound", "_m", number, error, "drift_tip_bound_m"});
+      [](auto& c) -> auto& { return c.drift_tip_bound_m; },
+      Q{"drift_tip_bound", "_m", "bound on the error of drift_tip_m", number, error, "drift_tip_bound_m"});
   visit_one(
       [](auto& c) -> auto& { return c.drift_slip_m_s; },
-      Q{"drift_slip", "_m_s", number, drift, "drift_slip_m_s", Bound::none, "drift_slip_m_s"});
+      Q{"drift_slip", "_m_s", "slip speed, rotating minus prediction", number, drift, "drift_slip_m_s", Bound::none,
+        "drift_slip_m_s"});
   visit_one(
       [](auto& c) -> auto& { return c.drift_spin_rate_rad_s; },
-      Q{"drift_spin_rate", "_rad_s", number, drift, "drift_spin_rate_rad_s", Bound::none, "drift_spin_rate_rad_s"});
+      Q{"drift_spin_rate", "_rad_s", "inertial rate about body axis 3, rotating minus prediction", number, drift,
+        "drift_spin_rate_rad_s", Bound::none, "drift_spin_rate_rad_s"});
   visit_one(
       [](auto& c) -> auto& { return c.state; },
-      Q{"contact_state", "", word, rotating, "contact_state", Bound::none, "", "slide|roll|mixed"});
+      Q{"contact_state", "", "whether the tips slide or roll; mixed where only one of them slides", word, rotating,
+        "contact_state", Bound::none, "", "slide|roll|mixed"});
 }
 
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;

@@ -7,10 +7,11 @@ namespace earthtop {
 namespace {
 
 template <class Member>
-constexpr TorqueQuantity torque(std::string_view stem, std::string_view measure, Member member,
+constexpr TorqueQuantity torque(std::string_view stem, std::string_view meaning, std::string_view measure, Member member,
                                 bool (*present)(const Scene&) = nullptr, RowPart part = RowPart::torque,
                                 std::string_view unit = "_N_m") {
-  return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, unit, MeasureKind::vector, part, measure}, member), present};
+  return {valued<LedgerRow<double>, LedgerRow<float128>>({stem, unit, meaning, MeasureKind::vector, part, measure}, member),
+          present};
 }
 
 /// Whether the table exerts more than a normal force.
@@ -21,27 +22,31 @@ bool has_table_friction(const Scene& scene) {
 }
 
 constexpr TorqueQuantity kTorques[] = {
-    torque("tau_phys", "tau_phys_N_m", [](const auto& r) { return r.tau_phys_A; }),
-    torque("tau_cor", "tau_cor_N_m", [](const auto& r) { return r.tau_cor_A; }),
-    torque("tau_trans", "tau_trans_N_m", [](const auto& r) { return r.tau_trans_A; }),
-    torque("tau_cent", "tau_cent_N_m", [](const auto& r) { return r.tau_cent_A; }),
-    torque("dL_dt", "dL_dt_N_m", [](const auto& r) { return r.dL_dt_A; }),
+    torque("tau_phys", "physical torque: apparent gravity, a driven pivot's effect, and all that acts on the top besides",
+           "tau_phys_N_m", [](const auto& r) { return r.tau_phys_A; }),
+    torque("tau_cor", "Coriolis torque", "tau_cor_N_m", [](const auto& r) { return r.tau_cor_A; }),
+    torque("tau_trans", "transverse torque", "tau_trans_N_m", [](const auto& r) { return r.tau_trans_A; }),
+    torque("tau_cent", "centrifugal torque", "tau_cent_N_m", [](const auto& r) { return r.tau_cent_A; }),
+    torque("dL_dt", "time derivative of the angular momentum that the observer sees, from Euler's equation", "dL_dt_N_m",
+           [](const auto& r) { return r.dL_dt_A; }),
     torque(
-        "residual", "residual_N_m", [](const auto& r) { return r.residual_A; }, nullptr, RowPart::error),
+        "residual", "sum of the four torques less the derivative: rounding errors", "residual_N_m",
+        [](const auto& r) { return r.residual_A; }, nullptr, RowPart::error),
     torque(
-        "tau_tide", "tau_tide_N_m", [](const auto& r) { return r.share_A[0]; },
+        "tau_tide", "part of the physical torque: the tide", "tau_tide_N_m", [](const auto& r) { return r.share_A[0]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[0]); }),
     torque(
-        "tau_gradient", "tau_gradient_N_m", [](const auto& r) { return r.share_A[1]; },
-        [](const Scene& scene) { return has_share(scene, kAppliedShares[1]); }),
+        "tau_gradient", "part of the physical torque: the gravity gradient", "tau_gradient_N_m",
+        [](const auto& r) { return r.share_A[1]; }, [](const Scene& scene) { return has_share(scene, kAppliedShares[1]); }),
     torque(
-        "tau_friction", "tau_friction_N_m", [](const auto& r) { return r.share_A[2]; },
+        "tau_friction", "part of the physical torque: friction of the pivot, or of a table with the tip", "tau_friction_N_m",
+        [](const auto& r) { return r.share_A[2]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[2]) || has_table_friction(scene); }),
     torque(
-        "tau_gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
+        "tau_gimbal", "part of the physical torque: the gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
     torque(
-        "force_table", "force_table_N", [](const auto& r) { return r.force_table_A; },
+        "force_table", "force of the table on the tip", "force_table_N", [](const auto& r) { return r.force_table_A; },
         [](const Scene& scene) { return scene.scenario().contact.has_value(); }, RowPart::torque, "_N"),
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "errors.hpp"
+
+#include "bindings.hpp"
+#include "earthtop/arithmetic.hpp"
+
+namespace earthtop::python {
+namespace {
+
+/// Raises the exception class of that name in earthtop._errors, which makes it from these arguments.
+template <class... Arguments>
+void raise(const char* name, const Arguments&... arguments) {
+  const py::object type = py::module_::import("earthtop._errors").attr(name);
+  PyErr_SetObject(type.ptr(), type(arguments...).ptr());
+}
+
+py::object known(int number) { return number > 0 ? py::object(py::int_(number)) : py::none(); }
+
+}  // namespace
+
+py::list findings(const std::string& file, const std::vector<Diagnostic>& diagnostics) {
+  py::list list;
+  for (const Diagnostic& one : diagnostics)
+    list.append(
+        py::make_tuple(file, known(one.line), known(one.column), one.pointer, one.message, format_diagnostic(file, one)));
+  return list;
+}
+
+void bind_errors(py::module_&) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const ScenarioError& error) {
+      raise("ScenarioError", findings(error.file(), error.diagnostics()));
+    } catch (const FileError& error) {
+      raise("FileError", error.file(), error.reason());
+    } catch (const ArithmeticError& error) {
+      raise("ArithmeticError", std::string(error.what()));
+    }
+  });
+}
+
+}  // namespace earthtop::python

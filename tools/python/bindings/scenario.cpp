@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "earthtop/results/top_lines.hpp"
+#include "earthtop/run.hpp"
+#include "earthtop/scenario/reference.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "errors.hpp"
+
+namespace earthtop::python {
+
+void bind_scenario(py::module_& module) {
+  py::class_<Scene>(module, "Scene", "A scenario that has been checked and resolved; it never changes.")
+      .def_property_readonly("name", [](const Scene& scene) { return scene.scenario().name; })
+      .def_property_readonly("sha256", [](const Scene& scene) { return scene.sha256(); })
+      .def_property_readonly(
+          "canonical", [](const Scene& scene) { return canonical_json(scene.scenario()); },
+          "canonical text of the scenario: one line of JSON with every default written out")
+      .def_property_readonly(
+          "top", [](const Scene& scene) { return top_json(scene); }, "figures of the top, as JSON")
+      .def_property_readonly("method", [](const Scene& scene) { return std::string(to_string(scene.choice().options.method)); })
+      .def_property_readonly("estimated_seconds", [](const Scene& scene) { return estimated_run_seconds(scene); })
+      .def_property_readonly("rows", [](const Scene& scene) {
+        return output_times(scene.scenario().duration_s, scene.scenario().output_step_s).size();
+      });
+
+  module.def(
+      "examine",
+      [](const std::string& file, const std::string& text, const Overrides& overrides) {
+        ScenarioReport report;
+        {
+          const py::gil_scoped_release released;
+          report = examine_scenario({file, text}, overrides);
+        }
+        py::object scene = report.scene ? py::cast(*report.scene) : py::none();
+        return py::make_tuple(std::move(scene), report.error_count, findings(file, report.errors),
+                              findings(file, report.warnings));
+      },
+      py::arg("file"), py::arg("text"), py::arg("overrides"),
+      "Checks a scenario's text: (scene or None, number of all errors, errors, warnings).");
+  module.def(
+      "read_scenario",
+      [](const std::string& path) {
+        ScenarioSource source = read_scenario_source(path);
+        return std::make_pair(source.file, source.text);
+      },
+      py::arg("path"), "Reads a scenario file: (name for messages, text).");
+  module.def("scenario_pointers", &scenario_pointers, "JSON pointers of all single values of a scenario.");
+  module.def("annotated_scenario", [](const std::string& file, const std::string& text) {
+    return annotated_scenario({file, text});
+  });
+  module.def("scenario_schema", &scenario_schema);
+}
+
+}  // namespace earthtop::python

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""earthtop: spinning tops and gyroscopes in a laboratory that turns with the Earth.
+
+>>> import earthtop as et
+>>> top = et.example("toy-top")
+>>> r = et.run(top, duration_s=10)
+>>> print(f"{r.drift.axis_final_rad:.3e} rad, bound {r.drift.axis_bound_final_rad:.0e} rad")  # doctest: +SKIP
+
+Angles are in rad and quantities in SI units unless a name ends in another unit. Frames: L is the laboratory (East,
+North, Up), B the body, N the inertial axes that coincide with L at the release. Quaternions are (w, x, y, z).
+"""
+
+from ._core import version as __version__
+from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError
+from ._arrays import Arrays
+from ._result import Drift, Result, load_result
+from ._run import run
+from ._scenario import Check, Scenario, check, example, examples, load
+
+__all__ = [
+    "ArithmeticError",
+    "Arrays",
+    "Check",
+    "Drift",
+    "Error",
+    "FileError",
+    "Finding",
+    "Result",
+    "Scenario",
+    "ScenarioError",
+    "check",
+    "example",
+    "examples",
+    "load",
+    "load_result",
+    "run",
+]

@@ -1,0 +1,347 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results of a run."""
+
+from __future__ import annotations
+
+import json
+import os
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._arrays import ROW_KINDS, TORQUE_KINDS, Arrays, Kind, Quantity, quantities_of, read_only
+from ._errors import FileError, refuse
+from ._scenario import Scenario
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+
+FILES = ("trajectory.csv", "torques.csv", "summary.json", "timing.json", "drift.svg")
+
+
+class _Files:
+    """A result as the files of its directory, each made when it is first asked for; None for a file that it does not have."""
+
+    def __init__(self, make: Mapping[str, Callable[[], Optional[str]]]) -> None:
+        self._make = make
+        self._made: Dict[str, Optional[str]] = {}
+        self._tables: Dict[str, Dict[str, List[str]]] = {}
+
+    def __getitem__(self, name: str) -> Optional[str]:
+        if name not in self._made:
+            self._made[name] = self._make[name]()
+        return self._made[name]
+
+    def table(self, name: str) -> Dict[str, List[str]]:
+        """The columns of a CSV file as text, by their names."""
+        if name not in self._tables:
+            lines = (self[name] or "").splitlines()
+            names = lines[0].split(",") if lines else []
+            columns = list(zip(*(line.split(",") for line in lines[1:]))) or [()] * len(names)
+            self._tables[name] = {column: list(values) for column, values in zip(names, columns)}
+        return self._tables[name]
+
+
+class Drift(Arrays):
+    """The quantities of the rows whose names begin with ``drift_``, without that beginning, and beside them the numbers of
+    ``summary["drift"]``: ``axis_rad`` is the angle between the two axes at each time, ``axis_final_rad`` its last value."""
+
+    axis_rad: np.ndarray
+    axis_bound_rad: np.ndarray
+    azimuth_rad: np.ndarray
+    tilt_rad: np.ndarray
+    attitude_rad: np.ndarray
+    attitude_bound_rad: np.ndarray
+    spin_rad: np.ndarray
+    reliable: np.ndarray
+    tip_x_m: np.ndarray
+    tip_y_m: np.ndarray
+    tip_m: np.ndarray
+    tip_bound_m: np.ndarray
+    slip_m_s: np.ndarray
+    spin_rate_rad_s: np.ndarray
+
+    def __init__(self, result: "Result") -> None:
+        super().__init__(result._quantities, result._texts("trajectory.csv"), "drift_")
+        self._numbers: Dict[str, Any] = result.summary["drift"]
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name not in self._by_name and name in self._numbers:
+            return self._numbers[name]
+        return super().__getattr__(name)
+
+    def __dir__(self) -> List[str]:
+        return sorted({*super().__dir__(), *self._numbers})
+
+
+class Result:
+    """What a run returns.
+
+    The arrays of its rows are attributes (``r.t_s``, ``r.q_LB``), listed by ``print(r.rows)``; those of the drift are in
+    ``r.drift``. They are read-only and, where the library holds the numbers as they are, no copies. Units end the names; L is
+    the laboratory (East, North, Up), B the body; ``ref_`` marks the non-rotating prediction.
+
+    A result can be pickled: it is stored as the files that the program would write, and reads back to the same bits.
+    """
+
+    t_s: np.ndarray
+    q_LB: np.ndarray
+    w_LB_B_rad_s: np.ndarray
+    ref_q_LB: np.ndarray
+    ref_w_LB_B_rad_s: np.ndarray
+    axis_L: np.ndarray
+    ref_axis_L: np.ndarray
+    tip_L_m: np.ndarray
+    ref_tip_L_m: np.ndarray
+    slip_m_s: np.ndarray
+    ref_slip_m_s: np.ndarray
+    normal_force_N: np.ndarray
+    ref_normal_force_N: np.ndarray
+    contact_state: np.ndarray
+
+    def __init__(self, files: _Files, quantities: Sequence[Quantity], torques: Sequence[Quantity], *,
+                 run: Optional["_core.RunResult"] = None, scenario: Optional[Scenario] = None) -> None:
+        self._files = files
+        self._quantities = quantities
+        self._torque_quantities = torques
+        self._run = run
+        self._scenario = scenario
+        self._summary: Optional[Dict[str, Any]] = None
+        self._made: Dict[str, Arrays] = {}
+
+    # Arrays -----------------------------------------------------------------------------------------------------------
+
+    @property
+    def rows(self) -> Arrays:
+        """All quantities of the rows, by the names that they have in trajectory.csv."""
+        return self._once("rows", lambda: Arrays(self._quantities, self._texts("trajectory.csv")))
+
+    @property
+    def drift(self) -> Drift:
+        """The arrays and the numbers of the drift, without ``drift_`` before their names."""
+        return self._once("drift", lambda: Drift(self))
+
+    @property
+    def torques(self) -> Arrays:
+        """The torques (N m) that the ledger's observer counts, as in torques.csv; empty without ``numerics.ledger``."""
+        return self._once("torques", lambda: Arrays(self._torque_quantities, self._texts("torques.csv")))
+
+    def _once(self, name: str, make: Callable[[], Any]) -> Any:
+        if name not in self._made:
+            self._made[name] = make()
+        return self._made[name]
+
+    def _texts(self, file: str) -> Optional[Callable[[Quantity], np.ndarray]]:
+        """In extended precision the function that gives the numbers of a quantity as the file has them."""
+        if self.summary["solution"]["precision"] == "double":
+            return None
+
+        def texts(one: Quantity) -> np.ndarray:
+            columns = np.array([self._files.table(file)[column] for column in one.columns], dtype=str)
+            return read_only(columns.T.copy() if one.array.ndim == 2 else columns[0])
+
+        return texts
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"a result has no {name!r}" + ("" if name.startswith("_") else "; print(result.rows) lists what it has"))
+
+    # What it says -----------------------------------------------------------------------------------------------------
+
+    @property
+    def summary(self) -> Dict[str, Any]:
+        """The content of summary.json."""
+        if self._summary is None:
+            self._summary = json.loads(self._files["summary.json"] or "null")
+        return self._summary
+
+    @property
+    def name(self) -> str:
+        """The scenario's name."""
+        return self.summary["name"]
+
+    @property
+    def status(self) -> str:
+        """How the integration ended: ``"completed"``, or the name of what went wrong."""
+        return self.summary["outcome"]["status"]
+
+    @property
+    def verdict(self) -> str:
+        """What the drift is worth: ``"reliable"``, or a doubt whose reason is ``summary["drift"]["verdict_reason"]``."""
+        return self.summary["drift"]["verdict"]
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario that was run; of a result from files, the copy that they have, with all defaults."""
+        if self._scenario is None:
+            self._scenario = Scenario(self.summary["scenario"])
+        return self._scenario
+
+    @property
+    def timing(self) -> Dict[str, Any]:
+        """The content of timing.json: wall time (s), date, host."""
+        return json.loads(self._files["timing.json"] or "null")
+
+    @property
+    def svg(self) -> str:
+        """The picture of the drift as SVG."""
+        return self._files["drift.svg"] or ""
+
+    # What can be done with it -----------------------------------------------------------------------------------------
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """A DataFrame with the columns of trajectory.csv, indexed by ``t_s`` (s)."""
+        import pandas
+
+        columns: Dict[str, np.ndarray] = {}
+        for one in self._quantities:
+            array = self.rows[one.name]
+            for i, column in enumerate(one.columns):
+                columns[column] = array if array.ndim == 1 else array[:, i]
+        return pandas.DataFrame(columns).set_index("t_s")
+
+    def plot(self, quantity: str = "drift_axis_rad", ax: Optional["matplotlib.axes.Axes"] = None,
+             **options: Any) -> "matplotlib.axes.Axes":
+        """Draws a quantity over time, and its error bound as a band where it has one.
+
+        Parameters
+        ----------
+        quantity : str
+            a name of ``rows``
+        ax : matplotlib.axes.Axes, optional
+            where to draw; default: a new figure
+        **options
+            for ``ax.plot``
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        import matplotlib.pyplot
+
+        if quantity not in self.rows:
+            raise refuse(f"there is no quantity {quantity!r}; there are {', '.join(self.rows)}")
+        array = self.rows[quantity]
+        if array.dtype.kind == "U":
+            raise refuse(f"{quantity!r} is a word and cannot be drawn")
+        if ax is None:
+            _, ax = matplotlib.pyplot.subplots()
+        t_s, values = np.asarray(self.t_s, dtype=float), np.asarray(array, dtype=float)
+        components = next(kind.components for kind in ROW_KINDS if kind.name == quantity)
+        lines = ax.plot(t_s, values, **options)
+        for line, letter in zip(lines, components):
+            line.set_label(letter)
+        if components:
+            ax.legend()
+        stem, _, unit = quantity.rpartition("_")
+        bound = f"{stem}_bound_{unit}"
+        if bound in self.rows:
+            error = np.asarray(self.rows[bound], dtype=float)
+            ax.fill_between(t_s, values - error, values + error, alpha=0.3, color=lines[0].get_color(), linewidth=0)
+        ax.set_xlabel("time (s)")
+        ax.set_ylabel(quantity)
+        ax.set_title(self.name)
+        return ax
+
+    def save(self, directory: Union[str, os.PathLike], *, force: bool = False) -> Path:
+        """Writes the files that ``earthtop run`` writes, which ``earthtop report`` and ``earthtop compare`` read.
+
+        Parameters
+        ----------
+        directory : str or path
+            is made if it does not exist
+        force : bool
+            overwrite the results of another scenario
+
+        Returns
+        -------
+        Path
+            the directory
+        """
+        place = Path(directory)
+        if self._run is not None:
+            self._run.write(place, force)
+            return place
+        _core.check_output_directory(place, self.scenario.scene(), force)
+        (place / "summary.json").unlink(missing_ok=True)  # whoever finds it finds the other files of the same run
+        for name in sorted(FILES, key=lambda name: name == "summary.json"):
+            text = self._files[name]
+            if text is None:
+                (place / name).unlink(missing_ok=True)
+            else:
+                _core.write_file(place / name, text)
+        return place
+
+    def __getstate__(self) -> Dict[str, Optional[str]]:
+        return {name: self._files[name] for name in FILES}
+
+    def __setstate__(self, state: Dict[str, Optional[str]]) -> None:
+        self.__dict__.update(_of_texts(state).__dict__)
+
+    def __repr__(self) -> str:
+        return f"<earthtop.Result {_headline(self)}>"
+
+    def _repr_html_(self) -> str:
+        return f"<div><p><b>{escape(_headline(self))}</b></p>{self.svg}</div>"
+
+
+def _headline(result: Result) -> str:
+    """The drift in one line."""
+    drift = result.summary["drift"]
+    if len(result.t_s) < 2 or drift["axis_final_rad"] is None:
+        return f"{result.name}: {result.status}, no drift"
+    return (f"{result.name}: after {float(result.t_s[-1]):g} s the axis has drifted by {drift['axis_final_rad']:.6g} rad "
+            f"(error bound {drift['axis_bound_rad']:.1e} rad), {result.verdict}")
+
+
+def of_run(run: "_core.RunResult", scenario: Optional[Scenario] = None) -> Result:
+    """The result of a run that has just been computed; its arrays refer to the memory of the run."""
+    files = _Files({"trajectory.csv": run.trajectory_csv, "torques.csv": run.torques_csv, "summary.json": run.summary_json,
+                    "timing.json": run.timing_json, "drift.svg": run.drift_svg})
+    quantities, torques = ([Quantity(*one) for one in arrays] for arrays in (run.row_arrays(), run.torque_arrays()))
+    return Result(files, quantities, torques, run=run, scenario=scenario)
+
+
+def _of_texts(texts: Mapping[str, Optional[str]], scenario: Optional[Scenario] = None) -> Result:
+    files = _Files({name: (lambda text=texts.get(name): text) for name in FILES})
+    return Result(files, quantities_of(files.table("trajectory.csv"), ROW_KINDS),
+                  quantities_of(files.table("torques.csv"), TORQUE_KINDS), scenario=scenario)
+
+
+def load_result(directory: Union[str, os.PathLike]) -> Result:
+    """Reads the results that ``earthtop run`` or ``Result.save`` wrote to a directory."""
+    place = Path(directory)
+    if not (place / "summary.json").is_file():
+        raise refuse(f"{place} holds no results: it has no summary.json")
+    texts: Dict[str, Optional[str]] = {}
+    for name in FILES:
+        try:
+            texts[name] = (place / name).read_text(encoding="utf-8")
+        except FileNotFoundError:
+            texts[name] = None
+        except OSError as error:
+            raise FileError(str(place / name), error.strerror or "cannot be read") from None
+    if texts["trajectory.csv"] is None:
+        raise refuse(f"{place} has no trajectory.csv")
+    return _of_texts(texts)
+
+
+def _array_property(kind: Kind, name: str, rows: str) -> property:
+    def get(self: Any) -> np.ndarray:
+        arrays: Arrays = getattr(self, rows) if rows else self
+        if kind.name not in arrays and name not in arrays:
+            raise AttributeError(f"this result has no {name!r}, which only the runs of a top on a table have")
+        return arrays[name]
+
+    return property(get, doc=kind.doc)
+
+
+for _kind in ROW_KINDS:
+    if _kind.name.startswith("drift_"):
+        setattr(Drift, _kind.name[len("drift_"):], _array_property(_kind, _kind.name[len("drift_"):], ""))
+    else:
+        setattr(Result, _kind.name, _array_property(_kind, _kind.name, "rows"))
+del _kind
