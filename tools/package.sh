@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes Debian packages of the program and of the library, in build/packages: earthtop and libearthtop-dev.
+# Makes Debian packages of the program, the library and the Python package, in build/packages: earthtop, libearthtop-dev and
+# python3-earthtop.
 #   tools/package.sh [BUILD]
 # BUILD: a release build of this checkout, whose objects are used, with its choice of MPI and SUNDIALS. If it is not given, one
 # is made in build/packages/objects, without MPI and SUNDIALS: a program that runs on one machine should not need them.
@@ -9,10 +10,11 @@ cd "$(dirname "$0")/.."
 
 packages=build/packages
 objects=${1:-}
-tools/install-dependencies.sh
+tools/install-dependencies.sh python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel
 
 # Debian packages put some files in other places than an installation below /usr/local.
 places=(-DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" -DEARTHTOP_ZSH_DIR=share/zsh/vendor-completions)
+places+=(-DEARTHTOP_PYTHON=ON)
 if [[ -n $objects ]]; then
   cmake -S . -B "$objects" "${places[@]}"
 else

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source_dir=$PWD
-packages=(earthtop libearthtop-dev)
+packages=(earthtop libearthtop-dev python3-earthtop)
 
 fail() {
   echo "FAILED: $*" >&2
@@ -23,7 +23,8 @@ done
 step "Build"
 tools/install-dependencies.sh lintian man-db bash-completion file
 tools/package.sh "$@"
-debs=(build/packages/earthtop_*.deb build/packages/libearthtop-dev_*.deb)
+debs=()
+for package in "${packages[@]}"; do debs+=(build/packages/"$package"_*.deb); done
 version=$(sed -n 's/^project(earthtop VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 
 step "lintian"
@@ -112,12 +113,29 @@ g++ -std=gnu++20 "$source_dir/tests/consumer/consumer.cpp" -o consumer $(pkg-con
 g++ -std=gnu++20 "$source_dir/tests/consumer/workbench_consumer.cpp" -o workbench $(pkg-config --cflags --libs --static earthtop-workbench)
 ./workbench "$scenario" other-study
 
+step "The Python package, by the system's Python"
+python() { env -u PYTHONPATH /usr/bin/python3 -W error "$@"; }
+package_dir=/usr/lib/python3/dist-packages/earthtop
+[[ $(python -c 'import earthtop; print(earthtop.__path__[0])') == "$package_dir" ]] || fail "Python imports another earthtop"
+[[ $(python -c 'from importlib.metadata import version; print(version("earthtop"))') == "$version" ]] ||
+  fail "the Python package's metadata are not of version $version"
+python -c '
+import earthtop as et
+result = et.run(et.example("toy-top"), duration_s=1)
+assert len(et.examples()) > 20 and not result.q_LB.flags.writeable
+result.save("from-python")' || fail "a run in Python"
+cmp by-name/trajectory.csv from-python/trajectory.csv
+[[ -s $(echo "$package_dir"/__pycache__/__init__.*.pyc) ]] || fail "the modules have not been compiled to byte code"
+file "$package_dir"/_core.*.so | grep -q ', stripped' || fail "the extension is not stripped"
+if readelf -d "$package_dir"/_core.*.so | grep -E 'R(UN)?PATH'; then fail "the extension has a path of its own to libraries"; fi
+
 step "Remove"
 apt_get purge "${packages[@]}" >apt.log 2>&1 || { cat apt.log && fail "apt does not remove them"; }
 left=()
 while read -r path; do # a directory may be another package's as well
   if [[ -e $path || -L $path ]] && ! dpkg-query --search "$path" >/dev/null 2>&1; then left+=("$path"); fi
 done < <(grep '^/.' "$work/listed" | grep -vx '/\.')
+[[ ! -e $package_dir ]] || left+=("$package_dir") # with byte code that no package lists
 [[ ${#left[@]} -eq 0 ]] || fail "left after removal: ${left[*]}"
 for package in "${packages[@]}"; do
   if dpkg-query -W "$package" >/dev/null 2>&1; then fail "$package is still known to dpkg"; fi

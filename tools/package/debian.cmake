@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Debian packages, made by CPack: `earthtop` of the component `program`, `libearthtop-dev` of `development`. See
-# tools/package.sh.
+# The Debian packages, made by CPack: `earthtop` of the component `program`, `libearthtop-dev` of `development`, and, where the
+# extension is built, `python3-earthtop` of `python`. See tools/package.sh.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME earthtop)
@@ -19,13 +19,19 @@ if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
 endif()
 
 # Each package has two components: the files that are installed everywhere, and those that only Debian needs.
-set(CPACK_COMPONENTS_ALL program program-debian development development-debian)
+set(packages program:earthtop development:libearthtop-dev)
+if(TARGET earthtop-python)
+  list(APPEND packages python:python3-earthtop)
+endif()
+set(CPACK_COMPONENTS_ALL "")
+foreach(pair IN LISTS packages)
+  string(REGEX REPLACE ":.*" "" component ${pair})
+  list(APPEND CPACK_COMPONENTS_ALL ${component} ${component}-debian)
+  set(CPACK_COMPONENT_${component}_GROUP ${component})
+  set(CPACK_COMPONENT_${component}-debian_GROUP ${component})
+endforeach()
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-foreach(group program development)
-  set(CPACK_COMPONENT_${group}_GROUP ${group})
-  set(CPACK_COMPONENT_${group}-debian_GROUP ${group})
-endforeach()
 foreach(component IN LISTS CPACK_COMPONENTS_ALL) # CPack wants these names in capitals
   string(TOUPPER ${component} capitals)
   set(CPACK_COMPONENT_${capitals}_GROUP ${CPACK_COMPONENT_${component}_GROUP})
@@ -51,6 +57,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "spinning tops on the rotating Earth - 
 ${about}
 This package has the C++20 headers and the static library, and the files by
 which CMake and pkg-config find them.")
+
+if(TARGET earthtop-python)
+  include(python.cmake)
+endif()
 
 # A static library needs the libraries with which it was built, or newer ones. The configuration for CMake runs pkg-config.
 set(depends pkgconf)
@@ -83,7 +93,7 @@ configure_file(${PROJECT_SOURCE_DIR}/README.md ${debian_dir}/README.md COPYONLY)
 foreach(file changelog.Debian changelog README.md)
   execute_process(COMMAND gzip -9nkf ${debian_dir}/${file} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-foreach(pair program:earthtop development:libearthtop-dev)
+foreach(pair IN LISTS packages)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair component package)
   install(FILES copyright ${debian_dir}/changelog.gz ${debian_dir}/changelog.Debian.gz DESTINATION share/doc/${package}
