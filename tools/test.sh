@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The release suite: installs missing packages, builds with warnings as errors, and runs every test that is labelled neither
-# `slow` nor `extra` (.ci/run also runs `extra`).
+# `slow` nor `extra` (.ci/run also runs `extra`). The Python package is built and tested where pybind11-dev, python3-dev,
+# python3-numpy and python3-pytest are installed already; they are not installed for it.
 # Its exit status and last lines are CTest's. Arguments are passed to CTest:  tools/test.sh -R Torques
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -10,7 +11,7 @@ tools/install-dependencies.sh python3 python3-jsonschema
 jobs=$(nproc)
 # Otherwise ccache, where it is installed, keeps nothing that was compiled with a precompiled header.
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
-cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON \
+cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON -DEARTHTOP_PYTHON=ON \
   -DEARTHTOP_EXTRA_TESTS=OFF -DEARTHTOP_SLOW_TESTS=OFF -DEARTHTOP_PRECOMPILE_HEADERS=ON
 cmake --build --preset release --parallel "$jobs"
 exec ctest --test-dir build/release --label-exclude '^(slow|extra)$' --no-tests=error --output-on-failure --parallel "$jobs" "$@"

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The examples of the manual and of the docstrings are run, and print what they say."""
+
+import doctest
+import importlib
+import pkgutil
+from pathlib import Path
+
+import pytest
+
+import earthtop as et
+
+MANUAL = Path(__file__).resolve().parents[2] / "tools" / "python" / "README.md"
+MODULES = sorted(module.name for module in pkgutil.iter_modules(et.__path__) if module.name != "_core")
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path, monkeypatch):
+    """Examples write files into a directory of their own, and pictures into no window."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+
+
+@pytest.mark.parametrize("module", ["", *MODULES])
+def test_docstrings(module):
+    failed, _ = doctest.testmod(importlib.import_module(f"earthtop.{module}".rstrip(".")))
+    assert failed == 0
+
+
+def test_some_docstrings_have_examples():
+    finder = doctest.DocTestFinder()
+    modules = [et, *(importlib.import_module(f"earthtop.{module}") for module in MODULES)]
+    assert sum(len(test.examples) for module in modules for test in finder.find(module)) >= 5
+
+
+@pytest.mark.extra
+def test_manual():
+    failed, number = doctest.testfile(str(MANUAL), module_relative=False, encoding="utf-8")
+    assert failed == 0 and number > 20
+
+
+def test_every_public_name_is_documented():
+    undocumented = [name for name in et.__all__ if not (getattr(et, name).__doc__ or "").strip()]
+    assert undocumented == []
