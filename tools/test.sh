@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The release suite: installs missing packages, builds with warnings as errors, and runs every test that is labelled neither
-# `slow` nor `extra` (.ci/run also runs `extra`). The Python package is built and tested where pybind11-dev, python3-dev,
-# python3-numpy and python3-pytest are installed already; they are not installed for it.
+# `slow` nor `extra` (.ci/run also runs `extra`). The Python package is built where pybind11-dev, python3-dev and
+# python3-numpy are installed already, and tested where python3-pytest, -pandas, -matplotlib and -mpmath are, too.
 # Its exit status and last lines are CTest's. Arguments are passed to CTest:  tools/test.sh -R Torques
 set -euo pipefail
 cd "$(dirname "$0")/.."
