@@ -58,10 +58,6 @@ ${about}
 This package has the C++20 headers and the static library, and the files by
 which CMake and pkg-config find them.")
 
-if(TARGET earthtop-python)
-  include(python.cmake)
-endif()
-
 # A static library needs the libraries with which it was built, or newer ones. The configuration for CMake runs pkg-config.
 set(depends pkgconf)
 foreach(library IN LISTS libraries)
@@ -101,6 +97,10 @@ foreach(pair IN LISTS packages)
 endforeach()
 file(CREATE_LINK ../../earthtop/scenarios ${debian_dir}/examples SYMBOLIC) # where Debian users look for examples
 install(FILES ${debian_dir}/examples ${debian_dir}/README.md.gz DESTINATION share/doc/earthtop COMPONENT program-debian EXCLUDE_FROM_ALL)
+
+if(TARGET earthtop-python)
+  include(python.cmake)
+endif()
 
 # CPack strips programs but not libraries; this strips from the libraries what a linker does not need.
 install(CODE "

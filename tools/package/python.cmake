@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian package `python3-earthtop` of the component `python`, which tools/python/CMakeLists.txt installs, and of what only
-# Debian needs: the package's metadata, and byte code that is made when it is installed.
+# Debian needs: the package's metadata, manual and notebooks, and byte code that is made when it is installed.
 set(python_dir ${PROJECT_SOURCE_DIR}/tools/python)
 foreach(variable Python_EXECUTABLE Python_VERSION_MAJOR Python_VERSION_MINOR)
   get_directory_property(${variable} DIRECTORY ${python_dir} DEFINITION ${variable})
 endforeach()
 
-set(metadata_dir ${PROJECT_BINARY_DIR}/debian/python)
+set(metadata_dir ${debian_dir}/python-metadata)
 add_custom_command(OUTPUT ${metadata_dir}/written
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${metadata_dir}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${metadata_dir}
@@ -21,6 +21,11 @@ add_custom_target(earthtop-python-metadata DEPENDS ${metadata_dir}/written)
 add_dependencies(packaged earthtop-python-metadata)
 install(DIRECTORY ${metadata_dir}/ DESTINATION ${EARTHTOP_PYTHON_DIR} COMPONENT python-debian EXCLUDE_FROM_ALL
         FILES_MATCHING PATTERN "METADATA" PATTERN "*.egg-info" EXCLUDE)
+
+configure_file(${python_dir}/README.md ${debian_dir}/python-manual/README.md COPYONLY)
+execute_process(COMMAND gzip -9nkf ${debian_dir}/python-manual/README.md COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${debian_dir}/python-manual/README.md.gz DESTINATION share/doc/python3-earthtop COMPONENT python-debian EXCLUDE_FROM_ALL)
+install(DIRECTORY ${python_dir}/examples DESTINATION share/doc/python3-earthtop COMPONENT python-debian EXCLUDE_FROM_ALL)
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-earthtop)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
