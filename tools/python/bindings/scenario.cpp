@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "default_arithmetic.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
@@ -31,6 +32,7 @@ void bind_scenario(py::module_& module) {
         ScenarioReport report;
         {
           const py::gil_scoped_release released;
+          const DefaultArithmetic arithmetic;
           report = examine_scenario({file, text}, overrides);
         }
         py::object scene = report.scene ? py::cast(*report.scene) : py::none();
@@ -46,6 +48,8 @@ void bind_scenario(py::module_& module) {
         return std::make_pair(source.file, source.text);
       },
       py::arg("path"), "Reads a scenario file: (name for messages, text).");
+  module.def("changed_text", &changed_text, py::arg("text"), py::arg("overrides"),
+             "A scenario's text with changes in it; everything else stays as it is.");
   module.def("scenario_pointers", &scenario_pointers, "JSON pointers of all single values of a scenario.");
   module.def("annotated_scenario", [](const std::string& file, const std::string& text) {
     return annotated_scenario({file, text});

@@ -8,6 +8,7 @@ import difflib
 import functools
 import json
 import os
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
@@ -38,7 +39,7 @@ def _pointers_of_names() -> Dict[str, Tuple[str, ...]]:
     """The JSON pointers that end with a key, for all keys of scenarios."""
     table: Dict[str, Tuple[str, ...]] = {}
     for pointer in _core.scenario_pointers():
-        whole = pointer.rstrip("/0123456789")  # a list instead of its elements
+        whole = re.sub(r"(/\d+)+$", "", pointer)  # a list instead of its elements
         name = whole.rsplit("/", 1)[1]
         if whole not in table.get(name, ()):
             table[name] = table.get(name, ()) + (whole,)
@@ -59,6 +60,8 @@ def pointer_of(key: str) -> str:
     found = _pointers_of_names().get(key, ())
     # A section has the keys of its standard errors, too, which nobody means by the bare name.
     meant = [pointer for pointer in found if not pointer.startswith("/uncertainty/")] or list(found)
+    depth = min((pointer.count("/") for pointer in meant), default=0)
+    meant = [pointer for pointer in meant if pointer.count("/") == depth]  # the body's mass, not that of its first part
     if len(meant) == 1:
         return meant[0]
     if len(meant) > 1:
@@ -77,16 +80,6 @@ def _look_up(tree: Any, pointer: str) -> Any:
     for step in _steps(pointer):
         tree = tree[int(step)] if isinstance(tree, list) else tree[step]
     return tree
-
-
-def _put(tree: Any, pointer: str, value: Any) -> None:
-    steps = _steps(pointer)
-    for step in steps[:-1]:
-        tree = tree[int(step)] if isinstance(tree, list) else tree.setdefault(step, {})
-    if isinstance(tree, list):
-        tree[int(steps[-1])] = value
-    else:
-        tree[steps[-1]] = value
 
 
 @dataclass(frozen=True)
@@ -111,7 +104,7 @@ class Scenario:
     >>> top = Scenario({
     ...     "site": {"latitude_deg": 48},
     ...     "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.04],
-    ...              "principal_moments_kg_m2": [2e-4, 2e-4, 5e-5]},
+    ...              "inertia": {"about": "pivot", "principal_kg_m2": [2e-4, 2e-4, 5e-5]}},
     ...     "release": {"tilt_deg": 10, "spin_rad_s": 200},
     ...     "motion": {"duration_s": 10, "output_step_s": 0.1},
     ... })
@@ -190,9 +183,7 @@ class Scenario:
 
     def to_dict(self) -> Dict[str, Any]:
         """The scenario as a dictionary of its own, without defaults that it does not give."""
-        tree = json.loads(self._text.lstrip("\ufeff"))
-        for pointer, value in self._changes.items():
-            _put(tree, pointer, json.loads(value))
+        tree: Dict[str, Any] = json.loads(self.text.lstrip("\ufeff"))
         return tree
 
     @property
@@ -206,8 +197,8 @@ class Scenario:
 
     @property
     def text(self) -> str:
-        """The scenario as JSON text: the file's own text, comments included, if nothing has been changed."""
-        return self._text if not self._changes else json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
+        """The scenario as JSON text: the text that it was made of, comments and layout included, with the changes in it."""
+        return _core.changed_text(self._text, list(self._changes.items()))
 
     @property
     def canonical(self) -> str:
@@ -230,7 +221,9 @@ class Scenario:
         return Path(path)
 
     def __eq__(self, other: object) -> bool:
-        return self.canonical == other.canonical if isinstance(other, Scenario) else NotImplemented
+        if not isinstance(other, Scenario):
+            return NotImplemented
+        return self.canonical == other.canonical
 
     __hash__ = None  # type: ignore[assignment]
 
