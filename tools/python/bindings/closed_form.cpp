@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "earthtop/closed_form/free_body.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/frames/degrees.hpp"
 #include "earthtop/frames/site.hpp"
@@ -139,6 +140,16 @@ py::tuple special_case(const std::string& name, const std::string& precision, co
   });
 }
 
+/// The mean rates of a symmetric top, which there are in double precision only; NaN where it has none.
+py::tuple mean_rates_of_tops(const std::vector<py::array>& arguments, const std::vector<py::ssize_t>& shape) {
+  const auto formula = [](const double* x, double* y) {
+    const auto rates = mean_rates(top_constants(top_at(x), quaternion_at(x + 3), vector_at(x + 7)));
+    y[0] = rates ? rates->precession_rad_s : std::numeric_limits<double>::quiet_NaN();
+    y[1] = rates ? rates->nutation_rad_s : std::numeric_limits<double>::quiet_NaN();
+  };
+  return evaluate<double>(formula, {1, 1, 1, 4, 3}, arguments, {1, 1}, shape);
+}
+
 // Whole motions -----------------------------------------------------------------------------------------------------------
 
 std::string_view name_of(LagrangeRegime regime) {
@@ -228,6 +239,7 @@ py::class_<Any> bind_motion(py::module_& module, const char* name, Any (*make)(c
 void bind_closed_form(py::module_& module) {
   module.attr("earth_rate_rad_s") = kEarthRateWgs84;
   module.def("special_case", &special_case, py::arg("name"), py::arg("precision"), py::arg("arguments"), py::arg("shape"));
+  module.def("mean_rates", &mean_rates_of_tops, py::arg("arguments"), py::arg("shape"));
   bind_motion<AnyFreeBody>(module, "FreeBody", &free_body);
   bind_motion<AnyLagrangeTop>(module, "LagrangeTop", &lagrange_top)
       .def_property_readonly(

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <chrono>
 #include <cstring>
 #include <functional>
@@ -15,6 +14,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "default_arithmetic.hpp"
 #include "earthtop/real.hpp"
 
 namespace earthtop::python {
@@ -37,21 +37,6 @@ auto in_precision(std::string_view precision, const Use& use) {
   if (precision == "float128") return use(std::type_identity<float128>());
   throw std::invalid_argument("no such precision");
 }
-
-/// As long as it lives, the calling thread rounds to nearest and keeps subnormal numbers, whatever another library has set.
-class DefaultArithmetic {
- public:
-  DefaultArithmetic() {
-    std::fegetenv(&before_);
-    std::fesetenv(FE_DFL_ENV);
-  }
-  ~DefaultArithmetic() { std::fesetenv(&before_); }
-  DefaultArithmetic(const DefaultArithmetic&) = delete;
-  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
-
- private:
-  std::fenv_t before_;
-};
 
 /// Calls one(i) for every i below n, without the interpreter's lock and with default arithmetic. Signals are looked at every
 /// 20 ms; if a handler raises, the rest is left undone.
