@@ -118,6 +118,8 @@ def test_what_is_refused_says_where():
     assert top.check()
     with pytest.raises(et.ScenarioError, match="did you mean 'latitude_deg'"):
         top["latitud_deg"] = 3
+    with pytest.raises(et.ScenarioError, match="earthtop.load"):
+        et.Scenario("toy-top.json")
     with pytest.raises(TypeError):
         et.Scenario({**SMALL, "title": object()})
     with pytest.raises(ValueError):
