@@ -47,6 +47,9 @@ def test_numbers_pass_without_rounding(precision):
         assert (_extended.unpacked(_extended.packed(numbers)) == numbers).all()
     # Ties go to even: 2^bits + 1 lies between two numbers.
     assert [int(_extended.rounded(2**bits + x, precision)) - 2**bits for x in (1, 2, 3)] == [0, 2, 4]
+    with mpmath.workdps(60):
+        long = [mpmath.mpf(2**bits + x) for x in (1, 2, 3)]
+    assert [int(_extended.rounded(x, precision)) - 2**bits for x in long] == [0, 2, 4]
     # Through the compiled code: at rest, and about Up, the rate is returned as it was given.
     for number in numbers[:4]:
         body = FreeBody(moments=[1, 1, 1], q0=[1, 0, 0, 0], w0=[0, 0, number], precision=precision)
