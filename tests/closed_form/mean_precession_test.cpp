@@ -57,7 +57,8 @@ TEST(MeanPrecession, OfASteadyTopIsItsRate) {
 // There is none on the way to the upright position, which takes for ever, and for a top without torque.
 TEST(MeanPrecession, OfWhichThereIsNone) {
   EXPECT_FALSE(mean_rates(top_constants(kTop, Quaternion<double>(), Vec3<double>(0, 0, 10))));
-  EXPECT_FALSE(mean_rates(top_constants({5e-4, 8e-4, 0}, Quaternion<double>{0.9, Vec3<double>(0.3, 0, 0)}, Vec3<double>(1, 0, 60))));
+  EXPECT_FALSE(
+      mean_rates(top_constants({5e-4, 8e-4, 0}, Quaternion<double>{0.9, Vec3<double>(0.3, 0, 0)}, Vec3<double>(1, 0, 60))));
 }
 
 }  // namespace
