@@ -25,13 +25,13 @@ class State(NamedTuple):
 class _Motion:
     """A motion from given parameters and a given start."""
 
-    _form: Any  # the extension's object
+    _make: Any  # the extension's class
 
     def __init__(self, precision: str, parameters: Dict[str, np.ndarray]) -> None:
         self._precision = precision
         self._parameters = parameters
         numbers = [passed(value).reshape(-1) for value in parameters.values()]
-        self._form = getattr(_core, type(self).__name__)(precision, np.concatenate(numbers))
+        self._form = self._make(precision, np.concatenate(numbers))
         for value in parameters.values():
             value.setflags(write=False)
         if not all(number == number for number in np.hstack([np.ravel(part) for part in self.at(0)])):
@@ -98,6 +98,8 @@ class LagrangeTop(_Motion):
     Theory of the Top, vol. II; E. T. Whittaker, Analytical Dynamics, chapter VI]
     """
 
+    _make = _core.LagrangeTop
+
     def __init__(self, *, I1: Numbers, I3: Numbers, mgl: Numbers, q0: Numbers, w0: Numbers,
                  precision: str = "double") -> None:
         body = dict(zip(("I1", "I3", "mgl"), top_parameters(precision, I1, I3, mgl)))
@@ -154,6 +156,8 @@ class FreeBody(_Motion):
     Moments need not obey the triangle inequality. [L. D. Landau and E. M. Lifshitz, Mechanics, section 37; R. van Zon and
     J. Schofield, J. Comput. Phys. 225 (2007) 145]
     """
+
+    _make = _core.FreeBody
 
     def __init__(self, *, moments: Optional[Numbers] = None, inertia: Optional[Numbers] = None, q0: Numbers, w0: Numbers,
                  precision: str = "double") -> None:
