@@ -53,7 +53,7 @@ def test_numbers_pass_without_rounding(precision):
     # Through the compiled code: at rest, and about Up, the rate is returned as it was given.
     for number in numbers[:4]:
         body = FreeBody(moments=[1, 1, 1], q0=[1, 0, 0, 0], w0=[0, 0, number], precision=precision)
-        assert body.at(0).w_NB_B[2] == number
+        assert body.at(0).w_NB_B_rad_s[2] == number
 
 
 def test_packed_numbers_are_those_of_ieee_754():
@@ -106,7 +106,7 @@ def test_shapes_of_times():
     for given in (t.reshape(2, 3, 4), t.reshape(2, 3, 4).tolist(), np.repeat(t, 2)[::2].reshape(2, 3, 4),
                   t.astype(">f8").reshape(2, 3, 4), np.asfortranarray(t.reshape(2, 3, 4))):
         state = top.at(given)
-        assert state.q_NB.shape == (2, 3, 4, 4) and state.w_NB_B.shape == (2, 3, 4, 3)
+        assert state.q_NB.shape == (2, 3, 4, 4) and state.w_NB_B_rad_s.shape == (2, 3, 4, 3)
         for part, expected in zip(state, flat):
             assert part.flags.c_contiguous and part.flags.owndata and part.dtype == np.float64
             assert np.array_equal(part.reshape(expected.shape), expected)
@@ -115,7 +115,7 @@ def test_shapes_of_times():
     assert isinstance(one.attitude_error_rad, float) and one.attitude_error_rad == flat.attitude_error_rad[5]
     assert np.array_equal(top.at(2).q_NB, top.at(np.int8(2)).q_NB)
     assert top.at([]).q_NB.shape == (0, 4)
-    assert top.at(np.zeros((3, 0))).w_NB_B.shape == (3, 0, 3)
+    assert top.at(np.zeros((3, 0))).w_NB_B_rad_s.shape == (3, 0, 3)
     assert not np.array_equal(flat.q_NB[1], flat.q_NB[2])
     period = top.nutation_period_s
     w, x, y, z = top.at(np.array([0.3, 0.3 + period / 2, 0.3 + period])).q_NB.T

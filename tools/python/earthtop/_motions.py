@@ -17,9 +17,9 @@ class State(NamedTuple):
     """A motion in inertial axes, at every time that was asked for."""
 
     q_NB: np.ndarray  #: attitude, of unit norm and either sign; shape (..., 4)
-    w_NB_B: np.ndarray  #: rate in body axes (rad/s); shape (..., 3)
+    w_NB_B_rad_s: np.ndarray  #: rate in body axes (rad/s); shape (..., 3)
     attitude_error_rad: np.ndarray  #: bound on the angle between q_NB and the exact motion; shape (...)
-    rate_error_rad_s: np.ndarray  #: bound on the error of w_NB_B; shape (...)
+    rate_error_rad_s: np.ndarray  #: bound on the error of w_NB_B_rad_s; shape (...)
 
 
 class _Motion:
@@ -48,7 +48,7 @@ class _Motion:
         Returns
         -------
         State
-            ``q_NB`` of shape t.shape + (4,), ``w_NB_B`` (rad/s) of shape t.shape + (3,), and the bounds of their errors,
+            ``q_NB`` of shape t.shape + (4,), ``w_NB_B_rad_s`` of shape t.shape + (3,), and the bounds of their errors,
             ``attitude_error_rad`` and ``rate_error_rad_s``, of shape t.shape. The bounds hold for the start exactly as
             given; where t is so large that turns can no longer be counted they are pi or NaN.
         """

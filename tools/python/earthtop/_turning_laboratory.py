@@ -19,9 +19,9 @@ class LaboratoryState(NamedTuple):
     """A motion as seen from the laboratory, which rotates with the Earth."""
 
     q_LB: np.ndarray  #: attitude, of unit norm and either sign; shape (..., 4)
-    w_LB_B: np.ndarray  #: rate relative to the laboratory, in body axes (rad/s); shape (..., 3)
+    w_LB_B_rad_s: np.ndarray  #: rate relative to the laboratory, in body axes (rad/s); shape (..., 3)
     attitude_error_rad: np.ndarray  #: bound on the error of q_LB; shape (...)
-    rate_error_rad_s: np.ndarray  #: bound on the error of w_LB_B; shape (...)
+    rate_error_rad_s: np.ndarray  #: bound on the error of w_LB_B_rad_s; shape (...)
 
 
 class FirstOrder(NamedTuple):
@@ -79,7 +79,7 @@ def seen_from_laboratory(state: State, t: Numbers, *, W_IL_L: Numbers, precision
     except (TypeError, ValueError):
         raise refuse("state must be what `at` or a closed form of this module returns") from None
     return LaboratoryState(*evaluated("seen_from_laboratory", precision, [
-        (quaternion("state.q_NB", q_NB, precision), 4), (given("state.w_NB_B", w_NB_B, precision, 3), 3),
+        (quaternion("state.q_NB", q_NB, precision), 4), (given("state.w_NB_B_rad_s", w_NB_B, precision, 3), 3),
         (given("state.attitude_error_rad", attitude_error, precision), 1),
         (given("state.rate_error_rad_s", rate_error, precision), 1), (given("W_IL_L", W_IL_L, precision, 3), 3),
         (given("t", t, precision), 1)]))

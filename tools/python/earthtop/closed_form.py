@@ -5,7 +5,7 @@
 >>> from earthtop.closed_form import LagrangeTop
 >>> top = LagrangeTop(I1=1.2e-4, I3=4e-5, mgl=0.0294, q0=[1, 0.2, 0, 0], w0=[0, 0, 200])
 >>> motion = top.at(np.linspace(0, 1, 1001))
->>> motion.q_NB.shape, motion.w_NB_B.shape, motion.attitude_error_rad.shape
+>>> motion.q_NB.shape, motion.w_NB_B_rad_s.shape, motion.attitude_error_rad.shape
 ((1001, 4), (1001, 3), (1001,))
 >>> top.regime
 'cusped'
