@@ -47,6 +47,7 @@ add_library(earthtop-workbench
   measure/measurement.cpp
   measure/priors.cpp
   measure/scaled_problem.cpp
+  measure/seen_directions.cpp
   measure/sentences.cpp
   measure/weighted_fit.cpp
   measure/whitening.cpp
