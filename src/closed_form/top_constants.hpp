@@ -8,7 +8,7 @@
 
 namespace earthtop {
 
-/// What a top that is symmetric about body axis 3 conserves without Earth rotation.
+/// The constants of the motion of a top that is symmetric about body axis 3, without Earth rotation.
 /// @param w_B  rate (rad/s)
 inline TopConstants top_constants(const SymmetricTop<double>& body, const Quaternion<double>& q_LB, const Vec3<double>& w_B) {
   const double axial = body.I3 / body.I1 * w_B[2], gravity = 2 * body.mgl / body.I1;

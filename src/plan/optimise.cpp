@@ -174,7 +174,7 @@ std::vector<GridPoint> grid_search(Designs& designs, const std::vector<DesignInp
   return found;
 }
 
-/// What the callback that GSL, a C library, calls needs. An exception may not pass through C: it waits here.
+/// The data of the callback that GSL, a C library, calls. An exception may not pass through C: it waits here.
 struct Search {
   Designs* designs;
   const std::vector<DesignInput>* design;
