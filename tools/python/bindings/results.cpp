@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "bindings.hpp"
+#include "default_arithmetic.hpp"
 #include "earthtop/results/row_arrays.hpp"
 #include "earthtop/run.hpp"
 #include "waiting.hpp"
@@ -75,6 +76,15 @@ py::list kinds(const std::vector<RowArray>& arrays) {
   return list;
 }
 
+/// A function of a result that makes a text.
+template <class Make>
+auto text_of(Make make) {
+  return [make](const std::shared_ptr<RunResult>& self) {
+    const DefaultArithmetic arithmetic;
+    return make(*self);
+  };
+}
+
 }  // namespace
 
 void bind_results(py::module_& module) {
@@ -85,10 +95,10 @@ void bind_results(py::module_& module) {
       .def_property_readonly("is_extended", [](Self self) { return !self->extended_rows.empty(); })
       .def("row_arrays", [](Self self) { return described(row_arrays(*self), self); })
       .def("torque_arrays", [](Self self) { return described(torque_arrays(*self), self); })
-      .def("summary_json", [](Self self) { return summary_json(*self); })
-      .def("timing_json", [](Self self) { return timing_json(*self); })
-      .def("drift_svg", [](Self self) { return svg(drift_figure(*self)); })
-      .def("trajectory_csv", [](Self self) { return trajectory_csv(*self); })
+      .def("summary_json", text_of(summary_json))
+      .def("timing_json", text_of(timing_json))
+      .def("drift_svg", text_of([](const RunResult& result) { return svg(drift_figure(result)); }))
+      .def("trajectory_csv", text_of(trajectory_csv))
       .def("torques_csv",
            [](Self self) -> py::object { return self->ledger ? py::object(py::str(torques_csv(*self))) : py::none(); })
       .def("write", [](Self self, const std::filesystem::path& dir, bool force) {

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "default_arithmetic.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
@@ -31,6 +32,7 @@ void bind_scenario(py::module_& module) {
         ScenarioReport report;
         {
           const py::gil_scoped_release released;
+          const DefaultArithmetic arithmetic;
           report = examine_scenario({file, text}, overrides);
         }
         py::object scene = report.scene ? py::cast(*report.scene) : py::none();

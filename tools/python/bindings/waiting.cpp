@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "waiting.hpp"
 
-#include <cfenv>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
+
+#include "default_arithmetic.hpp"
 
 namespace earthtop::python {
 namespace {
@@ -41,8 +42,7 @@ class Worker {
 
  private:
   void run(const std::function<void(const Watch&)>& work) {
-    // Libraries compiled for speed change the state of the thread that loads them, from which this one has inherited it.
-    std::fesetenv(FE_DFL_ENV);
+    const DefaultArithmetic arithmetic;
     try {
       work(Watch(&stop_, &progress_));
     } catch (...) {

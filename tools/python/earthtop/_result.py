@@ -147,7 +147,9 @@ class Result:
         return texts
 
     def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"a result has no {name!r}" + ("" if name.startswith("_") else "; print(result.rows) lists what it has"))
+        if name in Result.__annotations__:
+            raise AttributeError(f"this result has no {name!r}, which only the runs of a top on a table have")
+        raise AttributeError(f"a result has no {name!r}; print(result.rows) lists the quantities of its rows")
 
     # What it says -----------------------------------------------------------------------------------------------------
 
@@ -329,19 +331,18 @@ def load_result(directory: Union[str, os.PathLike]) -> Result:
     return _of_texts(texts)
 
 
-def _array_property(kind: Kind, name: str, rows: str) -> property:
+def _array_property(kind: Kind, name: str, rows: Callable[[Any], Arrays]) -> property:
     def get(self: Any) -> np.ndarray:
-        arrays: Arrays = getattr(self, rows) if rows else self
-        if kind.name not in arrays and name not in arrays:
-            raise AttributeError(f"this result has no {name!r}, which only the runs of a top on a table have")
-        return arrays[name]
+        if name not in rows(self):
+            raise AttributeError(name)  # then __getattr__ says why
+        return rows(self)[name]
 
     return property(get, doc=kind.doc)
 
 
 for _kind in ROW_KINDS:
     if _kind.name.startswith("drift_"):
-        setattr(Drift, _kind.name[len("drift_"):], _array_property(_kind, _kind.name[len("drift_"):], ""))
+        setattr(Drift, _kind.name[len("drift_"):], _array_property(_kind, _kind.name[len("drift_"):], lambda drift: drift))
     else:
-        setattr(Result, _kind.name, _array_property(_kind, _kind.name, "rows"))
+        setattr(Result, _kind.name, _array_property(_kind, _kind.name, lambda result: result.rows))
 del _kind

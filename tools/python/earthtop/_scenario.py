@@ -8,6 +8,7 @@ import difflib
 import functools
 import json
 import os
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
@@ -38,7 +39,7 @@ def _pointers_of_names() -> Dict[str, Tuple[str, ...]]:
     """The JSON pointers that end with a key, for all keys of scenarios."""
     table: Dict[str, Tuple[str, ...]] = {}
     for pointer in _core.scenario_pointers():
-        whole = pointer.rstrip("/0123456789")  # a list instead of its elements
+        whole = re.sub(r"(/\d+)+$", "", pointer)  # a list instead of its elements
         name = whole.rsplit("/", 1)[1]
         if whole not in table.get(name, ()):
             table[name] = table.get(name, ()) + (whole,)
@@ -59,6 +60,8 @@ def pointer_of(key: str) -> str:
     found = _pointers_of_names().get(key, ())
     # A section has the keys of its standard errors, too, which nobody means by the bare name.
     meant = [pointer for pointer in found if not pointer.startswith("/uncertainty/")] or list(found)
+    depth = min((pointer.count("/") for pointer in meant), default=0)
+    meant = [pointer for pointer in meant if pointer.count("/") == depth]  # the body's mass, not that of its first part
     if len(meant) == 1:
         return meant[0]
     if len(meant) > 1:
@@ -111,7 +114,7 @@ class Scenario:
     >>> top = Scenario({
     ...     "site": {"latitude_deg": 48},
     ...     "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.04],
-    ...              "principal_moments_kg_m2": [2e-4, 2e-4, 5e-5]},
+    ...              "inertia": {"about": "pivot", "principal_kg_m2": [2e-4, 2e-4, 5e-5]}},
     ...     "release": {"tilt_deg": 10, "spin_rad_s": 200},
     ...     "motion": {"duration_s": 10, "output_step_s": 0.1},
     ... })
