@@ -49,11 +49,12 @@ class Comparison(Document):
         The largest difference and its tolerance are in the unit of the quantity, which its name ends with; ``share_used`` is
         the largest ratio of a difference to its tolerance, ``at_s`` the time of the largest difference (s).
         """
-        words = ["pair", "name", "passed", "change", "tolerance_origin", "where", "first_violation", "reason"]
+        words = ["pair", "name", "passed", "change", "tolerance_origin", "where", "first_violation", "reason", "compared",
+                 "violations"]
         numbers = ["largest_difference", "tolerance", "share_used", "error_bounds_sum", "interpolation_error", "at_s",
-                   "first_violation_s", "compared", "violations"]
+                   "first_violation_s"]
         rows = [{**one, "pair": pair["name"] or ""} for pair in self.document["pairs"] for one in pair["quantities"]]
-        return table(rows, words, numbers, order=[*words[:3], *numbers[:4], *words[3:], *numbers[4:]])
+        return table(rows, words, numbers, order=[*words[:3], *numbers[:4], *words[3:8], *numbers[4:], *words[8:]])
 
     def _headline(self) -> str:
         return f"{self.verdict}: {self.document['new']} against {self.document['reference']}"
