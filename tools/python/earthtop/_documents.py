@@ -123,6 +123,7 @@ _ARGUMENTS = {
     "--force": "force=True",
     "--keep-going": "keep_going=True",
     "--priors": "priors=True",
+    "--set": "--set",  # the place that findings name for changed values, as of the program
     "--sigma": "measure",
     "--until": "until_s",
     "--write-data": "simulate_measurement",

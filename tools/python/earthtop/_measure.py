@@ -289,6 +289,6 @@ def _cells_of(column: Any) -> List[str]:
 
 
 def _cell(value: Any) -> str:
-    if value is None or value != value or repr(value) == "<NA>":
+    if value is None or repr(value) in ("<NA>", "NaT") or value != value:
         return ""
     return repr(float(value)) if isinstance(value, (np.floating, float)) else str(value)
