@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -114,17 +115,23 @@ std::size_t outermost(std::string_view text) { return Scanner(text).past_space(t
 
 }  // namespace
 
-std::string without_key(std::string_view text, std::string_view key) {
+std::string without_member(std::string_view text, std::string_view pointer) {
+  const auto tokens = tokens_of(pointer);
   const Scanner scanner(text);
-  const std::size_t at = outermost(text);
+  std::size_t at = outermost(text);
   std::string result(text);
-  if (at >= text.size() || text[at] != '{') return result;
-  const std::vector<Member> members = scanner.members(at);
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (scanner.word(members[k].key) != key) continue;
+  if (!tokens || tokens->empty()) return result;
+  for (std::size_t depth = 0; at < text.size() && text[at] == '{'; ++depth) {
+    const std::vector<Member> members = scanner.members(at);
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [&](const Member& member) { return scanner.word(member.key) == (*tokens)[depth]; });
+    if (found == members.end()) break;
+    at = found->value.begin;
+    if (depth + 1 < tokens->size()) continue;
     // With the comma and the layout before it; the first member, with those behind it.
-    const std::size_t begin = k > 0 ? members[k - 1].value.end : members[k].key.begin;
-    const std::size_t end = k == 0 && members.size() > 1 ? members[1].key.begin : members[k].value.end;
+    const bool is_first = found == members.begin();
+    const std::size_t begin = is_first ? found->key.begin : (found - 1)->value.end;
+    const std::size_t end = is_first && members.size() > 1 ? members[1].key.begin : found->value.end;
     return result.erase(begin, end - begin);
   }
   return result;

@@ -14,7 +14,7 @@ namespace earthtop::input {
 /// @returns the changed text   @throws ScenarioError where the pointer leads to no such place
 std::string with_value(std::string_view text, std::string_view pointer, std::string_view value);
 
-/// Removes a member of the outermost object; a text without it stays as it is.
-std::string without_key(std::string_view text, std::string_view key);
+/// Removes the member of an object at a pointer that leads through objects; a text without it stays as it is.
+std::string without_member(std::string_view text, std::string_view pointer);
 
 }  // namespace earthtop::input

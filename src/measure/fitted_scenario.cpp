@@ -15,13 +15,6 @@ namespace earthtop {
 namespace measure {
 namespace {
 
-using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-std::string with_overrides(std::string text, const Overrides& overrides) {
-  for (const auto& [pointer, value] : overrides) text = input::with_value(text, pointer, value);
-  return text;
-}
-
 std::string with_number(const std::string& text, std::string_view pointer, double number) {
   return input::with_value(text, pointer, fmt::format("{}", number));
 }
@@ -50,7 +43,7 @@ std::string with_combined_inputs(std::string text, const Scenario& wanted,
 }
 
 /// What a text claims of its scenario's own numbers, which are others now.
-constexpr std::string_view kClaims[] = {"headline", "criteria"};
+constexpr std::string_view kClaims[] = {"/headline", "/criteria"};
 
 /// Whether two scenarios differ at most in their claims and their names: without one in the text a scenario has its file's.
 bool are_alike(Scenario a, const Scenario& b) {
@@ -66,7 +59,7 @@ bool are_alike(Scenario a, const Scenario& b) {
 void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                const std::string& file) {
   using namespace measure;
-  const Scenario scenario = read_in_place(source, with_overrides(source.text, overrides), file);
+  const Scenario scenario = read_in_place(source, changed_text(source.text, overrides), file);
   if (!are_alike(scenario, parse_scenario(source, overrides)))
     throw ScenarioError("", "the scenario would be another one there: does it name a file beside it?");
 }
@@ -86,8 +79,8 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
   if (!scene) throw ScenarioError("", "no scenario has these estimates");
   const Scenario& fitted = scene->scenario();
 
-  std::string text = with_overrides(source.text, overrides);
-  for (const std::string_view key : kClaims) text = input::without_key(text, key);
+  std::string text = changed_text(source.text, overrides);
+  for (const std::string_view key : kClaims) text = input::without_member(text, key);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
   text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });

@@ -13,6 +13,7 @@
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
+#include "scenario/replaced_spin.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -101,19 +102,13 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   return body && release && gravity && (scenario.contact || !root.has("contact"));
 }
 
-/// Removes the spin of the text where a change gives the spin in another unit, which takes its place as a change of the same key
-/// does. Where changes give both, both stay, and the decoder refuses them.
+/// Removes the spin that a change in another unit replaces.
 template <class Changes, class PointerOf>
 void replace_spin(input::Node& root, const Changes& changes, const PointerOf& pointer_of) {
   input::Node* release = root.kind == input::JsonKind::object ? root.find("release") : nullptr;
   if (!release || release->kind != input::JsonKind::object) return;
-  const auto gives = [&](std::string_view pointer) {
-    return std::any_of(changes.begin(), changes.end(), [&](const auto& change) { return pointer_of(change) == pointer; });
-  };
-  const bool radians = gives("/release/spin_rad_s"), revolutions = gives("/release/spin_rpm");
-  if (radians == revolutions) return;
-  std::erase_if(release->children,
-                [&](const input::Node& child) { return child.key == (radians ? "spin_rpm" : "spin_rad_s"); });
+  const std::string_view replaced = replaced_spin(changes, pointer_of);
+  std::erase_if(release->children, [&](const input::Node& child) { return "/release/" + child.key == replaced; });
 }
 
 }  // namespace

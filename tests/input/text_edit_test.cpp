@@ -36,11 +36,15 @@ TEST(TextEdit, ChangesOneValueAndLeavesTheRest) {
 }
 
 TEST(TextEdit, RemovesAMember) {
-  EXPECT_EQ(without_key(R"({"a": 1, "b": {"a": 2}, "c": 3})", "a"), R"({"b": {"a": 2}, "c": 3})");
-  EXPECT_EQ(without_key(R"({"a": 1, "b": {"a": 2}, "c": 3})", "b"), R"({"a": 1, "c": 3})");
-  EXPECT_EQ(without_key("{\n  \"a\": 1,\n  \"c\": 3\n}", "c"), "{\n  \"a\": 1\n}");
-  EXPECT_EQ(without_key(R"({"a": 1})", "a"), "{}");
-  EXPECT_EQ(without_key(R"({"a": 1})", "b"), R"({"a": 1})");
+  EXPECT_EQ(without_member(R"({"a": 1, "b": {"a": 2}, "c": 3})", "/a"), R"({"b": {"a": 2}, "c": 3})");
+  EXPECT_EQ(without_member(R"({"a": 1, "b": {"a": 2}, "c": 3})", "/b"), R"({"a": 1, "c": 3})");
+  EXPECT_EQ(without_member("{\n  \"a\": 1,\n  \"c\": 3\n}", "/c"), "{\n  \"a\": 1\n}");
+  EXPECT_EQ(without_member(R"({"a": 1})", "/a"), "{}");
+  EXPECT_EQ(without_member(R"({"a": 1})", "/b"), R"({"a": 1})");
+  EXPECT_EQ(without_member(R"({"a": {"b": 1, "c": 2}, "b": 3})", "/a/b"), R"({"a": {"c": 2}, "b": 3})");
+  EXPECT_EQ(without_member(R"({"a": {"b": {"c": 2}}, "c": 3})", "/a/b/c"), R"({"a": {"b": {}}, "c": 3})");
+  for (const char* pointer : {"", "/a/b", "/l/0", "/a/b/c"})
+    EXPECT_EQ(without_member(R"({"a": 1, "l": [1]})", pointer), R"({"a": 1, "l": [1]})") << pointer;
 }
 
 TEST(TextEdit, PlacesThatAreNotThereAreRefused) {

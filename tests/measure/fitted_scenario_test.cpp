@@ -65,6 +65,9 @@ TEST_F(FittedScenario, IsTheMotionOfTheFit) {
   expect_same_motion({"/body/inertia/principal_kg_m2/2", "/body/center_of_mass_m/2"}, {{"/site/gravity_m_s2", "9.81"}},
                      {{"/site/gravity_m_s2", "9.81"}, {"/body/center_of_mass_m/2", "0.030001"}});
   expect_same_motion({"gravity_m_s2"}, {}, {});
+  // A spin in the other unit takes the place of the text's.
+  expect_same_motion({"tilt_deg"}, {{"/release/spin_rpm", "1909"}},
+                     {{"/release/spin_rpm", "1909"}, {"/release/tilt_deg", "20.001"}});
 }
 
 // A component of the Earth's rate becomes rate and latitude; gravity, which follows the latitude by default, stays.

@@ -118,10 +118,19 @@ def test_what_is_refused_says_where():
     assert top.check()
     with pytest.raises(et.ScenarioError, match="did you mean 'latitude_deg'"):
         top["latitud_deg"] = 3
+    with pytest.raises(et.ScenarioError, match="earthtop.load"):
+        et.Scenario("toy-top.json")
     with pytest.raises(TypeError):
         et.Scenario({**SMALL, "title": object()})
     with pytest.raises(ValueError):
         top["latitude_deg"] = float("nan")
+
+
+def test_the_spin_in_another_unit_replaces_it(tmp_path):
+    top = et.Scenario(SMALL)
+    top["spin_rpm"] = 6000
+    assert abs(top["spin_rad_s"] - 200 * np.pi) < 1e-12 and "spin_rad_s" not in top.text
+    assert et.load(top.save(tmp_path / "top.json")).canonical == top.changed(name="top").canonical
 
 
 def test_copies_are_apart():
@@ -139,6 +148,7 @@ def test_a_file_keeps_its_text(scenarios, tmp_path):
     assert et.load(top.save(tmp_path / "copy.json")) == top
     top["duration_s"] = 5
     assert et.load(top.save(tmp_path / "copy.json"))["duration_s"] == 5
+    assert top.text == text.replace('"duration_s": 60', '"duration_s": 5'), "layout and comments are as they were"
     assert et.example("toy-top").sha256 == et.load(str(scenarios / "toy-top.json")).sha256
     with pytest.raises(et.ScenarioError, match="did you mean 'toy-top'"):
         et.example("toytop")

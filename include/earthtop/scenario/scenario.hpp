@@ -114,6 +114,13 @@ double resolved_rotation_rate_rad_s(const Scenario& scenario);
 /// Returns the site with the gravity anomaly added to its apparent gravity (m/s^2).
 Site resolved_site(const Scenario& scenario);
 
+/// The changes given by `--set`: pairs of a JSON pointer and a JSON value (a value that is not JSON is taken as a string).
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns a scenario's text with these changes in it; everything else stays as it is, comments and layout included.
+/// @param text  that of a valid scenario   @throws ScenarioError where a pointer leads to no place
+std::string changed_text(std::string text, const Overrides& overrides);
+
 /// Returns the scenario with every default written out, as one line of JSON with sorted keys and the shortest numbers that
 /// read back exactly. Decoding it gives an equal scenario; comments are not part of it.
 std::string canonical_json(const Scenario& scenario);

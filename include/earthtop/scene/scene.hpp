@@ -166,9 +166,6 @@ inline Scene resolve(Scenario scenario) { return {std::move(scenario)}; }
 /// Returns a time in words, e.g. "about 20 s" or "less than 0.1 s". @param seconds  (s)
 std::string about_seconds(double seconds);
 
-/// The changes given by `--set`: pairs of a JSON pointer and a JSON value (a value that is not JSON is taken as a string).
-using Overrides = std::vector<std::pair<std::string, std::string>>;
-
 /// The errors and warnings found in a scenario's text, sorted by position: at most 20 errors, then one that says how many more
 /// there are. Errors of an override come first, at line 0.
 struct ScenarioReport {

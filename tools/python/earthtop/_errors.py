@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import builtins
 from dataclasses import dataclass
-from typing import Optional
+from typing import Any, Iterable, Optional, Tuple, Union
 
 
 class Error(Exception):
@@ -33,11 +33,11 @@ class Finding:
 class ScenarioError(Error, ValueError):
     """Input was refused; ``findings`` lists everything that is wrong with it."""
 
-    def __init__(self, findings) -> None:
+    def __init__(self, findings: Iterable[Union[Finding, Tuple[Any, ...]]]) -> None:
         self.findings = tuple(one if isinstance(one, Finding) else Finding(*one) for one in findings)
         super().__init__("\n".join(str(one) for one in self.findings))
 
-    def __reduce__(self):
+    def __reduce__(self) -> Tuple[Any, ...]:
         return type(self), (self.findings,)
 
 
@@ -49,7 +49,7 @@ class FileError(Error, OSError):
         self.path = path
         self.reason = reason
 
-    def __reduce__(self):
+    def __reduce__(self) -> Tuple[Any, ...]:
         return type(self), (self.path, self.reason)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
@@ -308,7 +309,7 @@ def of_run(run: "_core.RunResult", scenario: Optional[Scenario] = None) -> Resul
 
 
 def _of_texts(texts: Mapping[str, Optional[str]], scenario: Optional[Scenario] = None) -> Result:
-    files = _Files({name: (lambda text=texts.get(name): text) for name in FILES})
+    files = _Files({name: partial(texts.get, name) for name in FILES})
     return Result(files, quantities_of(files.table("trajectory.csv"), ROW_KINDS),
                   quantities_of(files.table("torques.csv"), TORQUE_KINDS), scenario=scenario)
 

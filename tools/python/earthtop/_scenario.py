@@ -82,16 +82,6 @@ def _look_up(tree: Any, pointer: str) -> Any:
     return tree
 
 
-def _put(tree: Any, pointer: str, value: Any) -> None:
-    steps = _steps(pointer)
-    for step in steps[:-1]:
-        tree = tree[int(step)] if isinstance(tree, list) else tree.setdefault(step, {})
-    if isinstance(tree, list):
-        tree[int(steps[-1])] = value
-    else:
-        tree[steps[-1]] = value
-
-
 @dataclass(frozen=True)
 class Check:
     """What was found in a scenario."""
@@ -134,6 +124,8 @@ class Scenario:
     """
 
     def __init__(self, content: Union[Mapping, str], *, path: Union[str, os.PathLike, None] = None) -> None:
+        if isinstance(content, os.PathLike) or (isinstance(content, str) and content.endswith(".json")):
+            raise refuse(f"{os.fspath(content)!r} is the name of a file; earthtop.load reads one")
         self._path = os.fspath(path) if path is not None else ""
         self._text = content if isinstance(content, str) else json_text(content)
         self._changes: Dict[str, str] = {}  # JSON values by their pointers
@@ -193,9 +185,7 @@ class Scenario:
 
     def to_dict(self) -> Dict[str, Any]:
         """The scenario as a dictionary of its own, without defaults that it does not give."""
-        tree = json.loads(self._text.lstrip("\ufeff"))
-        for pointer, value in self._changes.items():
-            _put(tree, pointer, json.loads(value))
+        tree: Dict[str, Any] = json.loads(self.text.lstrip("\ufeff"))
         return tree
 
     @property
@@ -209,8 +199,8 @@ class Scenario:
 
     @property
     def text(self) -> str:
-        """The scenario as JSON text: the file's own text, comments included, if nothing has been changed."""
-        return self._text if not self._changes else json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
+        """The scenario as JSON text: the text that it was made of, comments and layout included, with the changes in it."""
+        return _core.changed_text(self._text, list(self._changes.items()))
 
     @property
     def canonical(self) -> str:
@@ -233,7 +223,9 @@ class Scenario:
         return Path(path)
 
     def __eq__(self, other: object) -> bool:
-        return self.canonical == other.canonical if isinstance(other, Scenario) else NotImplemented
+        if not isinstance(other, Scenario):
+            return NotImplemented
+        return self.canonical == other.canonical
 
     __hash__ = None  # type: ignore[assignment]
 
