@@ -8,8 +8,11 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "earthtop/frames/earth.hpp"
+#include "error/gsl_errors.hpp"
 #include "measure/estimated_inputs.hpp"
 #include "measure/made_up_measurements.hpp"
 #include "support/json.hpp"
@@ -41,6 +44,31 @@ TEST_F(MeasurementTest, AFreeGyroscopesClosedFormHasNoResiduals) {
   EXPECT_EQ(report.fit, FitOutcome::not_asked);
   EXPECT_TRUE(report.agrees());
   EXPECT_EQ(report.notes.size(), 1u) << "scatter far below the stated errors";
+}
+
+TEST_F(MeasurementTest, ATextGivesTheValuesOfAFile) {
+  const std::string csv = "# made up\r\nt_s\tazimuth_deg\tazimuth_se_deg\r\n0\t90.1\t0.01\r\n\r\n0.1\t90.3\t0.02\r\n";
+  const Measurement file = read(csv), text = parse_measurement("<text>", csv);
+  EXPECT_EQ(text.file, "<text>");
+  EXPECT_EQ(text.rows, 2u);
+  ASSERT_EQ(text.values.size(), file.values.size());
+  for (std::size_t i = 0; i < text.values.size(); ++i) {
+    EXPECT_EQ(text.values[i].t_s, file.values[i].t_s);
+    EXPECT_EQ(text.values[i].angle_rad, file.values[i].angle_rad);
+    EXPECT_EQ(text.values[i].standard_error_rad, file.values[i].standard_error_rad);
+    EXPECT_EQ(text.values[i].line, file.values[i].line);
+  }
+}
+
+TEST(ReturnedGslErrors, TheLastOfSeveralRestoresTheHandler) {
+  gsl_error_handler_t* const given = gsl_set_error_handler_off();
+  gsl_error_handler_t* const off = gsl_set_error_handler(given);
+  ASSERT_NE(off, given);
+  std::optional<ReturnedGslErrors> first(std::in_place), second(std::in_place);
+  first.reset();
+  EXPECT_EQ(gsl_set_error_handler(off), off) << "another thread may still need it off";
+  second.reset();
+  EXPECT_EQ(gsl_set_error_handler(given), given);
 }
 
 TEST_F(MeasurementTest, ResidualsAreMeasuredLessPredictedAndAnAxisHasTwo) {

@@ -71,9 +71,6 @@ void bind_documents(py::module_& module) {
       },
       py::arg("what"), "The page of what a path holds: (html, [(name, svg)]).");
   module.def("report_file", &report_file, py::arg("what"), "Where the page of a path is put by default.");
-  module.def(
-      "write_file", [](const std::filesystem::path& file, const std::string& content) { write_file(file, content); },
-      py::arg("file"), py::arg("content"), "Writes a file; an old one stays until the new one is complete.");
 }
 
 }  // namespace earthtop::python

@@ -169,7 +169,8 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
     data : pandas.DataFrame, mapping of arrays, path of a CSV file, or CSV text
         columns, each with its unit in its name: ``t_s`` (since the release, ascending); ``azimuth_deg`` with its standard error
         ``azimuth_se_deg``, likewise ``tilt``, ``drift_azimuth`` and ``drift_tilt``, in ``_rad``, ``_deg`` or ``_arcsec``; or the
-        unit vector ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured.
+        unit vector ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured; columns whose
+        names begin with ``_`` are passed over.
     estimate : str or sequence of str
         numbers to be fitted: ``"omega_sin_latitude_rad_s"`` (the vertical part of the Earth's rate),
         ``"omega_cos_latitude_rad_s"``, ``"spin_rad_s"``, ``"tilt_deg"``, ``"latitude_deg"``, ``"gravity_m_s2"``,
@@ -269,7 +270,7 @@ def _text_of(data: "Data") -> Tuple[str, Optional[str]]:
     if hasattr(data, "reset_index") and "t_s" in data.index.names:
         data = data.reset_index("t_s")
     try:
-        columns = {str(key): _cells_of(data[key]) for key in data.keys()}
+        columns = {str(key): _cells_of(data[key]) for key in data.keys() if not str(key).startswith("_")}
     except AttributeError:
         raise TypeError(f"data are a DataFrame, a mapping of arrays, a path or CSV text, not {type(data).__name__}") from None
     lengths = {len(cells) for cells in columns.values()}
