@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "closed_form/mean_precession.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "closed_form/complex.hpp"
-#include "closed_form/mean_precession.hpp"
 #include "closed_form/top_constants.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "run/assessment.hpp"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "closed_form/mean_precession.hpp"
 #include "closed_form/top_constants.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
 #include "run/assessment.hpp"
 
 namespace earthtop {

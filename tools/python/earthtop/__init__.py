@@ -10,6 +10,7 @@ Angles are in rad and quantities in SI units unless a name ends in another unit.
 North, Up), B the body, N the inertial axes that coincide with L at the release. Quaternions are (w, x, y, z).
 """
 
+from . import closed_form
 from ._core import version as __version__
 from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError
 from ._arrays import Arrays
@@ -41,6 +42,7 @@ __all__ = [
     "Scenario",
     "ScenarioError",
     "check",
+    "closed_form",
     "compare",
     "example",
     "examples",

@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "earthtop/closed_form/state.hpp"
+
 namespace earthtop {
 
 /// What the motion of the axis depends on, over I1 (the moment about the pivot across the axis).
@@ -13,6 +15,14 @@ struct TopConstants {
   double axial = 0;     ///< the same along the axis (rad/s)
   double gravity = 0;   ///< 2 m g l / I1 (1/s^2)
 };
+
+/// @param w_B  rate in body axes (rad/s)
+inline TopConstants top_constants(const SymmetricTop<double>& top, const Quaternion<double>& q_LB, const Vec3<double>& w_B) {
+  const double axial = top.I3 / top.I1 * w_B[2], gravity = 2 * top.mgl / top.I1;
+  const Mat3<double> R_LB = rotation_matrix(q_LB);
+  return {w_B[0] * w_B[0] + w_B[1] * w_B[1] + gravity * R_LB(2, 2),
+          R_LB(2, 0) * w_B[0] + R_LB(2, 1) * w_B[1] + R_LB(2, 2) * axial, axial, gravity};
+}
 
 struct MeanRates {
   double precession_rad_s = 0;  ///< mean rate of the axis's azimuth, counterclockwise about Up
