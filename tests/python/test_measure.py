@@ -66,7 +66,8 @@ def test_a_fit_is_the_programs(run, scenarios, top, data, tmp_path, options, fla
     assert et.fit(top, file, **options).text == theirs
     named = json.loads(theirs)
     assert named.pop("file") == str(file)
-    forms = {"<DataFrame>": data, "<dict>": {name: data[name].to_numpy() for name in data}, "<text>": file.read_text().rstrip("\n")}
+    arrays = {name: data[name].to_numpy() for name in data}
+    forms = {"<DataFrame>": data, "<dict>": arrays, "<text>": file.read_text().rstrip("\n")}
     for name, form in forms.items():
         document = dict(et.fit(top, form, **options).document)
         assert document.pop("file") == name

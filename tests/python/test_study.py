@@ -3,13 +3,12 @@
 
 import copy
 import json
-import os
 import pickle
 import signal
+import sqlite3
 import subprocess
 import sys
 import threading
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -45,7 +44,8 @@ def test_a_grid_has_the_bits_and_the_document_of_the_program(program, scenarios,
                  {"pointer": "/release/tilt_deg", "values": [10, 20, 200]}],
         "collect": ["drift.axis_final_rad", "drift.verdict", "solution.steps_accepted"]}, tmp_path)
     frame = et.study(top, {"latitude_deg": latitudes, "release/tilt_deg": [10, 20, 200]},
-                     collect=["drift.axis_final_rad", "drift.verdict", "solution.steps_accepted"], out=tmp_path / "ours", jobs=2)
+                     collect=["drift.axis_final_rad", "drift.verdict", "solution.steps_accepted"], out=tmp_path / "ours",
+                     jobs=2)
     assert list(frame.columns) == list(expected.columns)
     for name in ("latitude_deg", "tilt_deg", "drift.axis_final_rad", "solution.steps_accepted"):
         assert frame[name].dtype == np.float64
@@ -68,7 +68,8 @@ def test_drawn_designs_linked_keys_and_names(program, scenarios, top, tmp_path):
         "name": "drawn", "base": str(scenarios / "toy-top.json"), "set": {"/motion/duration_s": 0.5},
         "design": {"kind": "latin_hypercube", "points": 6, "seed": 7},
         "axes": [{"pointer": "/release/tilt_deg", "range": {"from": 5, "to": 60}},
-                 {"name": "both", "pointers": ["/release/spin_rad_s", "/release/azimuth_deg"], "values": [[200, 0], [300, 45]]}],
+                 {"name": "both", "pointers": ["/release/spin_rad_s", "/release/azimuth_deg"],
+                  "values": [[200, 0], [300, 45]]}],
         "collect": [{"name": "drift", "path": "drift.axis_final_rad"}]}, tmp_path)
     frame = et.study(top, {"tilt_deg": (5, 60),
                            ("spin_rad_s", "release/azimuth_deg"): {"name": "both", "values": np.array([[200, 0], [300, 45]])}},
@@ -199,7 +200,7 @@ def test_two_studies_at_once(top, tmp_path):
 
 def test_progress_is_told(top):
     told = []
-    et.study(top, {"latitude_deg": np.linspace(-60, 60, 400)}, jobs=1, progress=lambda share, phase: told.append((share, phase)))
+    et.study(top, {"latitude_deg": np.linspace(-60, 60, 400)}, jobs=1, progress=lambda *what: told.append(what))
     shares = [share for share, _ in told]
     assert shares and shares == sorted(shares) and 0 <= shares[0] and shares[-1] <= 1
     assert {phase for _, phase in told} <= {"", "points"}
@@ -226,7 +227,8 @@ except KeyboardInterrupt:
 
 def test_an_interrupted_study_goes_on(tmp_path):
     points = 1200
-    process = subprocess.Popen([sys.executable, "-c", LONG, str(tmp_path / "out"), str(points)], stdout=subprocess.PIPE, text=True)
+    command = [sys.executable, "-c", LONG, str(tmp_path / "out"), str(points)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     while float(process.stdout.readline()) < 0.1:
         assert process.poll() is None
     process.send_signal(signal.SIGINT)
@@ -240,7 +242,7 @@ def test_an_interrupted_study_goes_on(tmp_path):
 
     # What the store has is not computed again: a mark put there is still in the table at the end.
     store = tmp_path / "out/study.sqlite"
-    database = __import__("sqlite3").connect(store)
+    database = sqlite3.connect(store)
     database.execute("UPDATE point SET reason = 'from before'")
     database.commit()
     database.close()
@@ -270,8 +272,8 @@ def test_a_study_costs_what_it_costs_the_program(program, scenarios, tmp_path):
     theirs, ours = [], []
     for i in range(8):
         before = seconds(resource.RUSAGE_CHILDREN)
-        subprocess.run([program, "study", tmp_path / "thousand.json", "--out", tmp_path / f"theirs{i}", "--jobs", "1", "--quiet"],
-                       check=True)
+        command = [program, "study", tmp_path / "thousand.json", "--out", tmp_path / f"theirs{i}", "--jobs", "1", "--quiet"]
+        subprocess.run(command, check=True)
         theirs.append(seconds(resource.RUSAGE_CHILDREN) - before)
         before = seconds(resource.RUSAGE_SELF)
         assert len(et.study(tmp_path / "thousand.json", out=tmp_path / f"ours{i}", jobs=1)) == 1000

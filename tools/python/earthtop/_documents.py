@@ -7,6 +7,7 @@ import contextlib
 import json
 import os
 import re
+from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -53,7 +54,8 @@ class Document:
         return ()
 
     def __repr__(self) -> str:
-        return "\n".join([f"<earthtop.{type(self).__name__} {self._headline()}", *(f"  {line}" for line in self._lines())]) + ">"
+        lines = [f"<earthtop.{type(self).__name__} {self._headline()}", *(f"  {line}" for line in self._lines())]
+        return "\n".join(lines) + ">"
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -83,7 +85,7 @@ def table(rows: Sequence[Mapping[str, Any]], words: Sequence[str], numbers: Sequ
     columns: Dict[str, Any] = {}
     for key in order or [*words, *numbers]:
         values = [row.get(key) for row in rows]
-        columns[key] = values if key in words else pandas.Series([float("nan") if x is None else x for x in values], dtype=float)
+        columns[key] = values if key in words else pandas.Series([nan if x is None else x for x in values], dtype=float)
     frame = pandas.DataFrame(columns)
     return frame.set_index(pandas.Index(frame[index], name=None)) if index else frame
 
@@ -136,17 +138,17 @@ def _as_arguments(text: str) -> str:
 
 
 @contextlib.contextmanager
-def errors_named(names: Mapping[str, str] = {}) -> Iterator[None]:
+def errors_named(names: Optional[Mapping[str, str]] = None) -> Iterator[None]:
     """Raises errors in the words of the package: options of the program become arguments, temporary files what they stand for.
 
     Parameters
     ----------
-    names : mapping
+    names : mapping, optional
         what to call the paths that the user has not given
     """
 
     def changed(text: str) -> str:
-        return _as_arguments(renamed(text, names))
+        return _as_arguments(renamed(text, names or {}))
 
     try:
         yield

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 import numpy as np
 
 from . import _core
-from ._documents import Document, Given, errors_named, names_of, number, parts_of, plain_json, table
+from ._documents import Document, Given, errors_named, names_of, number, parts_of, table
 from ._errors import refuse
 from ._progress import Progress, Reporter
-from ._scenario import Scenario, ScenarioLike, as_scenario, pointer_of
+from ._scenario import Scenario, ScenarioLike, as_scenario
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -36,8 +36,8 @@ class Fit(Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether measurement and scenario agree, after the fit if there is one: the chance of such residuals is at least 0.001,
-        and the fit has converged."""
+        """Whether measurement and scenario agree, after the fit if there is one: the chance of such residuals is at least
+        0.001, and the fit has converged."""
         return self.document["agrees"]
 
     @property
@@ -83,8 +83,8 @@ class Fit(Document):
 
     @property
     def estimates(self) -> "pandas.DataFrame":
-        """One row for each estimated number, by its name: its unit, the scenario's value (``start``), the estimate, its standard
-        error from the stated errors, and the standard error scaled by the scatter of the residuals where that is larger."""
+        """One row for each estimated number, by its name: its unit, the scenario's value (``start``), the estimate, its
+        standard error from the stated errors, and that error scaled by the scatter of the residuals where this is larger."""
         return table(self.document["estimates"], ["name", "unit"],
                      ["start", "estimate", "standard_error", "standard_error_scaled"], index="name")
 
@@ -168,9 +168,9 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
         where the fit starts
     data : pandas.DataFrame, mapping of arrays, path of a CSV file, or CSV text
         columns, each with its unit in its name: ``t_s`` (since the release, ascending); ``azimuth_deg`` with its standard error
-        ``azimuth_se_deg``, likewise ``tilt``, ``drift_azimuth`` and ``drift_tilt``, in ``_rad``, ``_deg`` or ``_arcsec``; or the
-        unit vector ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured; columns whose
-        names begin with ``_`` are passed over.
+        ``azimuth_se_deg``, likewise ``tilt``, ``drift_azimuth`` and ``drift_tilt``, in ``_rad``, ``_deg`` or ``_arcsec``; or
+        the unit vector ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured; names that
+        begin with ``_`` are passed over.
     estimate : str or sequence of str
         numbers to be fitted: ``"omega_sin_latitude_rad_s"`` (the vertical part of the Earth's rate),
         ``"omega_cos_latitude_rad_s"``, ``"spin_rad_s"``, ``"tilt_deg"``, ``"latitude_deg"``, ``"gravity_m_s2"``,
@@ -239,7 +239,8 @@ def simulate_measurement(scenario: ScenarioLike, measure: Mapping[str, float], *
 
     given = parts_of(as_scenario(scenario).changed(changes))
     with errors_named(), Reporter(progress) as reporter:
-        text = _core.simulated_measurement(given, measured(measure), *times(every_s, until_s, correlation_time_s), seed, reporter)
+        when = times(every_s, until_s, correlation_time_s)
+        text = _core.simulated_measurement(given, measured(measure), *when, seed, reporter)
     lines = text.splitlines()
     rows = np.array([[float(cell) for cell in row] for row in csv.reader(lines[2:])])
     frame = pandas.DataFrame(rows, columns=lines[1].split(","))

@@ -70,8 +70,8 @@ class Plan(Document):
 
     @property
     def best(self) -> Dict[str, float]:
-        """The best values of what ``optimise`` named, by their pointers: ``top.changed(plan.best)`` is the best design. Empty if
-        nothing was to be optimised."""
+        """The best values of what ``optimise`` named, by their pointers: ``top.changed(plan.best)`` is the best design. Empty
+        if nothing was to be optimised."""
         optimum = self.document["optimum"]
         return {one["pointer"]: one["best"] for one in optimum["choices"]} if optimum else {}
 

@@ -7,7 +7,7 @@ import contextlib
 import os
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Mapping, Tuple, Union
 
 from . import _core
 from ._documents import Document, errors_named, plain_json, renamed
@@ -27,8 +27,8 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
     Parameters
     ----------
     what : Result, Comparison, Fit, Plan, their documents, DataFrame of a study, or path
-        what the page is about. A study must have been given ``out``. A path is that of a directory of results, of a study, or of
-        a document.
+        what the page is about. A study must have been given ``out``. A path is that of a directory of results, of a study, or
+        of a document.
     path : str or path, optional
         the page; default, where ``what`` is a path: report.html in the directory, or the document's name with .html
     svg : bool

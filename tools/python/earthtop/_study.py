@@ -55,8 +55,8 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
     Parameters
     ----------
     base : Scenario, dict, JSON text or path
-        the scenario that is varied. Without ``axes``: a study file's path, its text, or its content as a dictionary, the base of
-        which may be a Scenario
+        the scenario that is varied. Without ``axes``: a study file's path, its text, or its content as a dictionary, the base
+        of which may be a Scenario
     axes : mapping
         what is varied, by key: a list or an array of values, or a mapping with ``from``, ``to`` and ``points`` (equal steps),
         or one of a study file's axis, e.g. ``{"name": "rate", "log_range": {"from": 1, "to": 100, "points": 5}}``. In a drawn
