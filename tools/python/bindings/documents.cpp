@@ -66,7 +66,7 @@ void bind_documents(py::module_& module) {
   module.def(
       "make_report",
       [](const std::filesystem::path& what) {
-        Report report = result_of(py::none(), [&](const Watch&) { return make_report(what); });
+        Report report = result_of(py::none(), [&](const Watch& watch) { return make_report(what, watch); });
         return py::make_tuple(std::move(report.html), std::move(report.pictures));
       },
       py::arg("what"), "The page of what a path holds: (html, [(name, svg)]).");
