@@ -198,6 +198,26 @@ def test_two_studies_at_once(top, tmp_path):
         pandas.testing.assert_frame_equal(frame, alone)
 
 
+def test_one_store_is_written_by_one_study(top, tmp_path):
+    began, may_end = threading.Event(), threading.Event()
+
+    def progress(share, phase):
+        began.set()
+        may_end.wait(60)
+
+    axes = {"latitude_deg": np.linspace(-60, 60, 2000)}
+    work = threading.Thread(target=lambda: et.study(top, axes, out=tmp_path, jobs=1, progress=progress))
+    work.start()
+    try:
+        assert began.wait(60)
+        with pytest.raises(et.ScenarioError, match="is in use by process .* choose another out$"):
+            et.study(top, axes, out=tmp_path)
+    finally:
+        may_end.set()
+        work.join()
+    assert len(et.load_study(tmp_path)) == 2000
+
+
 def test_progress_is_told(top):
     told = []
     et.study(top, {"latitude_deg": np.linspace(-60, 60, 400)}, jobs=1, progress=lambda *what: told.append(what))

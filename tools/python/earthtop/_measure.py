@@ -140,6 +140,7 @@ class Fit(Document):
             style = {"fmt": ".", "label": quantity, **options}
             ax.errorbar(rows["t_s"], rows["residual_rad"], yerr=rows["standard_error_rad"], **style)
         ax.axhline(0, color="gray", linewidth=0.8)
+        ax.ticklabel_format(axis="y", scilimits=(-3, 3))
         ax.set_xlabel("time / s")
         ax.set_ylabel("measured less predicted / rad")
         ax.set_title(self.document["scenario"]["name"])
