@@ -45,8 +45,10 @@ add_library(earthtop-workbench
   measure/input_places.cpp
   measure/measured_motion.cpp
   measure/measurement.cpp
+  measure/prediction_problem.cpp
   measure/priors.cpp
   measure/scaled_problem.cpp
+  measure/seen_directions.cpp
   measure/sentences.cpp
   measure/weighted_fit.cpp
   measure/whitening.cpp

@@ -125,7 +125,7 @@ struct ContactBalance {
 struct ContactBalances {
   std::optional<ContactBalance> jellett, jacobi;
 };
-/// What a run of a top on a table tells about the contact.
+/// The report of a run of a top on a table about the contact.
 struct ContactReport {
   std::vector<ContactEvent> events;  ///< ascending in time
   double at_s = 0;                   ///< time of `changes`

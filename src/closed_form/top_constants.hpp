@@ -6,7 +6,7 @@
 
 namespace earthtop {
 
-/// What a top that is symmetric about body axis 3 conserves without Earth rotation.
+/// The constants of the motion of a top that is symmetric about body axis 3, without Earth rotation.
 /// @param w_B  rate (rad/s)   @param mgl  torque of gravity (N m), see Scene::axial_gravity_torque_N_m
 inline TopConstants top_constants(const Body<double>& body, double mgl, const Quaternion<double>& q_LB,
                                   const Vec3<double>& w_B) {

@@ -91,7 +91,7 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
     s.ref_q_LB = equations_.q_LH() * ref_q_HB;
     return s;
   }
-  /// What belongs to the table.
+  /// The table's own quantities are computed here.
   ContactDriftState<T> contact_state(const State& x, T t) const {
     using P = Paired<T>;
     const PairedBody<T> body = equations_.body(x, t);

@@ -50,7 +50,7 @@ class EarthTurn {
   Vec3<Paired<T>> column_[3], row_[3];  ///< of R_NH: its columns, and those of its transpose
 };
 
-/// What surrounds both motions at a time: the reference has no Earth rate, and its table does not turn.
+/// The surroundings of both motions at a time: the reference has no Earth rate, and its table does not turn.
 /// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide   @param gravity_change_H  of gravity over
 /// epsilon, where the inputs are changed
 template <Observer O, class T>

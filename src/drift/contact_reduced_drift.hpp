@@ -96,7 +96,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     const PairedTop<T> top = equations_.top(x, t);
     return measured(top, equations_.q_LH() * attitude_.frame(top), Quaternion<T>());
   }
-  /// What belongs to the table.
+  /// The table's own quantities are computed here.
   ContactDriftState<T> contact_state(const State& x, T t) const {
     using P = Paired<T>;
     const PairedTop<T> top = equations_.top(x, t);

@@ -40,7 +40,7 @@ std::optional<SlipStop<T>> slide_to_stop(const ContactReducedDrift<T, Observer::
   const auto typical = drift.typical_state();
   const T rounding = T(64) * real::epsilon<T>() * typical[Slide::kSpin] * typical[Slide::kPosition];
   if (!(at_start > rounding)) return SlipStop<T>{{}, clock.stopped(x)};
-  // What is left of the slip decays at its present rate, to first order: it may be the root of the round-off for the last
+  // The slip that is left decays at its present rate, to first order: it may be the root of the round-off for the last
   // digits of the stop, and is taken much smaller as the direction converges like a power of what is left.
   const T gone = T(0.1) * real::epsilon<T>() * at_start;
   T sigma = T(0), step = T(0.01);

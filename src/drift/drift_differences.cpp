@@ -310,7 +310,7 @@ class Differences {
     response.add(1 / (2 * h), high);
     response.add(-1 / (2 * h), low);
     for (Vec3<double>& drift : response.drift) drift *= epsilon();
-    // What is no more than rounding is no response.
+    // A change that is no more than rounding is no response.
     const auto clear = [](std::vector<Vec3<double>>& vectors) { std::ranges::fill(vectors, Vec3<double>::Zero()); };
     if (h * largest_of(response.reference) < kAxisRounding) clear(response.reference);
     if (h * largest_of(response.drift) < kDriftRounding * drift_) clear(response.drift);

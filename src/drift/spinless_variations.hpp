@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the variational equations of motions without their spin have in common: they are recorded, and integrated by series.
+/// The common part of the variational equations of motions without their spin: they are recorded, and integrated by series.
 #pragma once
 
 #include <array>

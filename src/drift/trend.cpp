@@ -215,7 +215,7 @@ constexpr double kOfDistinction = 0.4;
 constexpr double kOfNearness = 4, kNearest = 0.6;
 /// By how much larger the bound is where the frequencies are estimates.
 constexpr double kOfEstimated = 2;
-/// What rounding leaves of the fits.
+/// Rounding alone leaves this part of the fits.
 constexpr double kRounding = 1e-9;
 
 }  // namespace

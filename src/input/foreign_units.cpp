@@ -193,7 +193,7 @@ std::optional<Unit> unit_in_key(std::string_view ending, const Dimension& wanted
   return parts.empty() ? std::nullopt : unit_of_dimension(parts, 0, {}, wanted);
 }
 
-/// What follows the stem, or an abbreviation of the stem, and an underscore in a key; empty if the key does not begin so.
+/// The rest of a key after the stem, or an abbreviation of the stem, and an underscore; empty if the key does not begin so.
 std::string_view after_stem(std::string_view key, std::string_view stem) {
   const auto after = [&](std::string_view start) {
     return key.size() > start.size() + 1 && key.starts_with(start) && key[start.size()] == '_' ? key.substr(start.size() + 1)

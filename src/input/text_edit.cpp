@@ -103,7 +103,7 @@ std::string with_member(std::string_view text, std::size_t begin, const std::vec
     const std::size_t end = Scanner(text).past_space(begin + 1);
     return result.replace(begin + 1, end - begin - 1, fmt::format(" {} ", member));
   }
-  // What stands between the last member and the comma or brace before it is the layout.
+  // The text between the last member and the comma or brace before it is the layout.
   std::size_t space = members.back().key.begin;
   while (space > 0 && is_space(text[space - 1])) --space;
   const std::string_view layout = text.substr(space, members.back().key.begin - space);

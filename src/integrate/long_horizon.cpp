@@ -151,7 +151,7 @@ T reachable(const TiltedTop<T>& top, T duration, T asked, Averaging averaging) {
   return std::max({asked, T(kLeastAveraged), averaging_error(top, duration, averaging) / T(3)});
 }
 
-/// What the search for a plan begins with.
+/// The beginning of the search for a plan.
 template <class T>
 struct Guess {
   LongHorizonPlan<T> plan;

@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
-Json or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json chi_squared_json(const ChiSquared& chi_squared) {
   const auto freedom = chi_squared.degrees_of_freedom;
   return {{"value", chi_squared.value},

@@ -8,7 +8,7 @@
 
 namespace earthtop::measure {
 
-/// What the figures need of a document of `measurement_json`: names, residuals, correlation time and curve.
+/// The figures need these parts of a document of `measurement_json`: names, residuals, correlation time and curve.
 /// @throws nlohmann::json::exception where it is no such document
 MeasurementReport measurement_of(const nlohmann::ordered_json& document);
 

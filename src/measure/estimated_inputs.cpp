@@ -47,12 +47,6 @@ const input::Field* field_of(std::string_view pointer) {
   return target.is_number ? target.field : nullptr;
 }
 
-/// The number at a pointer of a tree; none where there is no number.
-std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
-  const input::Node* node = input::node_at(root, pointer);
-  return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
-}
-
 double scale_of(double start, std::string_view unit, std::string_view pointer) {
   if (unit == "deg") return kDegreesPerRad;
   if (unit == "arcsec") return 3600 * kDegreesPerRad;
@@ -61,6 +55,16 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 }
 
 }  // namespace
+
+bool is_number_of_motion(std::string_view pointer) {
+  return field_of(pointer) &&
+         std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
+}
+
+std::optional<double> number_in(const input::Node& root, std::string_view pointer) {
+  const input::Node* node = input::node_at(root, pointer);
+  return node && node->kind == input::JsonKind::number ? std::optional(node->number) : std::nullopt;
+}
 
 EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                  const Scene& base, const std::vector<std::string>& names, std::size_t most)
@@ -98,8 +102,7 @@ void EstimatedInputs::add(const std::string& name) {
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }
-  const bool in_room = std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
-  const input::Field* field = in_room ? field_of(pointer) : nullptr;
+  const input::Field* field = is_number_of_motion(pointer) ? field_of(pointer) : nullptr;
   if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.

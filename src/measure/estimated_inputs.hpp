@@ -5,10 +5,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "earthtop/scene/scene.hpp"
+#include "input/node.hpp"
 #include "scenario/document.hpp"
 
 namespace earthtop::measure {
@@ -31,6 +33,12 @@ struct EstimatedInput {
       1;  ///< typical size, in `unit`: |start|, or 1 if that is 0; a radian for an angle; at least the Earth's for its rate
   CombinedInput combined = CombinedInput::none;
 };
+
+/// Whether a JSON pointer leads to a number of the scenario on which the motion depends.
+bool is_number_of_motion(std::string_view pointer);
+
+/// The number at a pointer of a document's tree; none where there is no number.
+std::optional<double> number_in(const input::Node& root, std::string_view pointer);
 
 class EstimatedInputs {
  public:

@@ -34,7 +34,7 @@ std::vector<Series> series_of(const MeasurementReport& report) {
   return list;
 }
 
-/// Of very many values, those whose residuals are least and largest in each of some spans.
+/// The values whose residuals are least and largest in each of some spans, where there are very many.
 Series thinned(const Series& all) {
   if (all.size() <= kAllUpTo) return all;
   Series kept;

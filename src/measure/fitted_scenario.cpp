@@ -42,7 +42,7 @@ std::string with_combined_inputs(std::string text, const Scenario& wanted,
   return text;
 }
 
-/// What a text claims of its scenario's own numbers, which are others now.
+/// The claims of a text on its scenario's own numbers, which are others now.
 constexpr std::string_view kClaims[] = {"/headline", "/criteria"};
 
 /// Whether two scenarios differ at most in their claims and their names: without one in the text a scenario has its file's.

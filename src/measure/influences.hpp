@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What rows of data determine of a few parameters: the singular values of the residuals' derivatives.
+/// The information of rows of data on a few parameters: the singular values of the residuals' derivatives.
 #pragma once
 
 #include <gsl/gsl_matrix.h>

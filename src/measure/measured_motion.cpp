@@ -156,6 +156,11 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   return predicted;
 }
 
+bool is_beyond_prediction(const VerdictReport& verdict, double until_s) {
+  const bool grows = verdict.verdict == Verdict::unstable || verdict.verdict == Verdict::chaotic;
+  return grows && verdict.from_s && *verdict.from_s <= until_s;
+}
+
 VerdictReport verdict_at(const Scene& measured, double end_s, const Watch& watch, RunStatus& status) {
   constexpr double kLooks = 200;  // number of times at which bounds are checked
   Scenario scenario = measured.scenario();

@@ -46,6 +46,9 @@ bool has_drifts(const Measurement& measurement);
 /// @param status  is set to the run's status: completed, or the reason why there is no verdict
 VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, RunStatus& status);
 
+/// Whether the verdict says that no prediction at `until_s` means anything.
+bool is_beyond_prediction(const VerdictReport& verdict, double until_s);
+
 /// A measurement's residuals against the motion at measured_times(), for the rows that the motion reached. Residuals of
 /// azimuths are reduced to -pi to pi. The components of an axis are taken along directions that depend on the measured axis
 /// alone, so that they do not turn when the prediction is varied.

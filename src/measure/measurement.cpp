@@ -16,6 +16,7 @@
 #include "error/gsl_errors.hpp"
 #include "measure/estimated_inputs.hpp"
 #include "measure/measured_motion.hpp"
+#include "measure/prediction_problem.hpp"
 #include "measure/priors.hpp"
 #include "measure/weighted_fit.hpp"
 #include "measure/whitening.hpp"
@@ -85,46 +86,17 @@ double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cas
 void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
                    const Watch& watch) {
   const std::vector<double> times = measured_times(measurement);
-  const bool drift = has_drifts(measurement);
   if (report.residuals.size() + priors.used.size() < inputs.list().size())
     throw ScenarioError(
         "--estimate",
         fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(), report.residuals.size(),
                     priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
-  std::vector<MeasurementResidual> latest;
-  FitProblem problem;
+  Trials trials{report.predictions, 1 / expected_predictions(inputs.list().size()), 0, {}};
+  FitProblem problem = prediction_problem(inputs, measurement, report.residuals, times, watch, trials);
   problem.whitening = whitening_of(report);
   problem.priors = std::move(priors.of_fit);
-  for (const EstimatedInput& input : inputs.list()) {
-    problem.start.push_back(input.start);
-    problem.scales.push_back(input.scale);
+  for (const EstimatedInput& input : inputs.list())
     report.estimates.push_back({input.name, input.unit, input.start, {}, {}, {}});
-  }
-  for (const MeasurementResidual& residual : report.residuals) {
-    problem.standard_error.push_back(residual.standard_error_rad);
-    problem.period.push_back(period_of(residual));
-  }
-  problem.stopped = [&] { return watch.asks_to_stop(); };
-  // The number of predictions is not known beforehand: each one reports the same part of the share that is left.
-  const double part = 1 / expected_predictions(inputs.list().size());
-  double share = 0;
-  problem.residuals_at = [&](const std::vector<double>& values, std::vector<double>& residuals) {
-    const std::optional<Scene> scene = inputs.scene(values);
-    if (!scene) return false;
-    try {
-      ++report.predictions;
-      const double begun = share;
-      share += part * (1 - share);
-      const PredictedMotion motion = predict(*scene, times, drift, watch.part(begun, share));
-      if (motion.status != RunStatus::completed) return false;
-      latest = residuals_of(measurement, motion);
-    } catch (const ScenarioError&) {  // no steady precession for these values, an axis that is vertical, days of work
-      return false;
-    }
-    residuals.clear();
-    for (const MeasurementResidual& residual : latest) residuals.push_back(residual.residual_rad);
-    return true;
-  };
   const Fit fit = fit_weighted(problem);
   report.fit = fit.outcome;
   report.iterations = fit.iterations;
@@ -138,7 +110,7 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   if (fit.outcome != FitOutcome::converged) return;
   std::vector<double> residuals;
   if (!problem.residuals_at(fit.parameters, residuals)) throw std::logic_error("a fit without a prediction");
-  report.residuals = std::move(latest);
+  report.residuals = std::move(trials.latest);
   if (report.correlation_time_s > 0) whiten(report.residuals, problem.whitening);
   for (std::size_t k = 0; k < priors.used.size(); ++k) {
     Prior& prior = priors.used[k];

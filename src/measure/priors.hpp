@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a scenario's `uncertainty` block says of the inputs that are estimated.
+/// The standard errors that a scenario's `uncertainty` block gives for the inputs that are estimated.
 #pragma once
 
 #include <vector>

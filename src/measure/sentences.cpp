@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the estimates say, in words.
+// The sentences that say what the estimates mean.
 #include <fmt/core.h>
 
 #include <algorithm>

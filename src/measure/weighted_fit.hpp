@@ -12,7 +12,7 @@
 
 namespace earthtop::measure {
 
-/// What is known of a parameter beforehand: that it is its start, with a standard error.
+/// The prior knowledge of a parameter is that it is its start, with a standard error.
 struct FitPrior {
   std::size_t parameter = 0;
   double standard_error = 0;  ///< above 0, in the parameter's unit

@@ -70,7 +70,7 @@ double gain(const PlanReport& report, const PlanVariation& change) {
   return *report.estimates[0].standard_error / *change.standard_error;
 }
 
-/// What a change means, e.g. "measure 2 times as long, to 120 s".
+/// The sentence that says what a change means, e.g. "measure 2 times as long, to 120 s".
 std::string change_text(const PlanReport& report, const PlanVariation& change) {
   switch (change.change) {
     case PlanChange::duration:

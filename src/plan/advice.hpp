@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What would make the first estimate's standard error smaller, and what first.
+/// The advice says what would make the first estimate's standard error smaller, and what first.
 #pragma once
 
 #include "plan/bound.hpp"

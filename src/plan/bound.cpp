@@ -4,14 +4,13 @@
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "error/gsl_errors.hpp"
 #include "measure/error_memory.hpp"
 #include "measure/influences.hpp"
+#include "measure/seen_directions.hpp"
 
 namespace earthtop::plan {
 namespace {
@@ -19,13 +18,6 @@ namespace {
 using Eigen::Index;
 /// The change that no value notices is stated for so small a part of the scale of the number that changes most.
 constexpr double kSmallChange = 0.01;
-
-/// With priors a direction that the values do not determine may count for as little as this part of the largest influence:
-/// rounding is far below it.
-constexpr double kLeastWithPriors = 1e-12;
-/// A number takes part in such a direction if its component is above this, which is a hundred times the error of the derivatives
-/// of strong influences: what is neglected, and the error of what is not, are below a hundredth of the direction's effect on it.
-constexpr double kLeastPart = 1e-6;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -59,43 +51,13 @@ RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
   return J;
 }
 
-/// An orthonormal basis of the same space as the given one's columns, without the small components that errors of the derivatives
-/// make: Gauss's elimination leaves each direction with as few components as it can have.
-Eigen::MatrixXd cleaned(Eigen::MatrixXd basis) {
-  std::vector<bool> is_taken(static_cast<std::size_t>(basis.rows()), false);
-  for (Index c = 0; c < basis.cols(); ++c) {
-    Index pivot = -1;
-    for (Index i = 0; i < basis.rows(); ++i)
-      if (!is_taken[static_cast<std::size_t>(i)] && (pivot < 0 || std::abs(basis(i, c)) > std::abs(basis(pivot, c)))) pivot = i;
-    is_taken[static_cast<std::size_t>(pivot)] = true;
-    basis.col(c) /= basis(pivot, c);
-    for (Index other = 0; other < basis.cols(); ++other)
-      if (other != c) basis.col(other) -= (basis(pivot, other) * basis.col(c)).eval();
-  }
-  basis = (basis.array().abs() > kLeastPart).select(basis, 0);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(basis);
-  return factors.householderQ() * Eigen::MatrixXd::Identity(basis.rows(), basis.cols());
-}
-
 /// As many rows as numbers with the same information as J, and below them those of the priors. Directions that the values do not
-/// determine are left to the priors: the derivatives along them are errors of differences, and count as 0.
+/// determine are left to the priors.
 RowMajor with_priors(const RowMajor& J, const std::vector<double>& scales, const std::vector<InputPrior>& priors) {
   const Index numbers = J.cols();
-  const Eigen::VectorXd lengths = J.colwise().norm();
-  Eigen::MatrixXd unit = J;
-  for (Index j = 0; j < numbers; ++j)
-    if (lengths[j] > 0) unit.col(j) /= lengths[j];
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit, Eigen::ComputeThinV);
-  const Eigen::VectorXd& singular = svd.singularValues();
-  Index determined = 0;  // singular values are in descending order
-  while (determined < numbers && singular[determined] > measure::Influences::kLeast * singular[0]) ++determined;
-  Eigen::MatrixXd seen = singular.head(determined).asDiagonal() * svd.matrixV().leftCols(determined).transpose();
-  if (determined < numbers) {
-    const Eigen::MatrixXd unseen = cleaned(svd.matrixV().rightCols(numbers - determined));
-    seen -= (seen * unseen * unseen.transpose()).eval();
-  }
+  const Eigen::MatrixXd seen = measure::seen_directions(J).rows;
   RowMajor rows = RowMajor::Zero(numbers + static_cast<Index>(priors.size()), numbers);
-  rows.topRows(determined) = seen * lengths.asDiagonal();
+  rows.topRows(seen.rows()) = seen;
   for (std::size_t k = 0; k < priors.size(); ++k)
     rows(numbers + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
         scales[priors[k].input] / priors[k].standard_error;
@@ -131,7 +93,7 @@ Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales
   const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
   const measure::Influences influences(&matrix.matrix, &none.vector);
   const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
-  if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : kLeastWithPriors)) {
+  if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : measure::kLeastWithPriors)) {
     const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();
     bound.covariance = (covariance + covariance.transpose()) / 2;
     return bound;

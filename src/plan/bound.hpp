@@ -13,7 +13,7 @@
 
 namespace earthtop::plan {
 
-/// What is known beforehand of a number.
+/// The knowledge of a number before any measurement.
 struct InputPrior {
   std::size_t input = 0;
   double standard_error = 0;  ///< in the number's unit

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "measure/prediction_problem.hpp"
 #include "measure/scaled_problem.hpp"
 #include "plan/planned_rows.hpp"
 
@@ -39,10 +40,9 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
                            const Watch& watch, std::int64_t& predictions) {
   Derivatives found;
   const double part = 1 / expected_predictions(inputs.list().size());
-  double share = part;
   Measurement measurement = empty_measurement(quantities, times_s);
   const bool drift = measure::has_drifts(measurement);
-  const PredictedMotion motion = measure::predict(scene, times_s, drift, watch.part(0, share));
+  const PredictedMotion motion = measure::predict(scene, times_s, drift, watch.part(0, part));
   ++predictions;
   found.status = motion.status;
   if (motion.status != RunStatus::completed) {
@@ -54,34 +54,8 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
   const std::vector<MeasurementResidual> own = measure::residuals_of(measurement, motion);
   found.values = values_of(measurement, quantities.size(), own);
 
-  FitProblem problem;
-  for (const measure::EstimatedInput& input : inputs.list()) {
-    problem.start.push_back(input.start);
-    problem.scales.push_back(input.scale);
-  }
-  for (const MeasurementResidual& residual : own) {
-    problem.standard_error.push_back(residual.standard_error_rad);
-    problem.period.push_back(measure::period_of(residual));
-  }
-  problem.stopped = [&] { return watch.asks_to_stop(); };
-  problem.residuals_at = [&](const std::vector<double>& numbers, std::vector<double>& residuals) {
-    const std::optional<Scene> varied = inputs.scene(numbers);
-    if (!varied) return false;
-    residuals.clear();
-    try {
-      ++predictions;
-      const double begun = share;
-      share += part * (1 - share);
-      const PredictedMotion moved = measure::predict(*varied, times_s, drift, watch.part(begun, share));
-      if (moved.status != RunStatus::completed) return false;
-      for (const MeasurementResidual& residual : measure::residuals_of(measurement, moved))
-        residuals.push_back(residual.residual_rad);
-    } catch (const ScenarioError&) {  // no such motion, or an axis that is vertical
-      return false;
-    }
-    return true;
-  };
-
+  measure::Trials trials{predictions, part, part, {}};
+  const FitProblem problem = measure::prediction_problem(inputs, measurement, own, times_s, watch, trials);
   ScaledProblem scaled(problem);
   const std::vector<double> start(inputs.list().size(), 1);
   try {

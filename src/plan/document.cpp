@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
-Json or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json estimate_json(const PlannedEstimate& estimate) {
   return {{"name", estimate.name},
           {"unit", estimate.unit},

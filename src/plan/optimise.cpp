@@ -14,12 +14,10 @@
 #include "earthtop/elementary.hpp"
 #include "error/gsl_errors.hpp"
 #include "input/node.hpp"
-#include "input/pointers.hpp"
 #include "measure/measured_motion.hpp"
 #include "plan/derivatives.hpp"
 #include "plan/planned_rows.hpp"
 #include "scenario/document.hpp"
-#include "scenario/fields.hpp"
 #include "scene/examine.hpp"
 
 namespace earthtop {
@@ -136,9 +134,7 @@ class Designs {
   bool is_reliable(const Tried& tried, const Watch& watch) const {
     RunStatus status = RunStatus::completed;
     const VerdictReport verdict = measure::verdict_at(tried.scene, tried.until_s, Watch(watch).with_progress(nullptr), status);
-    if (status != RunStatus::completed) return false;
-    const bool grows = verdict.verdict == Verdict::unstable || verdict.verdict == Verdict::chaotic;
-    return !(grows && verdict.from_s && *verdict.from_s <= tried.until_s);
+    return status == RunStatus::completed && !measure::is_beyond_prediction(verdict, tried.until_s);
   }
 
   const ScenarioSource& source_;
@@ -174,7 +170,7 @@ std::vector<GridPoint> grid_search(Designs& designs, const std::vector<DesignInp
   return found;
 }
 
-/// What the callback that GSL, a C library, calls needs. An exception may not pass through C: it waits here.
+/// The data of the callback that GSL, a C library, calls. An exception may not pass through C: it waits here.
 struct Search {
   Designs* designs;
   const std::vector<DesignInput>* design;
@@ -245,13 +241,9 @@ void try_limits(Designs& designs, const std::vector<DesignInput>& design) {
 
 double given_value(const ScenarioSource& source, const Overrides& overrides, const std::string& pointer) {
   const scenario::Document document(source, overrides);
-  const auto number_in = [&](const input::Node& root) {
-    const input::Node* node = input::node_at(root, pointer);
-    return node && node->kind == input::JsonKind::number ? node->number : NAN;
-  };
-  const double given = number_in(document.root());
-  if (std::isfinite(given)) return given;
-  return number_in(scenario::Document({"", canonical_json(parse_scene(source, overrides).scenario())}).root());
+  if (const auto given = measure::number_in(document.root(), pointer)) return *given;
+  const scenario::Document complete({"", canonical_json(parse_scene(source, overrides).scenario())});
+  return measure::number_in(complete.root(), pointer).value_or(NAN);
 }
 
 }  // namespace
@@ -263,15 +255,11 @@ void require_design(const ScenarioSource& source, const Overrides& overrides, co
   for (auto input = design.begin(); input != design.end(); ++input) {
     if (std::any_of(design.begin(), input, [&](const DesignInput& other) { return other.pointer == input->pointer; }))
       refuse_design(input->pointer, "is given twice");
-    const input::PointerTarget target = input::pointer_target(scenario::fields(), input->pointer);
-    const bool is_motion = input->pointer == kDuration;
-    constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/platform/", "/effects/"};
-    const bool in_room = is_motion || std::any_of(std::begin(kRooms), std::end(kRooms),
-                                                  [&](std::string_view room) { return input->pointer.starts_with(room); });
-    if (!in_room || !target.is_number)
-      refuse_design(input->pointer,
-                    "is no number that can be chosen; give a number of site, earth, body, release, platform or effects, or "
-                    "/motion/duration_s, e.g. /release/tilt_deg=5:60");
+    if (input->pointer != kDuration && !measure::is_number_of_motion(input->pointer))
+      refuse_design(
+          input->pointer,
+          "is no number that can be chosen; give a number of site, earth, body, release, contact, platform or effects, "
+          "or /motion/duration_s, e.g. /release/tilt_deg=5:60");
     if (!std::isfinite(given_value(source, overrides, input->pointer)))
       refuse_design(input->pointer, "is not in the scenario; write it there, with any value");
     for (const double limit : {input->low, input->high}) {

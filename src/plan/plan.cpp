@@ -43,10 +43,6 @@ LongScene lasting_scene(const ScenarioSource& source, const Overrides& overrides
   return lasting;
 }
 
-bool is_unreliable(const VerdictReport& verdict) {
-  return (verdict.verdict == Verdict::unstable || verdict.verdict == Verdict::chaotic) && verdict.from_s;
-}
-
 /// The scene to twice the end of the plan, if it can be predicted until then; otherwise to the end of the plan.
 /// @throws ScenarioError where it cannot be predicted until that
 LongScene reliable_scene(const ScenarioSource& source, const Overrides& overrides, const Scene& given, double until_s,
@@ -55,11 +51,11 @@ LongScene reliable_scene(const ScenarioSource& source, const Overrides& override
   if (2 * until_s <= kLongest_s) try {
       LongScene twice = lasting_scene(source, overrides, given, 2 * until_s, longer);
       const bool is_known = twice.status == RunStatus::completed || twice.status == RunStatus::interrupted;
-      if (is_known && !(is_unreliable(twice.verdict) && *twice.verdict.from_s <= 2 * until_s)) return twice;
+      if (is_known && !measure::is_beyond_prediction(twice.verdict, 2 * until_s)) return twice;
     } catch (const ScenarioError&) {  // a table of a platform's motion that ends before, or days of work
     }
   LongScene once = lasting_scene(source, overrides, given, until_s, watch);
-  if (once.status == RunStatus::completed && is_unreliable(once.verdict) && *once.verdict.from_s <= until_s)
+  if (once.status == RunStatus::completed && measure::is_beyond_prediction(once.verdict, until_s))
     throw ScenarioError("--until",
                         fmt::format("from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: "
                                     "{}; measure until then at most",

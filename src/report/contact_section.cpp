@@ -133,7 +133,7 @@ Ends ends(const std::vector<double>& list) {
   return found;
 }
 
-/// What can be seen in the pictures. A sentence is written only where it is true of the rows.
+/// These sentences say what can be seen in the pictures. A sentence is written only where it is true of the rows.
 std::string seen_html(const Run& run) {
   std::string html = "<p>";
   const Ends x = ends(values(run, "tip_L_x_m")), y = ends(values(run, "tip_L_y_m")), slip = ends(values(run, "slip_m_s"));

@@ -31,7 +31,7 @@ std::string chi_squared_html(const Json& chi_squared) {
   return html;
 }
 
-/// What the data say, one sentence an estimate; empty without a fit.
+/// The sentences on what the data say, one an estimate; empty without a fit.
 std::vector<std::string> sentences(const Json& document) {
   std::vector<std::string> list;
   for (const Json& estimate : document.at("estimates"))

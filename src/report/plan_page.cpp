@@ -12,7 +12,7 @@ std::optional<double> number_in(const Json& value) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
-/// What the document says that the picture shows.
+/// The picture shows these parts of the document.
 PlanReport pictured(const Json& document) {
   PlanReport report;
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
@@ -52,7 +52,7 @@ std::string errors_html(const Json& document) {
       {"input", "the scenario's", "standard error", "value over it", "if the others were known", "known beforehand"}, rows);
 }
 
-/// What each unknown costs the first estimate.
+/// This table shows how much each unknown costs the first estimate.
 std::string costs_html(const Json& document, const std::string& unit) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& variation : document.at("variations"))

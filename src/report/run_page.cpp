@@ -200,7 +200,7 @@ void add_motion(const Run& run, Page& page) {
   if (!run.scene) return;
   const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
-  // Of a top on a table the force of the table acts as well, and the tip moves: these torques would not add up.
+  // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
   if (!run.has_contact) data["torques"] = torques_of(run, model);
 }
 

@@ -56,7 +56,7 @@ void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   }
 }
 
-/// What makes the contact's part of the rows; none for a fixed pivot.
+/// The maker of the contact's part of the rows; none for a fixed pivot.
 template <class T>
 std::optional<ContactRows<T>> contact_rows(const Scene& scene, const DriftTrajectory<T>& trajectory) {
   if (!scene.scenario().contact) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run of a top on a table tells about the contact.
+/// The report of a run of a top on a table about the contact.
 #pragma once
 
 #include <cmath>

@@ -174,7 +174,7 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
     return std::abs(rate_at(kPart) - rate_at(-kPart)) / (2 * kPart);
   };
   const double first_order = slope(1, 0) * 2 * swing / (scale * scale) + slope(0, 1) * swing / std::abs(beat) / scale;
-  // Of second order is what the Earth's own nutation of a steady precession makes; a factor of 1.6 to 2.5 was seen.
+  // The Earth's own nutation of a steady precession adds a term of second order; a factor of 1.6 to 2.5 was seen.
   constexpr double kSecondOrderSwing = 3;
   return {first_order + kSecondOrderSwing * norm(W) * norm(W) / std::abs(beat), std::abs(beat)};
 }

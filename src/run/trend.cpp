@@ -20,7 +20,7 @@ constexpr double kAzimuthsAPrecession = 7.3;
 constexpr double kMostAzimuths = 1e5;
 constexpr double kFewestAzimuths = 100;
 
-/// What acts on the top besides gravity and the Earth's rotation, in words; empty if nothing does.
+/// Names what acts on the top besides gravity and the Earth's rotation; empty if nothing does.
 std::string other_action(const Scene& scene) {
   const Scenario& s = scene.scenario();
   if (s.contact) return "the top stands on a table";
@@ -125,7 +125,7 @@ double azimuth_bound(const RunResult& result, double until) {
   return bound;
 }
 
-/// What a swing slower than the run adds to the bound of the rate. A window shifted by a part of such a swing's period sees another
+/// A swing slower than the run adds this to the bound of the rate. A window shifted by a part of such a swing's period sees another
 /// slope by about that part of the swing's rate, so that the fit's own bound, which windows have told, over the part of a period that
 /// the run sees bounds the swing where its first-order size is pessimistic.
 double bound_of_slow_swing(const SlowSwing& swing, double duration, double bound_of_fit) {

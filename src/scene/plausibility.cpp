@@ -63,7 +63,7 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s,
   constexpr double kPointBob = 1e-3;  // below this share of the arm the body is taken as a point, with no density
   if (!std::isfinite(radius)) return;
   if (radius > kPointBob * arm) {
-    // Of all bodies with this mass and radius of gyration a ball has the least density; its radius is 1.3 times the latter. The
+    // A ball has the least density of all bodies with this mass and radius of gyration; its radius is 1.3 times the latter. The
     // densest metal has 2.26e4 kg/m^3; a metre of thin wire comes out at 0.1.
     const double wide = 1.3 * radius, density = body.mass / (4.0 / 3.0 * std::numbers::pi * wide * wide * wide);
     if (density > 2.5e4)

@@ -16,7 +16,7 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
     // In inertial axes no Coriolis term appears: of all checks on a table this is the least like the laboratory's equations.
     second.observer = first.observer == Observer::inertial ? Observer::laboratory : Observer::inertial;
     second.method = Method::taylor;
-    // Of two series in unlike equations, that of the larger error may be the second as well: the distance is then this error.
+    // The second of two series in unlike equations may as well be that of the larger error: the distance is then this error.
     constexpr double kLooser = 10, kFiner = 1e-2, kLoose = 5e-10;
     second.relative_tolerance = first.method == Method::taylor && first.relative_tolerance <= kLoose
                                     ? kLooser * first.relative_tolerance

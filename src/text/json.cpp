@@ -15,4 +15,6 @@ std::string written_replacing(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+Json or_nothing(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
 }  // namespace earthtop

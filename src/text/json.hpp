@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,5 +20,8 @@ nlohmann::ordered_json json_or_discarded(std::string_view text);
 std::string written(const nlohmann::ordered_json& json, int indent = -1);
 /// The same for strings that may hold anything: bytes that are not UTF-8 are replaced.
 std::string written_replacing(const nlohmann::ordered_json& json, int indent = -1);
+
+/// The number; null where there is none.
+nlohmann::ordered_json or_nothing(const std::optional<double>& number);
 
 }  // namespace earthtop

@@ -54,7 +54,7 @@ TEST_P(FreeBodyRegimes, LongDoubleKeepsItsStatement) {
   }
 }
 
-// No wider scalar type is available to check 113 bits. Instead, the motion is started anew on its way and must arrive where the
+// There is no wider scalar type to check 113 bits by. Instead, the motion is started anew on its way and must arrive where the
 // uninterrupted one does, within the stated errors of all three and the rounding of the second start; near the separatrix that
 // rounding is magnified.
 TEST_P(FreeBodyRegimes, Float128ContinuesItself) {

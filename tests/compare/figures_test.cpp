@@ -152,7 +152,7 @@ TEST(SummaryTable, WithoutARowBeyondTheReleaseItHasNoNumbersOfRows) {
   EXPECT_TRUE(summary_part(result, "drift.axis_final_rad").is_null());
 }
 
-// What a study may collect of a run on a table, and a headline be about.
+// A study may collect these figures of a run on a table, and a headline may be about them.
 TEST(SummaryTable, KnowsThePathsOfAContact) {
   for (const char* path :
        {"drift.tip_final_m", "drift.tip_max_m", "drift.tip_bound_m", "contact.events.0.t_s", "contact.events.3.event",

@@ -253,7 +253,7 @@ TEST(TideSeries, IsContinuousFromPieceToPieceAndTheSameInEveryPrecision) {
     EXPECT_TRUE(
         close<float128>(in_double.acceleration_L(t).cast<float128>(), a, float128(26 * 13 * real::epsilon<double>() * kTide)));
   }
-  // No time is out of range, though far out the value is none.
+  // Every time is accepted, though far out there is no value.
   for (const double t : {-1e300, 1e300, std::numeric_limits<double>::quiet_NaN()}) in_double.acceleration_L(t);
 }
 

@@ -133,7 +133,7 @@ TEST(ForeignUnits, HostileKeysGetAnAnswer) {
     EXPECT_NE(answer("/body", key).find("allowed here"), std::string::npos) << key.substr(0, 40);
 }
 
-/// What a key in another unit meant is not also reported as missing.
+/// The key that one in another unit stands for is not also reported as missing.
 TEST(ForeignUnits, TheKeyMeantIsOneOfTheObject) {
   EXPECT_EQ(unknown_key(scenario::fields(), "inertia_g_cm2", "/body").meant, "inertia");
   EXPECT_EQ(unknown_key(scenario::fields(), "spin_rps", "/release").meant, "spin_rad_s");

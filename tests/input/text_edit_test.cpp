@@ -22,7 +22,7 @@ TEST(TextEdit, ChangesOneValueAndLeavesTheRest) {
       {R"({"\u0061": 1})", "/a", "2", R"({"\u0061": 2})"},
       {R"({"a~/": 1})", "/a~0~1", "2", R"({"a~/": 2})"},
       {"\xEF\xBB\xBF {\"a\": 1}\n", "/a", "2", "\xEF\xBB\xBF {\"a\": 2}\n"},
-      // What is missing is added behind the last member, laid out as that is.
+      // A missing member is added behind the last one, laid out as that is.
       {R"({"a": 1})", "/b", "2", R"({"a": 1, "b": 2})"},
       {R"({"a":1,"c":3})", "/b", "2", R"({"a":1,"c":3, "b": 2})"},
       {"{\n  \"a\": 1\n}\n", "/b", "2", "{\n  \"a\": 1,\n  \"b\": 2\n}\n"},

@@ -175,7 +175,7 @@ TEST(DriftLanes, CountTurnsBetweenRows) {
   EXPECT_GT(rounds, 0);  // else nothing was counted
 }
 
-/// What a bound compares does not depend on whether the rest of a row is sought too.
+/// The values that a bound compares do not depend on whether the rest of a row is sought too.
 TEST(DriftLanes, GiveTheSameDistancesAlone) {
   const auto problems = problems_of<DriftProblem<double>>(tops(16));
   auto lean = problems;

@@ -103,7 +103,7 @@ TEST_F(FittedScenario, HasACoefficientOfFriction) {
   const std::string file = (directory_.path() / "fitted.json").string();
   const std::string text = fitted_scenario(top, more, fit, file);
   EXPECT_EQ(compare_with_measurement({file, text}, {}, data).as_given.value, fit.fitted->value);
-  // What the scenario claims of its own numbers is no claim of these.
+  // The scenario's claims on its own numbers are no claims on these.
   EXPECT_NE(top.text.find("\"headline\""), top.text.npos);
   EXPECT_EQ(text.find("\"headline\""), text.npos);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scenario's uncertainty block adds to a fit, and what the estimates say in words.
+// Tests what a scenario's uncertainty block adds to a fit, and what the estimates say in words.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class Priors : public MeasurementTest {
   static Overrides with(const std::string& uncertainty) { return {{"/uncertainty", uncertainty}}; }
 };
 
-// Of a straight line y = a x with the error s and the prior 0 +- p of a: the weights of both add, and chi-squared at the best
+// A straight line y = a x is fitted, with the error s and the prior 0 +- p of a: the weights of both add, and chi-squared at the best
 // value a0 / (1 + s^2 / p^2 / sum x^2) has the prior's square, too.
 TEST_F(Priors, WeighAsDataDo) {
   const Measurement data = faster_earth(0.02);

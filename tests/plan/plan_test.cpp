@@ -81,7 +81,7 @@ TEST(Plan, AStraightLineWithUnknownOffset) {
   EXPECT_NEAR(*report.estimates[1].standard_error, offset / kDegree, 2 * relative * offset / kDegree);
   EXPECT_TRUE(report.estimates[1].is_nuisance);
   EXPECT_NEAR(report.correlation[0][1], -mean / std::sqrt(square), 2 * relative);
-  // What the offset costs, and what a better knowledge of it would be worth: a prior adds its information.
+  // This computes what the offset costs, and what a better knowledge of it would be worth: a prior adds its information.
   const double alone = 1e-4 / std::sqrt(n * square);
   EXPECT_NEAR(*report.estimates[0].standard_error_alone, alone, 2 * relative * alone);
   EXPECT_EQ(report.variations.at(0).change, PlanChange::known);
@@ -141,7 +141,7 @@ TEST(Plan, UncertaintiesOfOtherFormsOfTheRelease) {
   EXPECT_NE(report.notes[0].find("uncertainty of tilt_deg is not used"), std::string::npos);
 }
 
-/// Of a top's spin and inertia ratio only the product, its angular momentum, is seen. Where a prior tells them apart, the Earth's
+/// Only the product of a top's spin and inertia ratio, its angular momentum, is seen. Where a prior tells them apart, the Earth's
 /// rate is seen as well as if the ratio were known exactly.
 TEST(Plan, APriorTellsApartWhatTheDataDoNot) {
   MeasurementPlan plan = plan_for("axis_deg", 0.01, 0.1, 20);

@@ -181,7 +181,7 @@ TEST(Report, AzimuthsThatCannotBeCountedOnStayInATurn) {
     }
 }
 
-// Of 200,000 values some hundred are drawn, the largest residual among them; the histogram counts all.
+// Some hundred of 200,000 values are drawn, the largest residual among them; the histogram counts all.
 TEST(Report, OfVeryManyMeasuredValuesTheTellingOnesAreDrawn) {
   MeasurementReport report;
   for (int i = 0; i < 200'000; ++i)

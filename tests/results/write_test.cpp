@@ -154,7 +154,7 @@ TEST_F(Write, CheckMakesNothing) {
 
 TEST_F(Write, UnwritablePlaceIsAWriteError) {
   if (::geteuid() == 0) {
-    // No permission bit stops root, but procfs refuses new directories.
+    // Permission bits do not stop root, but procfs refuses new directories.
     EXPECT_THROW(write_results(made_up_run(), "/proc/earthtop-out", false), WriteError);
     return;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run of a top on a table tells beside its rows: events, verdict, and how far the prediction moves with its inputs.
+/// Tests the parts of a run of a top on a table beside its rows: events, verdict, and how far the prediction moves with its inputs.
 #include <gtest/gtest.h>
 
 #include "run/contact_report.hpp"

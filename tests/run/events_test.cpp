@@ -61,7 +61,7 @@ TEST(ThresholdTime, OfAFreeGyroscopeIsThatOfTheFormulaByEveryMethod) {
       // The tilt in degrees is rounded, and the formula: some eps of the angles.
       const double rounding = 4e-16 * expected_s * (1 + std::tan(threshold / 2));
       EXPECT_NEAR(*drift.threshold_time_s, expected_s, *drift.threshold_time_bound_s + rounding);
-      // No larger than the bound of the next row's drift makes it.
+      // It is no larger than the bound of the next row's drift makes it.
       s.output_step_s = s.duration_s / 200;
       const RunResult result = run(s);
       const auto next = std::ranges::find_if(result.rows, [&](const DriftRow& row) { return row.t_s > expected_s; });

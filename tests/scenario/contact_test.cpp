@@ -209,7 +209,7 @@ TEST(ContactKeys, WrongValuesAreRefusedAtTheirPlace) {
   for (const Fault& fault : faults) expect_fault(fault);
 }
 
-/// What no JSON number is: the text's reader refuses it before.
+/// Infinities and NaN are no JSON numbers: the text's reader refuses them before.
 TEST(ContactKeys, NumbersThatAreNoneAreRefused) {
   for (const char* number : {"NaN", "Infinity", "-Infinity", "1e999", "0x1", ".2", "1e-400"}) {
     const Found found = found_in(on_table(replaced(kExact, "0.2", number)));
@@ -281,7 +281,7 @@ TEST(ContactKeys, WhatNoTableCanHaveIsRefusedWithTheReason) {
   expect_one(replaced(on_table(with(kFree, R"("table": {"tilt_deg": 1})")), "\"tilt_deg\": 20, \"azimuth_deg\": 90",
                       R"("quaternion_LB": {"w": 1, "x": 0, "y": 0, "z": 0})"),
              "3:14 /release/quaternion_LB", "is an attitude relative to the laboratory");
-  // What is off may stand there.
+  // An effect that is off may stand there.
   for (const auto& [pointer, value] : {std::pair{"/effects/gimbal", "false"}, {"/effects/viscous_torque_N_m_s", "0"}})
     EXPECT_TRUE(report_of(kContensou, {{pointer, value}}).scenario) << pointer;
   // Every fault at once.

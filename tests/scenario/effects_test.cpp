@@ -128,7 +128,7 @@ TEST(EffectRefusals, SeriesTakeDryFrictionByWhatAllFrictionLeaves) {
   EXPECT_TRUE(is_taken("5e-6", "1e-7"));
 }
 
-// What a disc or quadratic drag brakes to zero is the spin relative to the platform.
+// A disc or quadratic drag brakes the spin relative to the platform to zero.
 TEST(EffectRefusals, SeriesTakeDragOnATopThatOutrunsItsPlatform) {
   const auto is_taken = [](const char* drag, const std::string& platform_rate) {
     return examine({{"/effects/quadratic_torque_N_m_s2", drag},

@@ -43,7 +43,7 @@ inline std::vector<NamedScene> more_contact_scenes() {
   return scenes;
 }
 
-/// What a row is compared by: axis, tip, spin and normal force of the reference and of the rotating motion, then the drift of all
+/// Rows are compared by these numbers: axis, tip, spin and normal force of the reference and of the rotating motion, then the drift of all
 /// of them, in SI units.
 template <class T>
 std::vector<T> figures_of(const ContactProblem<T>& problem, const ContactRow<T>& row) {

@@ -18,7 +18,7 @@ inline DriftProblem<double> drift_problem(const ContactProblem<double>& made) {
   return problem;
 }
 
-/// What ends a watched motion early is its event.
+/// The event of a watched motion is what ends it early.
 struct WatchedMotion {
   std::vector<ContactEvent> events;
   double reached_s = 0;

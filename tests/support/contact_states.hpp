@@ -14,7 +14,7 @@ namespace earthtop::testing {
 inline constexpr std::array kLaws{ContactLaw::frictionless, ContactLaw::viscous,   ContactLaw::viscous_load,
                                   ContactLaw::coulomb,      ContactLaw::contensou, ContactLaw::rolling};
 
-/// What is varied besides the state.
+/// The quantities that are varied besides the state.
 struct ContactVariety {
   ContactLaw law;
   bool moments = false;   ///< spinning friction and rolling resistance

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "support/reference.hpp"
+#include "support/scenes.hpp"
 
 namespace earthtop::testing {
 
@@ -24,6 +26,13 @@ inline void expect_sound(const Scenario& scenario, Observer reference_observer) 
   EXPECT_LT(c.worst_attitude_error, 1e-8);
   EXPECT_GE(c.least_margin, 1);
   EXPECT_LE(c.worst_excess, 100);
+}
+
+/// The same for a random scene of 100 rad, with the reference in the equations of one of two observers.
+inline void expect_random_scene_sound(std::uint64_t seed) {
+  const Scenario scenario = random_scene(seed, 100);
+  ASSERT_TRUE(body_violations(scenario.body).empty());
+  expect_sound(scenario, seed % 2 == 0 ? Observer::inertial : Observer::body);
 }
 
 inline Scenario shipped(const std::string& name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the terminal says about the contact of a top with its table.
+/// Tests the text on the terminal about the contact of a top with its table.
 #include "contact_text.hpp"
 
 #include <gtest/gtest.h>

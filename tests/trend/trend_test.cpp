@@ -146,7 +146,7 @@ TEST(Trend, BoundHoldsForLongerRunsAndIsNoLooserThanItMustBe) {
     bounds.push_back(*judged.trend.azimuth_rate_bound_95_rad_s / std::abs(judged.true_rate_rad_s));
     inside += judged.error() <= *judged.trend.azimuth_rate_bound_95_rad_s + judged.true_bound_rad_s;
   }
-  // Of 60 tops of which 93.5 % are inside, fewer than 51 are in one of 100 samples.
+  // If 93.5 % of all tops are inside, fewer than 51 of 60 are in one of 100 samples.
   EXPECT_GE(inside, 51U);
   const auto median = [](std::vector<double>& values) {
     std::ranges::sort(values);

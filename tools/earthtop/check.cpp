@@ -59,7 +59,7 @@ std::string verdict(const CheckedFile& checked) {
   return text + '\n';
 }
 
-/// What the scenario's top is: its figures, one line each.
+/// Prints the figures of the scenario's top, one line each.
 std::string top_text(const Scene& scene) {
   std::string text = "Your top\n";
   for (const auto& [label, line] : top_lines(scene.top())) text += fmt::format("  {:<17}{}\n", label, line);

@@ -17,6 +17,7 @@
 #include "json_object.hpp"
 #include "measurement_text.hpp"
 #include "output.hpp"
+#include "places.hpp"
 #include "progress_line.hpp"
 #include "verbs.hpp"
 
@@ -75,22 +76,14 @@ bool is_scenario(const std::string& path) {
 }
 
 /// Checks that no output would overwrite an input. @throws ScenarioError
-void require_apart(const CompareArguments& arguments) {
-  namespace fs = std::filesystem;
+void require_outputs_apart(const CompareArguments& arguments) {
   if (!arguments.junit.empty() && arguments.junit == arguments.svg)
     throw ScenarioError("", "--junit and --svg name the same file; give two");
   if (!arguments.fitted.empty() && arguments.fitted == arguments.svg)
     throw ScenarioError("", "--write-scenario and --svg name the same file; give two");
-  for (const std::string& output : {arguments.junit, arguments.svg, arguments.fitted}) {
-    if (output.empty()) continue;
-    const std::string place = fs::weakly_canonical(output).string();
-    for (const std::string& input : {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances}) {
-      if (input.empty()) continue;
-      const std::string read = fs::weakly_canonical(input).string();
-      if (place == read || place.starts_with(read + "/"))
-        throw ScenarioError("", fmt::format("{} is, or is in, what is compared; write to another place", printable(output)));
-    }
-  }
+  require_apart({arguments.junit, arguments.svg, arguments.fitted},
+                {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances},
+                "is, or is in, what is compared");
 }
 
 MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
@@ -128,14 +121,13 @@ int measurement_verb(const CompareArguments& arguments) {
         "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet only");
   if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
     throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
-  require_apart(arguments);
+  require_outputs_apart(arguments);
   const ScenarioSource source = read_scenario_source(arguments.reference);
   require_place_for_scenario(source, arguments);
   const Measurement measurement = read_measurement(arguments.candidate);
   const MeasurementReport report = measure_watched(source, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
-    return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
-                         interrupted_status());
+    return report_interruption(arguments.json);
   if (!arguments.fitted.empty() && report.fitted)
     write_file(arguments.fitted, fitted_scenario(source, split_sets(arguments.sets), report, arguments.fitted));
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(measurement_figure(report)));
@@ -171,7 +163,7 @@ int compare_verb(const CompareArguments& arguments) {
                         "--write-scenario, --correlation-time, --priors and --force belong to a measurement: REFERENCE is a "
                         "scenario then, and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
-  require_apart(arguments);
+  require_outputs_apart(arguments);
   const CompareReport report = compare_watched(arguments);
   if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop run` prints about the contact of a top with its table.
+/// The text that `earthtop run` prints about the contact of a top with its table.
 #pragma once
 
 #include <string>

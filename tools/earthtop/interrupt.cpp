@@ -109,10 +109,12 @@ bool make_timers() {
   return timer_create(CLOCK_MONOTONIC, &event, &g_wall_timer) == 0;
 }
 
+std::vector<Diagnostic> interruption() { return {{0, 0, "", "interrupted; the same command starts it again"}}; }
+
 }  // namespace
 
 void install_stop_handlers(bool json) {
-  const std::vector<Diagnostic> errors = {{0, 0, "", "interrupted; the same command starts it again"}};
+  const std::vector<Diagnostic> errors = interruption();
   g_json = json;
   g_message = new std::string(errors_text("", errors));
   g_json_message = new std::string(errors_json("", errors));
@@ -150,5 +152,7 @@ int interrupted_status() {
   const int signal = g_signal;
   return 128 + (signal != 0 ? signal : SIGINT);
 }
+
+int report_interruption(bool json) { return report_errors("", interruption(), json, interrupted_status()); }
 
 }  // namespace earthtop::tool

@@ -34,4 +34,7 @@ void lift_time_limit();
 /// 128 + the signal that was received.
 int interrupted_status();
 
+/// Reports that nothing is kept of a command that was interrupted. @returns interrupted_status()
+int report_interruption(bool json);
+
 }  // namespace earthtop::tool

@@ -146,7 +146,7 @@ std::string manual_page_name(const Verb& program, const Verb& verb) {
 std::string manual_page(const Verb& program, const Verb& verb, std::string_view version) {
   const bool is_program = &verb == &program;
   const std::string name = manual_page_name(program, verb), path = is_program ? program.name : program.name + " " + verb.name;
-  // No date is given: the version tells the page's age, and the same program always prints the same page.
+  // The page has no date: the version tells the page's age, and the same program always prints the same page.
   std::string page = fmt::format(".TH {} 1 \"\" \"{} {}\" \"{}\"\n.nh\n.ad l\n", roff_literal(capitals(name)), program.name,
                                  version, "User Commands");
   page += section("NAME") + roff_literal(name) + " \\- " + roff_text(verb.help);

@@ -13,6 +13,7 @@
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "places.hpp"
 #include "plan_text.hpp"
 #include "progress_line.hpp"
 #include "verbs.hpp"
@@ -55,18 +56,13 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
 }
 
 /// Checks that no output would overwrite an input. @throws ScenarioError
-void require_apart(const PlanArguments& arguments, const Scenario& scenario) {
-  namespace fs = std::filesystem;
-  const auto place = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)).string(); };
-  if (!arguments.svg.empty() && !arguments.data.empty() && place(arguments.svg) == place(arguments.data))
+void require_outputs_apart(const PlanArguments& arguments, const Scenario& scenario) {
+  if (!arguments.svg.empty() && !arguments.data.empty() && place_of(arguments.svg) == place_of(arguments.data))
     throw ScenarioError("", "--svg and --write-data name the same file; give two");
   std::vector<std::string> inputs = {arguments.scenario};
   if (scenario.platform && !scenario.platform->file.empty())
-    inputs.push_back((fs::path(arguments.scenario).parent_path() / scenario.platform->file).string());
-  for (const std::string& output : {arguments.svg, arguments.data})
-    for (const std::string& input : inputs)
-      if (!output.empty() && input != "-" && place(output) == place(input))
-        throw ScenarioError("", fmt::format("{} is what is read; write to another place", printable(output)));
+    inputs.push_back((std::filesystem::path(arguments.scenario).parent_path() / scenario.platform->file).string());
+  require_apart({arguments.svg, arguments.data}, inputs, "is what is read");
 }
 
 int plan_verb(const PlanArguments& arguments) {
@@ -75,7 +71,7 @@ int plan_verb(const PlanArguments& arguments) {
   for (const std::string& text : arguments.design) design.push_back(design_input(text));
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   const auto overrides = split_sets(arguments.sets);
-  require_apart(arguments, parse_scenario(source, overrides));
+  require_outputs_apart(arguments, parse_scenario(source, overrides));
 
   const OrderlyEnd orderly;
   Progress progress;
@@ -86,9 +82,7 @@ int plan_verb(const PlanArguments& arguments) {
   const bool was_interrupted = report.outcome == PlanOutcome::interrupted || report.status == RunStatus::interrupted;
   if (!was_interrupted && !arguments.data.empty())
     data = simulated_measurement(source, overrides, plan, arguments.seed, watch.with_progress(nullptr));
-  if (was_interrupted || (!arguments.data.empty() && !data))
-    return report_errors("", {{0, 0, "", "interrupted; the same command starts it again"}}, arguments.json,
-                         interrupted_status());
+  if (was_interrupted || (!arguments.data.empty() && !data)) return report_interruption(arguments.json);
   progress.reach(1);
   if (data) write_file(arguments.data, *data);
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(plan_figure(report)));
@@ -143,8 +137,8 @@ Verb describe_plan() {
   plan.describe(
       "Computes how well a planned measurement would determine numbers of the scenario: the Cramer-Rao bound, from the "
       "derivatives that compare --estimate uses. The scenario's uncertainty block says what is known beforehand. The exit "
-      "status "
-      "is 1 where the measurement would not determine the numbers; then it is said which, or which combination of them.");
+      "status is 1 where the measurement would not determine the numbers; then it is said which, or which combination of "
+      "them.");
   plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --until 60 --nuisance spin_rad_s",
                "tells how well the Earth's rate would be seen if the spin is not known");
   plan.example(

@@ -8,7 +8,7 @@
 
 namespace earthtop {
 
-/// What the motion of the axis depends on, over I1 (the moment about the pivot across the axis).
+/// The constants that the motion of the axis depends on, over I1 (the moment about the pivot across the axis).
 struct TopConstants {
   double energy = 0;    ///< energy without that of the spin about the axis, times 2/I1: |u|^2 + gravity cos(tilt) (1/s^2)
   double vertical = 0;  ///< component of the angular momentum along Up, over I1 (rad/s)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What happens to the contact of a top with a table during a motion.
+/// The events of the contact of a top with a table during a motion.
 #pragma once
 
 #include <cstddef>

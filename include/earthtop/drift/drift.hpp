@@ -17,7 +17,7 @@ namespace earthtop {
 enum class ContactState { slide, roll, mixed };
 std::string_view to_string(ContactState state);
 
-/// What a row of a top on a table has beside attitudes and rates. The tip is the contact point; positions are horizontal, from the
+/// The part of a row of a top on a table beside attitudes and rates. The tip is the contact point; positions are horizontal, from the
 /// laboratory's origin, to East and North (on a tilted table along its axes 1 and 2).
 template <class T>
 struct BasicContactRow {

@@ -47,7 +47,7 @@ struct DriftMeasures {
   Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
   Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon
 };
-/// What of a drift is sought: everything that a row shows, or only what an error bound compares, which are the angles `axis` and
+/// The part of a drift that is sought: everything that a row shows, or only what an error bound compares, which are the angles `axis` and
 /// `attitude` and both vectors. The other measures are then 0, and no azimuth is defined.
 enum class DriftSought { rows, distances };
 

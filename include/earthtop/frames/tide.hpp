@@ -83,7 +83,7 @@ class TideSeries {
     if (!is_zero(amplitude_L_)) a += real::sin(pulsation_ * t_s + phase_) * amplitude_L_;
     return (unit_s_ * unit_s_) * a;
   }
-  /// No acceleration is larger than this, at any time; in the unit of `acceleration_L`.
+  /// The largest acceleration at any time is at most this; in the unit of `acceleration_L`.
   T largest() const {
     T largest = T(0);
     for (std::size_t i = 0; pieces_ && i < pieces_->coefficients.size(); i += ChebyshevPieces::kTerms) {

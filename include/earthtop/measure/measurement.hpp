@@ -128,7 +128,7 @@ struct CurvePoint {
   double drift_azimuth_rad = 0, drift_tilt_rad = 0;  ///< NaN unless drifts were measured
 };
 
-/// What is wanted of a comparison.
+/// The wishes of the caller of a comparison.
 struct MeasurementOptions {
   /// At most 8 names of numbers to be fitted by weighted least squares, starting at the scenario's:
   ///   - a JSON pointer of a number of site, earth, body, release, platform or effects, changed as --set would;
@@ -200,7 +200,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Measurement& measurement, const MeasurementOptions& options = {},
                                            const Watch& watch = {});
 
-/// What the data say of an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the
+/// Says what the data tell of an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the
 /// scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means something. Empty
 /// without an estimate.
 /// @param by_scatter  take the standard error scaled by the scatter, and say so

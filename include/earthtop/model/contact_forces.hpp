@@ -30,17 +30,17 @@ struct Friction {
   Vec3<S> moment_per_normal;        ///< mh
 };
 
-/// What the table does to the body.
+/// The action of the table on the body.
 template <class S>
 struct ContactReaction {
   S normal_force = S(0);
-  /// Of the normal force, times the mass. Positive; at 0 and below no unique force exists (Painleve's paradox).
+  /// The denominator of the normal force, times the mass. It is positive; at 0 and below no unique force exists (Painleve's paradox).
   S denominator = S(1);
   Vec3<S> friction;  ///< F
   Vec3<S> moment;    ///< M
 };
 
-/// What surrounds the body at one time.
+/// The surroundings of the body at one time.
 template <class S>
 struct ContactSurroundings {
   Vec3<S> normal;   ///< z of the table

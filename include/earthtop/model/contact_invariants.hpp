@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a top on a table conserves, exactly or up to a known rate; with w the rate relative to the laboratory, L_C the inertial
+/// The quantities that a top on a table conserves, exactly or up to a known rate; w is the rate relative to the laboratory, L_C the inertial
 /// angular momentum about the centre of mass, rho = r z + r_c from the contact point to C, W the Earth's rate:
 ///
 /// | quantity                         | for                        | rate                                  |

@@ -12,7 +12,7 @@ namespace earthtop {
 /// slip.
 enum class ContactLaw : std::uint8_t { frictionless, viscous, viscous_load, coulomb, contensou, rolling };
 
-/// What is at rest at the release: the centre of the tip's sphere, the contact point (rolling without slip), or the centre of
+/// The point that is at rest at the release: the centre of the tip's sphere, the contact point (rolling without slip), or the centre of
 /// mass (horizontally); or the velocity of the centre of the tip's sphere is given.
 enum class ContactStart : std::uint8_t { tip_at_rest, rolling, center_of_mass_at_rest, tip_velocity };
 

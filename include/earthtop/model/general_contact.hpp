@@ -34,7 +34,7 @@ struct GeneralContactRates {
 
 namespace general_contact {
 
-/// What follows from a state without the table's forces.
+/// The quantities that follow from a state without the table's forces.
 template <class S>
 struct Kinematics {
   Mat3<S> I, I_inverse;

@@ -39,7 +39,7 @@ struct ReducedContactRates {
 
 namespace reduced_contact {
 
-/// What follows from a state without the forces.
+/// The quantities that follow from a state without the forces.
 template <class S>
 struct Kinematics {
   Vec3<S> s_dot, n_dot, w3_n, w, r_c, v_O, v_C, field;

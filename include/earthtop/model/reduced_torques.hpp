@@ -21,7 +21,7 @@ struct SeenBesideAxis {
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
 };
 
-/// What the torques do to a symmetric top.
+/// The effect of the torques on a symmetric top.
 template <class S>
 struct AxisTorques {
   Vec3<S> across;  ///< torque normal to the axis, divided by I1

@@ -113,7 +113,7 @@ struct PlanReport {
   std::optional<Verdict> verdict;  ///< of a run to the last row
   PlanOutcome outcome = PlanOutcome::determined;
   std::string reason;  ///< why the numbers are not determined, or not predicted
-  /// Of a singular information matrix: the change of the numbers, each in its unit, that no row would notice. It is a small
+  /// Where the information matrix is singular, the change of the numbers, each in its unit, that no row would notice. It is a small
   /// one: a hundredth of the scale of the number that changes most.
   std::vector<std::pair<std::string, double>> undetermined;
   std::vector<PlannedEstimate> estimates;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What can be checked of a top with a balance and a stopwatch before any run: mass, centre of mass, moments, and the rates of
+/// The figures of a top that a balance and a stopwatch can check before any run: mass, centre of mass, moments, and the rates of
 /// precession and nutation of the non-rotating top with this release.
 #pragma once
 

@@ -119,7 +119,7 @@ class DriftSeries {
     put_rotating(c, k + 2);
   }
 
-  /// What turns is the axis of the reference, and the deviation of the rotating body from it as seen from the reference. Their
+  /// The axis of the reference turns, and so does the deviation of the rotating body from it, seen from the reference. Their
   /// second coefficients are known only roughly: the axis goes round with the nutation.
   EARTHTOP_LANE_INLINE void turns(const C& c, Pack& first, Pack& second) const {
     const Four q = four_at(c.at(0) + kQ), d = four_at(c.at(0) + kDelta);

@@ -91,7 +91,7 @@ class SphericalTopDrift {
     store(half_of(Vec3<double>(u + (b.value - mu_) * n), q), 8);
     store(half_of(deviation, q), 12);
     deviation_size_ = norm(deviation) + norm(w);
-    // No series of any order and tolerance is good for a phase of 4 rad, and 1e3 units of time are long for every motion.
+    // A phase of 4 rad is too far for a series of any order and tolerance, and 1e3 units of time are long for every motion.
     const double slower = b.value - mu_;
     longest_ = std::min(4 / std::sqrt(std::max(slower * slower / 4 + energy + std::abs(gravity_), 0.0)), 1e3);
     const double turn = model_.epsilon * norm(w) * longest_;

@@ -38,7 +38,7 @@ class Builder : ProgramSums<T> {
   static int rounded_up(int count) { return (count + kPack - 1) / kPack * kPack; }
   void place_sources() {
     places_.assign(list_.size(), -1);
-    // What fills the last pack of the state is 0.
+    // Zeros fill up the last pack of the state.
     zero_place_ = code_.components = static_cast<int>(source_.outputs.size());
     next_place_ = rounded_up(zero_place_ + 1);
     for (int i = 0; i < static_cast<int>(list_.size()); ++i) {

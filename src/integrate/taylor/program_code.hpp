@@ -57,7 +57,7 @@ struct ProgramCode {
   std::vector<Instruction> at_start;  ///< apart from states and constants
   std::vector<StartRun> start_runs;
   std::vector<Term> start_terms;
-  /// What is done at each order: kEnd, kProducts, kInstruction, or kSums plus the number of terms of each sum.
+  /// The work at each order is coded as kEnd, kProducts, kInstruction, or kSums plus the number of terms of each sum.
   static constexpr int kEnd = 0, kProducts = 1, kInstruction = 2, kSums = 3;
   std::vector<int> steps;
   /// For each pack of products the places of the left factors and of the right ones; for each pack of sums those of each term;

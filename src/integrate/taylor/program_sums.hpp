@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a recorded right-hand side needs at which orders, and its sums written out: as far as each is used only once, and
+/// The orders at which a recorded right-hand side is needed, and its sums written out: as far as each is used only once, and
 /// together with the factors that are held over a step.
 #pragma once
 
