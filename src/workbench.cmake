@@ -76,6 +76,7 @@ add_library(earthtop-workbench
   report/thinning.cpp
   study/chunk.cpp
   study/collect.cpp
+  study/columns.cpp
   study/design.cpp
   study/fields.cpp
   study/figure.cpp

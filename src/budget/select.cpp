@@ -93,4 +93,13 @@ Selection select_effects(Scene& scene, const Watch& watch) {
   return selection;
 }
 
+std::optional<Budget> explain_effects(Scene& scene, const Watch& watch) {
+  const double choice = scene.scenario().effects.automatic ? selection_seconds(scene) : 0;
+  Parts parts(watch, choice + budget_seconds(scene));
+  if (scene.scenario().effects.automatic) select_effects(scene, parts.next(choice, "choice of effects"));
+  std::optional<Budget> budget = effect_budget(scene, parts.next(budget_seconds(scene)));
+  if (watch.asks_to_stop()) budget.reset();
+  return budget;
+}
+
 }  // namespace earthtop

@@ -9,6 +9,7 @@
 #include "compare/interpolate.hpp"
 #include "compare/pairing.hpp"
 #include "compare/survey.hpp"
+#include "compare/tell.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/real.hpp"
 
@@ -316,7 +317,7 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   std::uint64_t interpolated = 0, elsewhere = 0, paired_rows = 0;
   for (;;) {
     const PairedRow paired = pairing.next();
-    if (++paired_rows % kTell == 0) watch.reach(candidate_rows.share_read());
+    if (++paired_rows % kTell == 0) tell(watch, candidate_rows.share_read());
     if (paired.kind == PairKind::end) break;
     if (paired.kind == PairKind::no_time) {
       if (not_finite_times_++ == 0)

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "compare/scenario_changes.hpp"
+#include "compare/tell.hpp"
 #include "compare/tolerances.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "study/store.hpp"
@@ -158,7 +159,7 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
       if (same_study && a.scenario_sha256 != b.scenario_sha256 && other_scenarios++ == 0)
         first_other = name_of(b, candidate.study());
       if (a.status != b.status) ++statuses[fmt::format("{} in the reference, {} now", a.status, b.status)];
-      if (++report.rows % 1024 == 0) options.watch.reach(static_cast<double>(report.rows) / all);
+      if (++report.rows % 1024 == 0) tell(options.watch, static_cast<double>(report.rows) / all);
       if (!a.failed() && !b.failed())
         for (SharedQuantity& quantity : quantities) judge(quantity, a, b, reference.study());
       has_a = old_points.next(a);

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "compare/interpolate.hpp"
+#include "compare/tell.hpp"
 #include "earthtop/elementary.hpp"
 
 namespace earthtop::compare {
@@ -82,7 +83,7 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation, cons
       found.largest_step_s = std::max(found.largest_step_s, step);
     }
     found.last_s = row.t_s;
-    if (++found.rows % kTell == 0) watch.reach(rows.share_read());
+    if (++found.rows % kTell == 0) tell(watch, rows.share_read());
     for (std::size_t i = 0; i < table.measures.size(); ++i)
       if (presence(table.measures[i], row) == Presence::whole)
         found.largest[i] = std::max(found.largest[i], size(table.measures[i], row));

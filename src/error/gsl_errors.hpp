@@ -4,18 +4,29 @@
 
 #include <gsl/gsl_errno.h>
 
+#include <mutex>
+
 namespace earthtop {
 
-/// While an object of this class lives, GSL functions return their errors instead of aborting.
+/// While an object of this class lives, GSL functions return their errors instead of aborting. The process has one handler for
+/// all its threads: the first object puts it off, and the last one restores it.
 class ReturnedGslErrors {
  public:
-  ReturnedGslErrors() : before_(gsl_set_error_handler_off()) {}
-  ~ReturnedGslErrors() { gsl_set_error_handler(before_); }
+  ReturnedGslErrors() {
+    const std::lock_guard lock(mutex_);
+    if (objects_++ == 0) before_ = gsl_set_error_handler_off();
+  }
+  ~ReturnedGslErrors() {
+    const std::lock_guard lock(mutex_);
+    if (--objects_ == 0) gsl_set_error_handler(before_);
+  }
   ReturnedGslErrors(const ReturnedGslErrors&) = delete;
   ReturnedGslErrors& operator=(const ReturnedGslErrors&) = delete;
 
  private:
-  gsl_error_handler_t* before_;
+  inline static std::mutex mutex_;
+  inline static int objects_ = 0;
+  inline static gsl_error_handler_t* before_ = nullptr;
 };
 
 }  // namespace earthtop

@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is no table of numbers
 constexpr FileUse kCsvFile = {"CSV file", false};
+constexpr int kNoFile = -1;  // in place of a descriptor: all there is to read is in the buffer
 
 std::string_view trimmed(std::string_view cell) {
   while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
@@ -58,7 +59,20 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
 }  // namespace
 
 CsvReader::CsvReader(std::string file, CsvFormat format)
-    : file_(std::move(file)), format_(format), descriptor_(open_regular_file(file_, file_, kCsvFile)) {
+    : CsvReader(file, format, open_regular_file(file, file, kCsvFile), "") {}
+
+CsvReader CsvReader::of_text(std::string name, std::string text, CsvFormat format) {
+  return {std::move(name), format, Descriptor(kNoFile), std::move(text)};
+}
+
+CsvReader::CsvReader(std::string file, CsvFormat format, Descriptor descriptor, std::string text)
+    : file_(std::move(file)),
+      format_(format),
+      descriptor_(std::move(descriptor)),
+      size_(text.size()),
+      read_(text.size()),
+      buffer_(std::move(text)),
+      end_(buffer_.size()) {
   struct stat status = {};
   if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
@@ -123,7 +137,7 @@ bool CsvReader::read_line(std::string_view& line) {
       end_ -= begin_;
       begin_ = 0;
       if (buffer_.size() < end_ + kBlock) buffer_.resize(end_ + kBlock);
-      const std::size_t got = read_some(descriptor_, file_, buffer_.data() + end_, kBlock);
+      const std::size_t got = descriptor_.get() == kNoFile ? 0 : read_some(descriptor_, file_, buffer_.data() + end_, kBlock);
       if (got == 0 && end_ == 0) return false;
       if (got == 0) {
         ++line_;

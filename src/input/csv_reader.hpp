@@ -25,6 +25,8 @@ class CsvReader {
   /// Opens the file and reads its header line.
   /// @throws ScenarioError for a missing header, or where it is no regular file; ReadError where reading fails
   explicit CsvReader(std::string file, CsvFormat format = {});
+  /// Reads a text instead of a file.   @param name  what messages call it
+  static CsvReader of_text(std::string name, std::string text, CsvFormat format = {});
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& header() const { return header_; }
@@ -51,6 +53,7 @@ class CsvReader {
   std::size_t column(std::size_t wanted) const { return static_cast<std::size_t>(text(wanted).data() - whole_.data()) + 1; }
 
  private:
+  CsvReader(std::string file, CsvFormat format, Descriptor descriptor, std::string text);
   bool read_line(std::string_view& line);
   void split(std::string_view line);
   [[noreturn]] void refuse(std::string message, std::size_t column = 1) const;

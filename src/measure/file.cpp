@@ -18,6 +18,7 @@ namespace {
 
 using input::CellKind, input::CsvReader;
 
+constexpr input::CsvFormat kFormat = {.or_tabs = true};
 constexpr std::uint64_t kMostMeasuredRows = 200'000;
 constexpr double kLatestTime_s = 1e9;                               // the longest duration that a scenario may have
 constexpr double kNormSlack = 1e-3;                                 // allowed deviation of a measured axis's length from 1
@@ -25,8 +26,8 @@ constexpr double kLargestTilt_rad = std::numbers::pi * (1 + 1e-9);  // leaves ro
 
 class MeasurementReader {
  public:
-  explicit MeasurementReader(const std::string& file) : reader_(file, {.or_tabs = true}) {
-    measurement_.file = file;
+  explicit MeasurementReader(CsvReader reader) : reader_(std::move(reader)) {
+    measurement_.file = reader_.file();
     MeasurementColumns columns = measurement_columns(reader_.header());
     for (std::string& error : columns.errors) refuse_at(1, std::move(error));
     throw_findings();
@@ -137,6 +138,12 @@ std::string_view to_string(MeasuredQuantity quantity) {
   return "";
 }
 
-Measurement read_measurement(const std::string& csv_file) { return measure::MeasurementReader(csv_file).read(); }
+Measurement read_measurement(const std::string& csv_file) {
+  return measure::MeasurementReader(input::CsvReader(csv_file, measure::kFormat)).read();
+}
+
+Measurement parse_measurement(const std::string& name, std::string csv) {
+  return measure::MeasurementReader(input::CsvReader::of_text(name, std::move(csv), measure::kFormat)).read();
+}
 
 }  // namespace earthtop

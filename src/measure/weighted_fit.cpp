@@ -11,10 +11,12 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "error/gsl_errors.hpp"
 #include "measure/influences.hpp"
 #include "measure/scaled_problem.hpp"
+#include "measure/seen_directions.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -33,8 +35,10 @@ constexpr double kNoPrediction = 1e3;
 struct Callbacks {
   ScaledProblem* problem;
   std::exception_ptr thrown;
-  double worst_norm = 0;      // largest norm of the residuals so far
-  bool all_predicted = true;  // whether all trials of the last iteration had a prediction
+  double worst_norm = 0;                       // largest norm of the residuals so far
+  bool all_predicted = true;                   // whether all trials of the last iteration had a prediction
+  std::vector<std::size_t> without_influence;  // parameters that only priors know
+  Index priors = 0;                            // their number: the last rows
 };
 
 std::vector<double> values_of(const gsl_vector* vector) {
@@ -59,11 +63,19 @@ int evaluate_residuals(const gsl_vector* u, void* data, gsl_vector* f) {
   }
 }
 
+/// Directions that the data do not determine are left to the priors.
+void leave_to_priors(MatrixXd& J, const Callbacks& callbacks) {
+  auto data = J.topRows(J.rows() - callbacks.priors);
+  for (const std::size_t j : callbacks.without_influence) data.col(static_cast<Index>(j)).setZero();
+  data = seen_directions(data).seen_part(data);
+}
+
 int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
   auto& callbacks = *static_cast<Callbacks*>(data);
   try {
     MatrixXd values;
     if (!callbacks.problem->jacobian(values_of(u), values)) return GSL_EBADFUNC;
+    if (callbacks.priors > 0) leave_to_priors(values, callbacks);
     for (std::size_t i = 0; i < J->size1; ++i)
       for (std::size_t j = 0; j < J->size2; ++j) gsl_matrix_set(J, i, j, values(static_cast<Index>(i), static_cast<Index>(j)));
     return GSL_SUCCESS;
@@ -85,11 +97,17 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   Fit fit;
   const std::size_t n = problem.residuals(), p = problem.parameters();
   std::vector<double> u(p, 1);
+  std::vector<std::size_t> without_influence;
   for (std::size_t j = 0; j < p; ++j) {
     const auto found = problem.find_step(u, j);
     const bool has_prior =
         std::any_of(given.priors.begin(), given.priors.end(), [&](const FitPrior& prior) { return prior.parameter == j; });
-    if (found == ScaledProblem::StepFound::no_influence && !has_prior) fit.undetermined.push_back(j);
+    if (found == ScaledProblem::StepFound::no_influence) {
+      if (has_prior)
+        without_influence.push_back(j);
+      else
+        fit.undetermined.push_back(j);
+    }
     if (found == ScaledProblem::StepFound::no_prediction) {
       fit.outcome = FitOutcome::prediction_failed;
       fit.reason = "beside the start there is no prediction";
@@ -105,7 +123,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   const std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)> workspace(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p), gsl_multifit_nlinear_free);
   if (!workspace) throw std::bad_alloc();
-  Callbacks callbacks{&problem, nullptr, 0, true};
+  Callbacks callbacks{&problem, nullptr, 0, true, std::move(without_influence), static_cast<Index>(given.priors.size())};
   gsl_multifit_nlinear_fdf functions{};
   functions.f = evaluate_residuals;
   functions.df = evaluate_jacobian;
@@ -122,7 +140,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       return fit;
     }
     const Influences influences(workspace->J, workspace->f);
-    if (!influences.determine_all()) {
+    if (!influences.determine_all(given.priors.empty() ? Influences::kLeast : kLeastWithPriors)) {
       fit.outcome = FitOutcome::not_determined;
       fit.undetermined = influences.least_determined();
       return fit;

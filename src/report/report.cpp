@@ -49,13 +49,14 @@ Report document_page(const std::filesystem::path& file) {
 }  // namespace
 }  // namespace report
 
-Report make_report(const std::filesystem::path& what) try {
+Report make_report(const std::filesystem::path& what, const Watch& watch) try {
   using compare::ComparandKind;
   std::error_code error;
   if (report::is_document(what)) return report::document_page(what);
   switch (compare::kind_of(what)) {
-    case ComparandKind::results: return report::run_page(what);
-    case ComparandKind::store: return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what);
+    case ComparandKind::results: return report::run_page(what, watch);
+    case ComparandKind::store:
+      return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what, watch);
     default:
       compare::refuse_path(what,
                            "is neither the results of a run nor a study; give one of them, or a document of compare or bench");

@@ -10,6 +10,7 @@
 
 #include "compare/comparand.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "earthtop/watch.hpp"
 #include "results/time_unit.hpp"
 
 namespace earthtop::report {
@@ -28,6 +29,7 @@ struct Run {
   std::vector<compare::Row> rows;
   bool has_contact = false;  ///< whether the rows have the columns of a top on a table
   TimeUnit time{"s", 1};
+  Watch watch;  ///< may stop the work on the page
   std::string word(const std::string& pointer) const { return results.word(pointer); }
   std::optional<double> number(const std::string& pointer) const { return results.number(pointer); }
 };

@@ -10,6 +10,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/azimuth_trend.hpp"
+#include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
@@ -219,7 +220,8 @@ double largest_gravity(const Run& run) {
 std::string torques_html(const Run& run, Page& page) {
   if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
     return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
-  const Budget budget = effect_budget(*run.scene);
+  const Budget budget = effect_budget(*run.scene, run.watch);
+  if (run.watch.asks_to_stop()) throw Interrupted();
   std::vector<Bar> bars;
   std::vector<std::vector<std::string>> rows;
   if (const double gravity = largest_gravity(run); gravity > 0) {
@@ -305,8 +307,8 @@ constexpr const char* kAnimation =
 <label><input id="arrows" type="checkbox" checked> Torques and axes</label> <output id="clock"></output></div></figure>
 )html";
 
-Run read_run(const std::filesystem::path& directory) {
-  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, false, {"s", 1}};
+Run read_run(const std::filesystem::path& directory, const Watch& watch) {
+  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, false, {"s", 1}, watch};
   const ScenarioReport report = examine_scenario({"", run.results.summary->value("scenario", Json()).dump(), false});
   run.scene = report.scene;
   const auto rows = run.results.open_rows();
@@ -316,15 +318,15 @@ Run read_run(const std::filesystem::path& directory) {
   const auto& measures = compare::trajectory_table().measures;
   run.has_contact = std::all_of(measures.begin(), measures.end(),
                                 [&](const compare::Measure& measure) { return !measure.of_contact || rows->has(measure); });
-  run.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0));
+  run.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0), watch);
   if (!run.rows.empty()) run.time = time_unit(run.rows.back().t_s);
   return run;
 }
 
 }  // namespace
 
-Report run_page(const std::filesystem::path& directory) {
-  const Run run = read_run(directory);
+Report run_page(const std::filesystem::path& directory, const Watch& watch) {
+  const Run run = read_run(directory, watch);
   const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
   Page page("run", title.empty() ? "A run" : title);
   page.headline(headline_of(run));

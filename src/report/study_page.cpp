@@ -126,8 +126,8 @@ void add_points(const Json& study, Page& page) {
 
 }  // namespace
 
-Report study_page(const std::filesystem::path& store) {
-  const Json study = Json::parse(study_json(store));
+Report study_page(const std::filesystem::path& store, const Watch& watch) {
+  const Json study = Json::parse(study_json(store, watch));
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
   Page page("study", title);
   page.headline(escaped(study.value("finding", "")));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/tell.hpp"
+
 namespace earthtop::report {
 namespace {
 
@@ -54,7 +56,7 @@ class Span {
 
 }  // namespace
 
-std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count) {
+std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count, const Watch& watch) {
   const compare::Table& table = compare::trajectory_table();
   std::vector<std::size_t> watched;
   for (const std::string_view name : {"drift_axis_rad", "drift_azimuth_rad", "drift_tilt_rad", "drift_tip_m", "slip_m_s"}) {
@@ -66,6 +68,7 @@ std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count) {
   Span span(std::move(watched));
   Row row;
   for (std::uint64_t i = 0; rows.next(row); ++i) {
+    if (i % 1024 == 0) compare::tell(watch, rows.share_read());
     if (!std::isfinite(row.t_s)) continue;
     span.add(row);
     if ((i + 1) % rows_a_span == 0) span.flush(kept);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/row_source.hpp"
+#include "earthtop/watch.hpp"
 
 namespace earthtop::report {
 
@@ -14,7 +15,8 @@ namespace earthtop::report {
 inline constexpr const char* kThinningRule =
     "of each of 250 spans the first and last row, and those where an axis drift, azimuth or tilt is least or largest";
 
-/// @param count  the number of rows; up to a thousand rows are all kept
-std::vector<compare::Row> thinned_rows(compare::RowSource& rows, std::uint64_t count);
+/// @param count  the number of rows; up to a thousand rows are all kept   @param watch  may stop the reading
+/// @throws Interrupted
+std::vector<compare::Row> thinned_rows(compare::RowSource& rows, std::uint64_t count, const Watch& watch = {});
 
 }  // namespace earthtop::report

@@ -2,19 +2,19 @@
 // The table of the members of summary.json.
 #include "results/figures.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
 #include "budget/effects.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
-#include "earthtop/scene/top_figures.hpp"
+#include "results/contact_members.hpp"
+#include "results/member_entries.hpp"
+#include "results/sensitivity_members.hpp"
+#include "results/top_members.hpp"
 #include "scenario/quantities.hpp"
 #include "text/json.hpp"
 
@@ -22,29 +22,7 @@ namespace earthtop {
 namespace figure_table {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using R = const RunResult&;
-using I = std::size_t;
-
 // Functions for values that are not simply a member of the result.
-
-const Json kLeftOut = Json(Json::value_t::discarded);
-
-template <class T>
-Json json_from(const T& value) {
-  return value;
-}
-template <class T>
-Json json_from(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-/// A value of the last row whose drift can be trusted; null where there is none.
-template <class T>
-Json reliable(R r, T DriftRow::*member) {
-  const DriftRow* row = last_reliable_row(r);
-  return row ? Json(row->*member) : Json();
-}
 
 /// The largest size of a value over the rows that have it.
 template <class T>
@@ -73,11 +51,6 @@ std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
 
-Json to_word(const std::optional<NutationKind>& kind) {
-  if (!kind) return {};
-  return *kind == NutationKind::of_release ? "of_release" : "small_amplitude";
-}
-
 /// A value that only a top on a table has; left out for others.
 Json of_contact(R r, const std::optional<double>& value) {
   return r.scene.scenario().contact || r.contact ? json_from(value) : kLeftOut;
@@ -87,12 +60,6 @@ std::optional<double> tip_final(R r, std::size_t component) {
   if (r.rows.empty() || !r.rows.back().contact) return std::nullopt;
   return r.rows.back().contact->drift_tip_xy_m[component];
 }
-std::string_view to_event_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "reference"; }
-const ContactEvent& event(R r, I i) { return r.contact->events[i]; }
-const PredictionChange& change(R r, I i) { return r.contact->changes[i]; }
-
-double over_size(const ContactBalance& balance) { return balance.balance / balance.size; }
-
 Json relative_tolerance(const IntegrationReport& report) {
   return report.relative_tolerance > 0 ? Json(report.relative_tolerance) : Json();
 }
@@ -101,122 +68,15 @@ Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
 
-bool have_sensitivities(R r) { return r.sensitivities->unavailable.empty(); }
-Json why_unavailable(R r) { return have_sensitivities(r) ? kLeftOut : Json(r.sensitivities->unavailable); }
-const InputSensitivity& sensitivity(R r, I i) { return r.sensitivities->inputs[i]; }
-/// A derivative by an input; left out where there is none.
-template <class Value>
-Json derivative(R r, I i, Value InputSensitivity::*member) {
-  return sensitivity(r, i).unavailable.empty() ? json_from(sensitivity(r, i).*member) : kLeftOut;
-}
-/// Whether the errors of all inputs have been propagated.
-bool have_input_errors(R r) { return have_sensitivities(r) && r.sensitivities->without_derivative.empty(); }
-Json why_no_input_errors(R r) {
-  if (have_input_errors(r)) return kLeftOut;
-  if (!have_sensitivities(r)) return Json(r.sensitivities->unavailable);
-  return Json(fmt::format("there is no derivative by {}", r.sensitivities->without_derivative));
-}
-
-/// The name of the input whose error contributes most to the drift's error; null where no input has an error.
-Json largest_error_from(R r) {
-  const auto& inputs = r.sensitivities->inputs;
-  const auto most = std::max_element(inputs.begin(), inputs.end(),
-                                     [](const auto& a, const auto& b) { return a.axis_error_rad < b.axis_error_rad; });
-  return most->axis_error_rad > 0 ? Json(most->name) : Json();
-}
-
 Json libraries() {
   Json versions = Json::object();
   for (const auto& [name, version] : build_info().libraries) versions[name] = version;
   return versions;
 }
 
-// Functions that make the entries of the table.
-
-template <class Get>
-Json value_of(R r, I i) {
-  if constexpr (std::is_invocable_v<Get, R, I>)
-    return json_from(Get{}(r, i));
-  else
-    return json_from(Get{}(r));
-}
-
-/// Entry of a figure that is compared, or of a word. @param get  gives its value from the result and, for a member of a list's
-/// elements, from the element's number
-template <class Get>
-constexpr SummaryMember compared(std::string_view path, FigureKind kind, FigureScope scope, KnownFrom known, Get,
-                                 MemberForm form = MemberForm::value) {
-  return {path, form, kind, scope, known, "", value_of<Get>, nullptr, false, false};
-}
-/// Entry of a member that is not compared. @param why  ends the sentence "It is not compared because ..."
-template <class Get>
-constexpr SummaryMember told(std::string_view path, KnownFrom known, std::string_view why, Get,
-                             MemberForm form = MemberForm::value) {
-  return {path, form, FigureKind::not_compared, FigureScope::any, known, why, value_of<Get>, nullptr, false, false};
-}
-template <class Get>
-constexpr SummaryMember work(std::string_view path, Get) {
-  return {path, MemberForm::value, FigureKind::cost, FigureScope::any, KnownFrom::rows, "", value_of<Get>, nullptr, false,
-          false};
-}
-/// Entry of an object or a list.
-/// @param count  gives 1 for an object, or the number of a list's elements; none where the result has no such member
-template <class Count>
-constexpr SummaryMember holder(std::string_view path, MemberForm form, Count, bool left_out = false) {
-  return {path,
-          form,
-          FigureKind::not_compared,
-          FigureScope::any,
-          KnownFrom::end,
-          "it holds others",
-          nullptr,
-          [](R r) -> std::optional<std::size_t> { return Count{}(r); },
-          left_out,
-          false};
-}
-constexpr SummaryMember object(std::string_view path) {
-  return holder(path, MemberForm::object, [](R) { return 1; });
-}
-/// Entry of an object. @param is_there  whether the result has it; otherwise it is null
-template <class IsThere>
-constexpr SummaryMember object_or_null(std::string_view path, IsThere) {
-  return holder(path, MemberForm::object, [](R r) { return IsThere{}(r) ? std::optional(1) : std::nullopt; });
-}
-/// The same, but where the result does not have the object the document leaves it out.
-template <class IsThere>
-constexpr SummaryMember object_or_nothing(std::string_view path, IsThere) {
-  return holder(
-      path, MemberForm::object, [](R r) { return IsThere{}(r) ? std::optional(1) : std::nullopt; }, true);
-}
-template <class Count>
-constexpr SummaryMember list(std::string_view path, Count count, bool left_out = false) {
-  return holder(path, MemberForm::list, count, left_out);
-}
-constexpr SummaryMember of_rows(SummaryMember member) {
-  member.of_rows = true;
-  return member;
-}
-
-constexpr SummaryMember of_scenario(SummaryMember member) {
-  member.of_scenario = true;
-  return member;
-}
-
-constexpr std::string_view kLabel = "it names what is beside it", kOfScenario = "the scenario says it, whose keys are compared",
-                           kWords = "it says in words what figures say", kIsRow = "it is a row's, and the rows are compared",
-                           kRowCount = "rows that are missing or too many are findings of their own",
-                           kDigits = "it repeats a figure that is compared", kOrigin = "it says where the result comes from",
-                           kHeadline = "it holds a column or a figure, which are compared, against the scenario's number",
-                           kSelected = "the effects modelled are compared",
-                           kRemainder = "it is what rounding and the integration's error leave of numbers that are compared",
-                           kEffort = "it is the work that the search for a tolerance took";
-
-constexpr auto kMembers = [] {
+constexpr auto kFirstMembers = [] {
   using enum FigureKind;
   using enum FigureScope;
-  using MemberForm::document, MemberForm::vector, MemberForm::words;
-  // A figure is "known at the end" if no row between release and end is needed for it.
-  constexpr KnownFrom kAtEnd = KnownFrom::end, kFromRows = KnownFrom::rows;
   return std::array{
       told("$schema", kFromRows, kLabel, [](R) { return "earthtop-summary-1.json"; }),
       told("name", kAtEnd, kLabel, [](R r) { return r.scene.scenario().name; }),
@@ -229,45 +89,14 @@ constexpr auto kMembers = [] {
       told("matching_rule.rates_relative_to", kAtEnd, kOfScenario,
            [](R r) { return to_word(r.scene.scenario().release.rates_relative_to); }),
       told("matching_rule.statement", kAtEnd, kOfScenario, [](R r) { return matching_rule(r.scene.scenario()); }),
+  };
+}();
 
-      // The body and its motion without Earth rotation. Body axes; precession is counted counterclockwise about Up.
-      object("top"),
-      of_scenario(compared("top.mass_kg", input, any, kAtEnd, [](R r) { return r.scene.top().mass_kg; })),
-      of_scenario(compared(
-          "top.center_of_mass_m", input, any, kAtEnd, [](R r) { return r.scene.top().center_of_mass_m; }, vector)),
-      of_scenario(compared(
-          "top.moments_about_pivot_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_pivot_kg_m2; },
-          vector)),
-      of_scenario(compared(
-          "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; },
-          vector)),
-      of_scenario(compared("top.spin_rad_s", input, any, kAtEnd, [](R r) { return r.scene.top().spin_rad_s; })),
-      of_scenario(
-          compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
-      of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd,
-                           [](R r) { return period_of(r.scene.top().slow_precession_rad_s); })),
-      of_scenario(
-          compared("top.fast_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().fast_precession_rad_s; })),
-      of_scenario(compared("top.fast_precession_period_s", derived, any, kAtEnd,
-                           [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
-      of_scenario(
-          compared("top.mean_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().mean_precession_rad_s; })),
-      of_scenario(compared("top.mean_precession_period_s", derived, any, kAtEnd,
-                           [](R r) { return period_of(r.scene.top().mean_precession_rad_s); })),
-      of_scenario(compared("top.nutation_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().nutation_rad_s; })),
-      of_scenario(
-          compared("top.nutation_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().nutation_rad_s); })),
-      of_scenario(compared("top.nutation_kind", word, any, kAtEnd, [](R r) { return to_word(r.scene.top().nutation_kind); })),
-      of_scenario(
-          compared("top.critical_spin_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().critical_spin_rad_s; })),
-      of_scenario(
-          compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
-      of_scenario(compared("top.rim_speed_m_s", derived, any, kAtEnd, [](R r) { return r.scene.top().rim_speed_m_s; })),
-      told(
-          "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),
-      told(
-          "top.left_out", kAtEnd, kWords, [](R r) { return r.scene.top().left_out; }, words),
-
+constexpr auto kDriftMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  using MemberForm::document, MemberForm::vector;
+  return std::array{
       of_rows(object("drift")),
       compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; }),
       compared("drift.axis_max_rad", drift_axis, rows, kFromRows, [](R r) { return r.drift.axis_max_rad; }),
@@ -346,67 +175,13 @@ constexpr auto kMembers = [] {
       compared("stops.*.prediction", word, any, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); }),
       compared("stops.*.t_s", time, any, kFromRows, [](R r, I i) { return r.stops[i].t_s; }),
       compared("stops.*.bound_s", error, any, kFromRows, [](R r, I i) { return r.stops[i].bound_s; }),
-      // What happened to the contact of a top with its table, and how far the prediction itself moves with its inputs.
-      object_or_nothing("contact", [](R r) { return r.contact.has_value(); }),
-      list("contact.events", [](R r) { return r.contact->events.size(); }),
-      compared("contact.events.*.event", outcome, any, kAtEnd, [](R r, I i) { return to_string(event(r, i).kind); }),
-      compared("contact.events.*.t_s", event_time, any, kAtEnd, [](R r, I i) { return event(r, i).t_s; }),
-      compared("contact.events.*.bound_s", error, any, kAtEnd, [](R r, I i) { return event(r, i).bound_s; }),
-      compared("contact.events.*.prediction", word, any, kAtEnd,
-               [](R r, I i) { return to_event_word(event(r, i).prediction); }),
-      compared("contact.events.*.time_difference_s", derived, any, kAtEnd,
-               [](R r, I i) { return event(r, i).time_difference_s; }),
-      list("contact.prediction_changes", [](R r) { return r.contact->changes.size(); }),
-      compared("contact.prediction_changes.*.input", word, end, kAtEnd, [](R r, I i) { return change(r, i).input; }),
-      compared("contact.prediction_changes.*.step", word, end, kAtEnd, [](R r, I i) { return change(r, i).step; }),
-      compared("contact.prediction_changes.*.axis_rad", derived, end, kAtEnd, [](R r, I i) { return change(r, i).axis_rad; }),
-      compared("contact.prediction_changes.*.tip_m", derived, end, kAtEnd, [](R r, I i) { return change(r, i).tip_m; }),
-      compared("contact.prediction_changes.*.at_s", input, end, kAtEnd, [](R r, I) { return r.contact->at_s; }),
-      // Jellett's integral and the Jacobi integral with what changes them: their balances, for both predictions.
-      object_or_nothing("contact.jellett", [](R r) { return r.contact->rotating.jellett.has_value(); }),
-      object("contact.jellett.rotating"),
-      compared("contact.jellett.rotating.first_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jellett->first; }),
-      compared("contact.jellett.rotating.last_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jellett->last; }),
-      compared("contact.jellett.rotating.integral_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jellett->integral; }),
-      told("contact.jellett.rotating.balance_kg_m3_s", kAtEnd, kRemainder,
-           [](R r) { return r.contact->rotating.jellett->balance; }),
-      told("contact.jellett.rotating.balance_over_size", kAtEnd, kRemainder,
-           [](R r) { return over_size(*r.contact->rotating.jellett); }),
-      object("contact.jellett.reference"),
-      compared("contact.jellett.reference.first_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jellett->first; }),
-      compared("contact.jellett.reference.last_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jellett->last; }),
-      compared("contact.jellett.reference.integral_kg_m3_s", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jellett->integral; }),
-      told("contact.jellett.reference.balance_kg_m3_s", kAtEnd, kRemainder,
-           [](R r) { return r.contact->reference.jellett->balance; }),
-      told("contact.jellett.reference.balance_over_size", kAtEnd, kRemainder,
-           [](R r) { return over_size(*r.contact->reference.jellett); }),
-      object_or_nothing("contact.work", [](R r) { return r.contact->rotating.jacobi.has_value(); }),
-      object("contact.work.rotating"),
-      compared("contact.work.rotating.slip_work_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jacobi->integral; }),
-      compared("contact.work.rotating.jacobi_first_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jacobi->first; }),
-      compared("contact.work.rotating.jacobi_last_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->rotating.jacobi->last; }),
-      told("contact.work.rotating.balance_J", kAtEnd, kRemainder, [](R r) { return r.contact->rotating.jacobi->balance; }),
-      told("contact.work.rotating.balance_over_size", kAtEnd, kRemainder,
-           [](R r) { return over_size(*r.contact->rotating.jacobi); }),
-      object("contact.work.reference"),
-      compared("contact.work.reference.slip_work_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jacobi->integral; }),
-      compared("contact.work.reference.jacobi_first_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jacobi->first; }),
-      compared("contact.work.reference.jacobi_last_J", derived, end, kAtEnd,
-               [](R r) { return r.contact->reference.jacobi->last; }),
-      told("contact.work.reference.balance_J", kAtEnd, kRemainder, [](R r) { return r.contact->reference.jacobi->balance; }),
-      told("contact.work.reference.balance_over_size", kAtEnd, kRemainder,
-           [](R r) { return over_size(*r.contact->reference.jacobi); }),
+  };
+}();
+
+constexpr auto kSolutionMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  return std::array{
       object_or_null("headline", [](R r) { return r.scene.scenario().headline.has_value(); }),
       told("headline.quantity", kFromRows, kHeadline, [](R r) { return r.scene.scenario().headline->quantity; }),
       told("headline.at_s", kFromRows, kHeadline, [](R r) { return check_headline(r)->at_s; }),
@@ -458,46 +233,14 @@ constexpr auto kMembers = [] {
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
       compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
       compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
+  };
+}();
 
-      object_or_nothing("sensitivities", [](R r) { return r.sensitivities.has_value(); }),
-      compared("sensitivities.at_s", input, end, kAtEnd, [](R r) { return r.sensitivities->at_s; }),
-      compared("sensitivities.unavailable", word, end, kAtEnd, [](R r) { return why_unavailable(r); }),
-      told("sensitivities.per", kAtEnd, kLabel,
-           [](R r) { return have_sensitivities(r) ? Json("one unit of the input, as its name says") : kLeftOut; }),
-      list(
-          "sensitivities.inputs",
-          [](R r) { return have_sensitivities(r) ? std::optional(r.sensitivities->inputs.size()) : std::nullopt; }, true),
-      compared("sensitivities.inputs.*.name", word, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).name; }),
-      compared("sensitivities.inputs.*.value", derived, end, kAtEnd, [](R r, I i) { return sensitivity(r, i).value; }),
-      compared("sensitivities.inputs.*.d_axis_rad", derived, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_rad); }),
-      compared("sensitivities.inputs.*.d_axis_bound_rad", error, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_bound_rad); }),
-      compared("sensitivities.inputs.*.d_attitude_rad", derived, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::attitude_rad); }),
-      compared("sensitivities.inputs.*.d_tilt_rad", derived, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::tilt_rad); }),
-      compared("sensitivities.inputs.*.d_azimuth_rad", derived, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::azimuth_rad); }),
-      compared("sensitivities.inputs.*.axis_error_rad", derived, end, kAtEnd,
-               [](R r, I i) { return derivative(r, i, &InputSensitivity::axis_error_rad); }),
-      compared("sensitivities.inputs.*.unavailable", word, end, kAtEnd,
-               [](R r, I i) {
-                 const std::string& why = sensitivity(r, i).unavailable;
-                 return why.empty() ? kLeftOut : Json(why);
-               }),
-      // The last reliable drift of the axis, with its errors: from the inputs (a standard error, for independent inputs) and
-      // from the numerics (a bound).
-      object_or_nothing("uncertainty", [](R r) { return r.sensitivities && r.scene.scenario().uncertainty; }),
-      compared("uncertainty.unavailable", word, end, kAtEnd, [](R r) { return why_no_input_errors(r); }),
-      compared("uncertainty.axis_rad", derived, end, kAtEnd,
-               [](R r) { return have_input_errors(r) ? reliable(r, &DriftRow::drift_axis_rad) : kLeftOut; }),
-      compared("uncertainty.from_inputs_rad", derived, end, kAtEnd,
-               [](R r) { return have_input_errors(r) ? Json(r.sensitivities->axis_error_rad) : kLeftOut; }),
-      compared("uncertainty.from_numerics_rad", error, end, kAtEnd,
-               [](R r) { return have_input_errors(r) ? reliable(r, &DriftRow::drift_axis_bound_rad) : kLeftOut; }),
-      compared("uncertainty.largest_from", word, end, kAtEnd,
-               [](R r) { return have_input_errors(r) ? largest_error_from(r) : kLeftOut; }),
+constexpr auto kLastMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  using MemberForm::document, MemberForm::words;
+  return std::array{
       object_or_nothing("ledger", [](R r) { return r.ledger.has_value(); }),
       compared("ledger.observer", word, any, kFromRows, [](R r) { return to_string(r.ledger->observer); }),
       compared("ledger.tau_phys_max_N_m", derived, rows, kFromRows, [](R r) { return r.ledger->largest.tau_phys; }),
@@ -548,6 +291,9 @@ constexpr auto kMembers = [] {
       told("provenance.constants.*.source", kAtEnd, kOfScenario, [](R r, I i) { return constants_used(r.scene)[i].source; }),
   };
 }();
+
+constexpr auto kMembers = joined(kFirstMembers, kTopMembers, kDriftMembers, kContactMembers, kContactBalanceMembers,
+                                 kSolutionMembers, kSensitivityMembers, kLastMembers);
 
 constexpr bool each_is_compared_or_says_why_not() {
   for (const SummaryMember& member : kMembers)

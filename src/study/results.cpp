@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the contents of a study's store as one JSON document and as one table.
+#include "earthtop/results/results.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -22,8 +24,12 @@ namespace {
 
 constexpr std::size_t kMostListedValues = 500;  // largest list of values of an axis that is written out
 
+void stop_if_asked(const Watch& watch) {
+  if (watch.asks_to_stop()) throw Interrupted();
+}
+
 /// Sobol indices, from another pass over the points, which gathers the blocks of Saltelli's scheme.
-Json sobol_indices(Store& store, const std::vector<Moments>& moments) {
+Json sobol_indices(Store& store, const std::vector<Moments>& moments, const Watch& watch) {
   const Study& study = store.study();
   const std::size_t inputs = study.axes.size(), quantities = study.quantities.size();
   std::vector<SobolSums> sums;
@@ -31,6 +37,7 @@ Json sobol_indices(Store& store, const std::vector<Moments>& moments) {
   for (std::size_t q = 0; q < quantities; ++q) sums.emplace_back(inputs, moments[q].mean);
   std::vector<PointResult> block;
   store.for_each([&](const PointResult& point) {
+    stop_if_asked(watch);
     if (point.number % (inputs + 2) == 0) block.clear();
     block.push_back(point);
     const bool whole = block.size() == inputs + 2 && block.front().number % (inputs + 2) == 0 &&
@@ -118,10 +125,13 @@ Json provenance_json(const Store& store) {
           {"libraries", libraries}};
 }
 
-Json document_of(Store& store) {
+Json document_of(Store& store, const Watch& watch) {
   const Study& study = store.study();
   Gathering gathering(study);
-  store.for_each([&](const PointResult& point) { gathering.include(point); });
+  store.for_each([&](const PointResult& point) {
+    stop_if_asked(watch);
+    gathering.include(point);
+  });
   std::uint64_t computed = 0, failed = 0;
   for (const auto& [status, count] : gathering.statuses()) {
     computed += count;
@@ -146,7 +156,7 @@ Json document_of(Store& store) {
   document["statistics"] = statistics_json(store, gathering.moments());
   document["marginals"] = gathering.marginals();
   document["fits"] = gathering.fits();
-  if (study.design.indices) document["indices"] = sobol_indices(store, gathering.moments());
+  if (study.design.indices) document["indices"] = sobol_indices(store, gathering.moments(), watch);
   document["points"] = gathering.points();
   document["figures"] = figures_json(study, document);
   document["provenance"] = provenance_json(store);
@@ -155,7 +165,7 @@ Json document_of(Store& store) {
 
 std::string text_of(const Json& document) { return json_with_escapes(written_replacing(document, 1)) + '\n'; }
 
-void write_table(Store& store, const FileSet::Sink& sink) {
+void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch = {}) {
   const Study& study = store.study();
   std::string text = "point";
   for (const StudyAxis& axis : study.axes) text.append(1, ',').append(axis.name);
@@ -163,6 +173,7 @@ void write_table(Store& store, const FileSet::Sink& sink) {
   text += ",status,reason\n";
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   store.for_each([&](const PointResult& point) {
+    stop_if_asked(watch);
     text += fmt::format("{}", point.number);
     for (const Value& value : point.axis_values) text.append(1, ',').append(csv_cell(value));
     for (const Value& value : point.values) text.append(1, ',').append(csv_cell(value));
@@ -177,9 +188,9 @@ void write_table(Store& store, const FileSet::Sink& sink) {
 }  // namespace
 }  // namespace study
 
-std::string study_json(const std::filesystem::path& file) {
+std::string study_json(const std::filesystem::path& file, const Watch& watch) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
-  return study::text_of(study::document_of(store));
+  return study::text_of(study::document_of(store, watch));
 }
 
 void study_csv(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
@@ -191,8 +202,8 @@ void write_study_results(const std::filesystem::path& file, const Watch& watch) 
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   static constexpr std::array<std::string_view, 3> kNames = {"study.csv", "study.svg", "study.json"};
   FileSet files(file.parent_path(), kNames, watch);
-  files.add("study.csv", [&](const FileSet::Sink& sink) { study::write_table(store, sink); });
-  const auto document = study::document_of(store);
+  files.add("study.csv", [&](const FileSet::Sink& sink) { study::write_table(store, sink, watch); });
+  const auto document = study::document_of(store, watch);
   if (const auto figure = study::study_figure(store.study(), document)) files.add("study.svg", svg(*figure));
   files.add("study.json", study::text_of(document));
   files.commit();

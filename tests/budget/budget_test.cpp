@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -188,7 +189,15 @@ TEST(Selection, AccuracyDecidesWhatActs) {
       EXPECT_EQ(has_gradient, accuracy == 1e-12) << accuracy;
     }
     EXPECT_NEAR(result.drift.axis_final_rad, everything, accuracy);
+    Scene scene(s);
+    const std::optional<Budget> budget = explain_effects(scene);  // of what the run models
+    ASSERT_TRUE(budget);
+    EXPECT_EQ(scene.scenario().effects, result.modelled.scenario().effects);
+    EXPECT_EQ(entry_of(*budget, "gravity_gradient").modelled, has_gradient);
   }
+  const std::atomic<bool> stop = true;
+  Scene scene(s);
+  EXPECT_FALSE(explain_effects(scene, Watch(&stop)));
 }
 
 }  // namespace

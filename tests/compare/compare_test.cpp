@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "compare/results_copy.hpp"
 #include "support/json.hpp"
 
@@ -48,6 +50,15 @@ TEST(Compare, AnotherScenarioIsNamedAndAllowedOnRequest) {
   const PairReport mistyped = compared(other.path(), allowed);
   EXPECT_FALSE(mistyped.passed());
   EXPECT_TRUE(mentions(mistyped.notes, "--allow-change /num: neither scenario has such a key"));
+}
+
+TEST(Compare, AWatchMayStopIt) {
+  const OtherRun other(Set{{"/motion/output_step_s", "0.004"}});  // 1501 rows
+  CompareOptions options;
+  EXPECT_TRUE(compare_results(other.path(), other.path(), options).passed());
+  const std::atomic<bool> stop = true;
+  options.watch = Watch(&stop);
+  EXPECT_THROW(compare_results(other.path(), other.path(), options), Interrupted);
 }
 
 TEST(Compare, AnotherPhysicsIsAboveBothErrors) {

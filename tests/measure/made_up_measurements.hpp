@@ -38,10 +38,23 @@ class MeasurementTest : public ::testing::Test {
       read(text);
     } catch (const ScenarioError& error) {
       EXPECT_EQ(error.file(), (directory_.path() / "measured.csv").string());
+      expect_refused_alike(text, error.diagnostics());
       return error.diagnostics();
     }
     ADD_FAILURE() << "accepted: " << text;
     return {{}};
+  }
+  /// Expects that the text is refused without a file, too, with the same findings.
+  static void expect_refused_alike(const std::string& text, const std::vector<Diagnostic>& expected) {
+    try {
+      parse_measurement("<text>", text);
+      ADD_FAILURE() << "accepted as a text: " << text;
+    } catch (const ScenarioError& error) {
+      EXPECT_EQ(error.file(), "<text>");
+      ASSERT_EQ(error.diagnostics().size(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(format_diagnostic("", error.diagnostics()[i]), format_diagnostic("", expected[i]));
+    }
   }
   testing::TemporaryDirectory directory_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "earthtop/plan/plan.hpp"
 #include "measure/made_up_measurements.hpp"
 #include "support/json.hpp"
 
@@ -24,8 +25,8 @@ class Priors : public MeasurementTest {
   static Overrides with(const std::string& uncertainty) { return {{"/uncertainty", uncertainty}}; }
 };
 
-// A straight line y = a x is fitted, with the error s and the prior 0 +- p of a: the weights of both add, and chi-squared at the best
-// value a0 / (1 + s^2 / p^2 / sum x^2) has the prior's square, too.
+// A straight line y = a x is fitted, with the error s and the prior 0 +- p of a: the weights of both add, and chi-squared at the
+// best value a0 / (1 + s^2 / p^2 / sum x^2) has the prior's square, too.
 TEST_F(Priors, WeighAsDataDo) {
   const Measurement data = faster_earth(0.02);
   const MeasurementOptions alone{.estimates = {"rotation_rate_rad_s"}};
@@ -92,6 +93,32 @@ TEST_F(Priors, AreReported) {
   EXPECT_EQ(document.at("priors").at(0).at("pull"), *report.priors[0].pull);
   EXPECT_EQ(document.at("chi_squared").at("fitted").at("of_priors"), report.fitted->of_priors);
   EXPECT_EQ(document.at("unused_priors").at(0).at("name"), "tilt_deg");
+}
+
+/// A prior that counts for a ten millionth of the data tells a top's spin from its ratio of moments, of which the data see only the
+/// product: in a fit as in a plan.
+TEST_F(Priors, DetermineInAFitWhatTheyDetermineInAPlan) {
+  MeasurementPlan plan;
+  plan.quantities = {planned_quantity("axis_deg", 1e-5)};
+  plan.every_s = 0.2;
+  plan.until_s = 20;
+  plan.nuisances = {"spin_rad_s"};
+  const Overrides known = {{"/uncertainty/inertia_ratio", "0.5"}};
+  const PlanReport planned = plan_measurement(shipped("toy-top"), known, plan);
+  ASSERT_EQ(planned.outcome, PlanOutcome::determined) << planned.reason;
+  MeasurementOptions options{.estimates = {}, .priors = true};
+  for (const PlannedEstimate& estimate : planned.estimates) options.estimates.push_back(estimate.name);
+  const auto data = simulated_measurement(shipped("toy-top"), known, plan, 3);
+  ASSERT_TRUE(data);
+  const auto report = compare_with_measurement(shipped("toy-top"), known, read(*data), options);
+  ASSERT_TRUE(report.fitted) << report.fit_reason;
+  ASSERT_EQ(report.estimates.size(), 3u);
+  for (std::size_t j = 0; j < 3; ++j)
+    EXPECT_NEAR(*report.estimates[j].standard_error, *planned.estimates[j].standard_error,
+                0.01 * *planned.estimates[j].standard_error);
+  EXPECT_LT(std::abs(*report.estimates[0].estimate - report.estimates[0].start), 5 * *report.estimates[0].standard_error);
+  options.priors = false;
+  EXPECT_EQ(compare_with_measurement(shipped("toy-top"), known, read(*data), options).fit, FitOutcome::not_determined);
 }
 
 TEST_F(Priors, ThatCannotEnterAreRefused) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -84,6 +85,8 @@ TEST(Report, NothingIsLoaded) {
 TEST(Report, PicturesStandAlone) {
   const TemporaryDirectory dir;
   write_results(run(short_top("A top")), dir.path() / "run", false);
+  const std::atomic<bool> stop = true;
+  EXPECT_THROW(make_report(dir.path() / "run", Watch(&stop)), Interrupted);
   const Report report = make_report(dir.path() / "run");
   ASSERT_GE(report.pictures.size(), 3u);
   for (const auto& [name, picture] : report.pictures) {

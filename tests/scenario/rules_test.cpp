@@ -4,6 +4,7 @@
 
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
+#include "scenario/document.hpp"
 #include "scenario/fields.hpp"
 #include "support.hpp"
 
@@ -32,6 +33,16 @@ TEST(ScenarioDefaults, EveryDefaultIsTheDocumentedOne) {
   EXPECT_EQ(s.numerics.relative_tolerance, 1e-12);
   EXPECT_FALSE(s.numerics.step_s.has_value());
   EXPECT_FALSE(s.threshold_rad.has_value());
+}
+
+TEST(ScenarioDefaults, WhatIsNoWordLeavesAnEnumeratorThatExists) {
+  for (const char* value : {"3", "1e-320", "true", "null", "[]", "{}", "\"\"", "\"nope\""}) {
+    const scenario::Document document({"minimal.json", kMinimal}, {{"/numerics/method", value}, {"/numerics/observer", value}});
+    const scenario::Decoded decoded = document.decode();
+    EXPECT_FALSE(decoded.findings.empty()) << value;
+    EXPECT_EQ(decoded.scenario.numerics.method, Method::automatic) << value;
+    EXPECT_EQ(decoded.scenario.numerics.observer, Observer::laboratory) << value;
+  }
 }
 
 TEST(ScenarioDefaults, GivenValuesAreRead) {

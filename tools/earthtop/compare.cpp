@@ -92,9 +92,8 @@ MeasurementReport measure_watched(const ScenarioSource& source, const Measuremen
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  constexpr std::size_t kCurvePoints = 1001;
   MeasurementOptions options{arguments.estimates, arguments.priors, arguments.correlation_time_s.value_or(0)};
-  if (arguments.json || !arguments.svg.empty()) options.curve_points = kCurvePoints;
+  if (arguments.json || !arguments.svg.empty()) options.curve_points = MeasurementOptions::kCurvePoints;
   MeasurementReport report = compare_with_measurement(source, split_sets(arguments.sets), measurement, options, watch);
   if (!watch.asks_to_stop()) progress.reach(1);
   return report;

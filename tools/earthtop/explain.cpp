@@ -91,19 +91,14 @@ std::string explained(const Budget& budget, const Scene& scene) {
   return text;
 }
 
-/// The effect budget, computed with a progress display. Chooses the effects first if the scenario leaves that to the program.
-/// Returns nothing if interrupted.
+/// The effect budget, computed with a progress display. Returns nothing if interrupted.
 std::optional<Budget> watched_budget(Scene& scene, bool lively) {
   const OrderlyEnd orderly;
   Progress progress;
   const ProgressDisplay display(lively, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  const double choice = scene.scenario().effects.automatic ? selection_seconds(scene) : 0;
-  Parts parts(watch, choice + budget_seconds(scene));
-  if (scene.scenario().effects.automatic) select_effects(scene, parts.next(choice, "choice of effects"));
-  std::optional<Budget> budget = effect_budget(scene, parts.next(budget_seconds(scene)));
-  if (watch.asks_to_stop()) return std::nullopt;
-  progress.reach(1);
+  std::optional<Budget> budget = explain_effects(scene, watch);
+  if (budget) progress.reach(1);
   return budget;
 }
 

@@ -69,4 +69,9 @@ Selection select_effects(Scene& scene, const Watch& watch = {});
 /// Estimates the time (s) that `select_effects` takes on one core.
 double selection_seconds(const Scene& scene);
 
+/// The effect budget of what a run of the scene would model: where the scene leaves the choice of effects open, they are chosen
+/// first, and `scene` has them then.
+/// @returns nothing if the watch asked to stop
+std::optional<Budget> explain_effects(Scene& scene, const Watch& watch = {});
+
 }  // namespace earthtop

@@ -49,7 +49,7 @@ struct CompareOptions {
   std::vector<std::string> may_change;  ///< JSON pointers of scenario keys in which the two may differ; "/" for all
   bool may_lack_rows = false;           ///< whether rows and results of the reference may be missing in the candidate
   bool with_curves = false;             ///< whether to keep the differences over time, for a picture
-  Watch watch;                          ///< gets the progress of the comparison
+  Watch watch;                          ///< gets the progress of the comparison, and may stop it
 };
 
 /// Whether a difference is more than the two computations' errors explain.
@@ -128,7 +128,7 @@ struct CompareReport {
 /// Compares two results, two directories of results, two study stores, or a foreign CSV with any of the first.
 /// @throws ScenarioError for input that is empty, truncated or not readable as what it should be, and where the times differ
 /// and the reference's rows are too far apart to interpolate between them; in a directory of several results such an error
-/// becomes the pair's `refusal`. ReadError for a file that cannot be read.
+/// becomes the pair's `refusal`. ReadError for a file that cannot be read. Interrupted if the watch asked to stop.
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options);
 

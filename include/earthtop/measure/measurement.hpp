@@ -51,6 +51,8 @@ struct Measurement {
 /// over. At most 200,000 rows.
 /// @throws ScenarioError with what is wrong, where in the file, and what is allowed; ReadError
 Measurement read_measurement(const std::string& csv_file);
+/// The same of a text.   @param name  what it is called in messages and in the report
+Measurement parse_measurement(const std::string& name, std::string csv);
 
 /// One measured number and the predicted one. A measured axis gives two of these: `axis_tilt` and `axis_azimuth`. Their
 /// residuals are the components of the turn from the predicted to the measured axis along growing tilt and along growing
@@ -143,8 +145,9 @@ struct MeasurementOptions {
   /// Above 0: the errors of each measured quantity are correlated in time, by exp(-dt / correlation_time_s) between errors in
   /// units of their standard errors; those of different quantities are independent of each other (s).
   double correlation_time_s = 0;
-  /// Number of the report's points between the release and the last measured time, for a picture.
+  /// Number of the report's points between the release and the last measured time, for a picture: kCurvePoints, or 0 for none.
   std::size_t curve_points = 0;
+  static constexpr std::size_t kCurvePoints = 1001;
 };
 
 struct MeasurementReport {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/watch.hpp"
+
 namespace earthtop {
 
 struct Report {
@@ -15,8 +17,9 @@ struct Report {
 };
 
 /// @param what  results of a run, a study (its directory or store), or a document written by `compare --json` or `bench --json`
-/// @throws ScenarioError if `what` is none of these, or is damaged; ReadError
-Report make_report(const std::filesystem::path& what);
+/// @param watch  may stop the work
+/// @throws ScenarioError if `what` is none of these, or is damaged; ReadError; Interrupted
+Report make_report(const std::filesystem::path& what, const Watch& watch = {});
 
 /// The default file of a report: report.html in a directory, otherwise the document's name with the extension .html.
 std::filesystem::path report_file(const std::filesystem::path& what);

@@ -72,7 +72,8 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
 
 /// The study of a store and its results so far, as JSON: counts, statistics, fits, Sobol indices, figures, and every single
 /// point if there are at most 1000. Ends with a newline; the same points give the same bytes.
-std::string study_json(const std::filesystem::path& store);
+/// @param watch may stop the reading   @throws Interrupted
+std::string study_json(const std::filesystem::path& store, const Watch& watch = {});
 
 /// Writes the results beside the store: study.csv (one line per point), study.json, and study.svg if a few curves can show the
 /// study.

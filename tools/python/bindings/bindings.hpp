@@ -15,5 +15,6 @@ void bind_results(py::module_& module);
 void bind_closed_form(py::module_& module);
 void bind_study(py::module_& module);
 void bind_documents(py::module_& module);
+void bind_measure(py::module_& module);
 
 }  // namespace earthtop::python

@@ -13,4 +13,5 @@ PYBIND11_MODULE(_core, module) {
   bind_closed_form(module);
   bind_study(module);
   bind_documents(module);
+  bind_measure(module);
 }

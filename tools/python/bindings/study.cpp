@@ -1,8 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/study/study.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
 #include "bindings.hpp"
+#include "earthtop/study/run_study.hpp"
+#include "earthtop/study/study_columns.hpp"
+#include "waiting.hpp"
 
 namespace earthtop::python {
+namespace {
 
-void bind_study(py::module_&) {}
+namespace fs = std::filesystem;
+
+/// An array of shape (rows) that owns the numbers; None if there are none.
+template <class Number>
+py::object array_of(std::vector<Number>&& numbers) {
+  if (numbers.empty()) return py::none();
+  auto* kept = new std::vector<Number>(std::move(numbers));
+  const py::capsule owner(kept, [](void* memory) { delete static_cast<std::vector<Number>*>(memory); });
+  return py::array_t<Number>(static_cast<py::ssize_t>(kept->size()), kept->data(), owner);
+}
+
+/// The store itself, given as a file or as its directory.
+fs::path store_of(const fs::path& given) {
+  std::error_code error;
+  return fs::is_directory(given, error) ? study_store(given) : given;
+}
+
+StudyRunReport run_and_write(const ScenarioSource& source, StudyRunOptions options, bool writes_results, const Watch& watch) {
+  const Study study = parse_study(source);
+  options.watch = watch;
+  const Watch points = watch.part(0, 1, "points");
+  options.on_progress = [&](const StudyProgress& progress) { points.reach(progress.share); };
+  StudyRunReport report = run_study(study, options);
+  if (writes_results && !report.interrupted) write_study_results(report.store, watch);
+  return report;
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+  module.def(
+      "run_study",
+      [](const std::string& file, const std::string& text, const fs::path& dir, unsigned jobs, bool force, bool keep_going,
+         bool retry_failed, bool writes_results, const py::object& on_progress) {
+        StudyRunOptions options;
+        options.dir = dir;
+        options.jobs = jobs;
+        options.force = force;
+        options.keep_going = keep_going;
+        options.retry_failed = retry_failed;
+        const StudyRunReport report = result_of(on_progress, [&](const Watch& watch) {
+          return run_and_write({file, text}, options, writes_results, watch);
+        });
+        return report.store.string();
+      },
+      py::arg("file"), py::arg("text"), py::arg("dir"), py::arg("jobs"), py::arg("force"), py::arg("keep_going"),
+      py::arg("retry_failed"), py::arg("writes_results"), py::arg("on_progress"),
+      "Computes the points that the store in the directory lacks; returns the store's path.");
+  module.def(
+      "study_columns",
+      [](const fs::path& given) {
+        const auto read = [&](const Watch& watch) { return study_columns(store_of(given), watch); };
+        py::list list;
+        for (StudyColumn& column : result_of(py::none(), read))
+          list.append(py::make_tuple(column.name, column.has_numbers, array_of(std::move(column.numbers)),
+                                     py::tuple(py::cast(column.words)), array_of(std::move(column.places))));
+        return list;
+      },
+      py::arg("store"),
+      "Columns of a study's table: (name, whether it has numbers, numbers, words, places among the words); an empty array is "
+      "None.");
+  module.def(
+      "study_json",
+      [](const fs::path& given) {
+        return result_of(py::none(), [&](const Watch& watch) { return study_json(store_of(given), watch); });
+      },
+      py::arg("store"), "The document of a study's store.");
+}
 
 }  // namespace earthtop::python

@@ -15,26 +15,46 @@ from . import closed_form
 from ._core import version as __version__
 from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError
 from ._arrays import Arrays
+from ._compare import Comparison, compare
+from ._documents import Document
+from ._explain import Explanation, explain
+from ._measure import Fit, fit, simulate_measurement
+from ._plan import Plan, plan
+from ._report import report
 from ._result import Drift, Result, load_result
 from ._run import run
 from ._scenario import Check, Scenario, check, example, examples, load
+from ._study import load_study, study
 
 __all__ = [
     "ArithmeticError",
     "Arrays",
     "Check",
+    "Comparison",
+    "Document",
     "Drift",
     "Error",
+    "Explanation",
     "FileError",
     "Finding",
+    "Fit",
+    "Plan",
     "Result",
     "Scenario",
     "ScenarioError",
     "check",
     "closed_form",
+    "compare",
     "example",
     "examples",
+    "explain",
+    "fit",
     "load",
     "load_result",
+    "load_study",
+    "plan",
+    "report",
     "run",
+    "simulate_measurement",
+    "study",
 ]

@@ -2,6 +2,7 @@
 # The compiled part of the package: it passes numbers, texts and JSON documents.
 
 from os import PathLike
+from pathlib import Path
 from typing import Callable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -85,3 +86,42 @@ class FreeBody:
     def at(self, t_s: np.ndarray, shape: Tuple[int, ...]) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]: ...
     @property
     def regime(self) -> str: ...
+
+# Studies
+
+_Column = Tuple[str, bool, Optional[np.ndarray], Tuple[str, ...], Optional[np.ndarray]]
+
+def run_study(
+    file: str, text: str, dir: _Path, jobs: int, force: bool, keep_going: bool, retry_failed: bool, writes_results: bool,
+    on_progress: _OnProgress,
+) -> str: ...
+def study_columns(store: _Path) -> List[_Column]: ...
+def study_json(store: _Path) -> str: ...
+
+# Documents
+
+def explain(scene: Scene, on_progress: _OnProgress) -> str: ...
+def compare(
+    reference: str, candidate: str, profile: str, tolerances: str, mapping: str, may_change: Sequence[str], may_lack_rows: bool,
+    steps_ratio: Optional[float], seconds_ratio: Optional[float], on_progress: _OnProgress,
+) -> Tuple[str, str, str]: ...
+def make_report(what: _Path) -> Tuple[str, List[Tuple[str, str]]]: ...
+def report_file(what: _Path) -> Path: ...
+
+# Measurements
+
+_Given = Tuple[str, str, _Overrides]
+_Quantities = Sequence[Tuple[str, float]]
+
+def fit(
+    scenario: _Given, data: Tuple[str, Optional[str]], estimates: Sequence[str], priors: bool, correlation_time_s: float,
+    on_progress: _OnProgress,
+) -> Tuple[str, str, str, Optional[str]]: ...
+def plan(
+    scenario: _Given, quantities: _Quantities, every_s: float, until_s: Optional[float], correlation_time_s: float,
+    estimates: Sequence[str], nuisances: Sequence[str], design: Sequence[str], on_progress: _OnProgress,
+) -> Tuple[str, str]: ...
+def simulated_measurement(
+    scenario: _Given, quantities: _Quantities, every_s: float, until_s: Optional[float], correlation_time_s: float, seed: int,
+    on_progress: _OnProgress,
+) -> str: ...

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The members of summary.json about the body and its motion without Earth rotation.
+#pragma once
+
+#include "earthtop/scene/top_figures.hpp"
+#include "results/member_entries.hpp"
+
+namespace earthtop::figure_table {
+
+inline Json to_word(const std::optional<NutationKind>& kind) {
+  if (!kind) return {};
+  return *kind == NutationKind::of_release ? "of_release" : "small_amplitude";
+}
+
+inline constexpr auto kTopMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  using MemberForm::vector, MemberForm::words;
+  return std::array{
+      // The body and its motion without Earth rotation. Body axes; precession is counted counterclockwise about Up.
+      object("top"),
+      of_scenario(compared("top.mass_kg", input, any, kAtEnd, [](R r) { return r.scene.top().mass_kg; })),
+      of_scenario(compared(
+          "top.center_of_mass_m", input, any, kAtEnd, [](R r) { return r.scene.top().center_of_mass_m; }, vector)),
+      of_scenario(compared(
+          "top.moments_about_pivot_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_pivot_kg_m2; },
+          vector)),
+      of_scenario(compared(
+          "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; },
+          vector)),
+      of_scenario(compared("top.spin_rad_s", input, any, kAtEnd, [](R r) { return r.scene.top().spin_rad_s; })),
+      of_scenario(
+          compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
+      of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().slow_precession_rad_s); })),
+      of_scenario(
+          compared("top.fast_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().fast_precession_rad_s; })),
+      of_scenario(compared("top.fast_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
+      of_scenario(
+          compared("top.mean_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().mean_precession_rad_s; })),
+      of_scenario(compared("top.mean_precession_period_s", derived, any, kAtEnd,
+                           [](R r) { return period_of(r.scene.top().mean_precession_rad_s); })),
+      of_scenario(compared("top.nutation_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().nutation_rad_s; })),
+      of_scenario(
+          compared("top.nutation_period_s", derived, any, kAtEnd, [](R r) { return period_of(r.scene.top().nutation_rad_s); })),
+      of_scenario(compared("top.nutation_kind", word, any, kAtEnd, [](R r) { return to_word(r.scene.top().nutation_kind); })),
+      of_scenario(
+          compared("top.critical_spin_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().critical_spin_rad_s; })),
+      of_scenario(
+          compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
+      of_scenario(compared("top.rim_speed_m_s", derived, any, kAtEnd, [](R r) { return r.scene.top().rim_speed_m_s; })),
+      told(
+          "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),
+      told(
+          "top.left_out", kAtEnd, kWords, [](R r) { return r.scene.top().left_out; }, words),
+  };
+}();
+
+}  // namespace earthtop::figure_table

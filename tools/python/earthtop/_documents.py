@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all answers have in common that are documents of the program: JSON, a picture, tables."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+from math import nan
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._errors import Finding, ScenarioError, refuse
+from ._scenario import Scenario, json_text, pointer_of
+
+if TYPE_CHECKING:
+    import pandas
+
+Given = Tuple[str, str, List[Tuple[str, str]]]
+
+
+class Document:
+    """A document of the program. ``text`` is what ``earthtop ... --json`` prints, ``document`` its content as a dictionary.
+
+    It can be pickled, and ``earthtop.report`` makes a page of most of them.
+    """
+
+    def __init__(self, text: str, svg: str = "") -> None:
+        self.text = text  #: the document as the program prints it
+        self.svg = svg  #: its picture as SVG; empty if it has none
+        self._document: Optional[Dict[str, Any]] = None
+
+    @property
+    def document(self) -> Dict[str, Any]:
+        """The content of the document."""
+        if self._document is None:
+            self._document = json.loads(self.text)
+        return self._document
+
+    def save(self, path: Union[str, os.PathLike]) -> Path:
+        """Writes the document to a file, of which ``earthtop report`` makes a page."""
+        _core.write_file(os.fspath(path), self.text)
+        return Path(path)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_document": None}
+
+    def _headline(self) -> str:
+        return type(self).__name__
+
+    def _lines(self) -> Sequence[str]:
+        return ()
+
+    def __repr__(self) -> str:
+        lines = [f"<earthtop.{type(self).__name__} {self._headline()}", *(f"  {line}" for line in self._lines())]
+        return "\n".join(lines) + ">"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        lines = "".join(f"<li>{escape(line)}</li>" for line in self._lines())
+        return f"<div><p><b>{escape(self._headline())}</b></p>" + (f"<ul>{lines}</ul>" if lines else "") + f"{self.svg}</div>"
+
+
+def table(rows: Sequence[Mapping[str, Any]], words: Sequence[str], numbers: Sequence[str], *, index: str = "",
+          order: Sequence[str] = ()) -> "pandas.DataFrame":
+    """A DataFrame of some keys of JSON objects.
+
+    Parameters
+    ----------
+    rows : sequence of mappings
+    words : sequence of str
+        keys whose values are kept as they are
+    numbers : sequence of str
+        keys of numbers: null becomes NaN
+    index : str
+        the column whose values are the index, too
+    order : sequence of str
+        the columns in their order; default: words, then numbers
+    """
+    import pandas
+
+    columns: Dict[str, Any] = {}
+    for key in order or [*words, *numbers]:
+        values = [row.get(key) for row in rows]
+        columns[key] = values if key in words else pandas.Series([nan if x is None else x for x in values], dtype=float)
+    frame = pandas.DataFrame(columns)
+    return frame.set_index(pandas.Index(frame[index], name=None)) if index else frame
+
+
+def parts_of(scenario: Scenario) -> Given:
+    """A scenario as the compiled module takes it: the file, its text, and the changes after it."""
+    return scenario._path, scenario._text, list(scenario._changes.items())
+
+
+def names_of(given: Union[str, Sequence[str]]) -> List[str]:
+    """Names of numbers to be estimated, or pointers of them, from one or several."""
+    names = [given] if isinstance(given, str) else list(given)
+    return [pointer_of(name) if isinstance(name, str) and "/" in name else name for name in names]
+
+
+def number(value: Any, name: str) -> float:
+    """A number that was given as an argument."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise refuse(f"{name} must be a number, not {value!r}") from None
+
+
+def plain_json(value: Any, what: str) -> str:
+    """A value as JSON; what has no form in JSON is refused."""
+    try:
+        return json_text(value)
+    except ValueError as error:
+        raise refuse(f"{what}: {error}; numbers must be finite") from None
+
+
+_ARGUMENTS = {
+    "--allow-change": "may_change",
+    "--allow-missing": "may_lack_rows=True",
+    "--correlation-time": "correlation_time_s",
+    "--every": "every_s",
+    "--force": "force=True",
+    "--keep-going": "keep_going=True",
+    "--priors": "priors=True",
+    "--set": "--set",  # the place that findings name for changed values, as of the program
+    "--sigma": "measure",
+    "--until": "until_s",
+    "--write-data": "simulate_measurement",
+}
+_OPTION = re.compile(r"(?<![\w-])--[a-z]+(-[a-z]+)*")
+
+
+def _as_arguments(text: str) -> str:
+    return _OPTION.sub(lambda found: _ARGUMENTS.get(found[0], found[0][2:].replace("-", "_")), text)
+
+
+@contextlib.contextmanager
+def errors_named(names: Optional[Mapping[str, str]] = None) -> Iterator[None]:
+    """Raises errors in the words of the package: options of the program become arguments, temporary files what they stand for.
+
+    Parameters
+    ----------
+    names : mapping, optional
+        what to call the paths that the user has not given
+    """
+
+    def changed(text: str) -> str:
+        return _as_arguments(renamed(text, names or {}))
+
+    try:
+        yield
+    except ScenarioError as error:
+        raise ScenarioError([
+            Finding(changed(one.path), one.line, one.column, changed(one.pointer), changed(one.message), changed(one.text))
+            for one in error.findings
+        ]) from None
+
+
+def renamed(text: str, names: Mapping[str, str]) -> str:
+    """A text with other names for paths."""
+    for path, name in names.items():
+        text = text.replace(path, name)
+    return text

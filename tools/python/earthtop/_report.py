@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages for people."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Mapping, Tuple, Union
+
+from . import _core
+from ._documents import Document, errors_named, plain_json, renamed
+from ._errors import refuse
+from ._result import Result
+from ._study import store_of
+
+if TYPE_CHECKING:
+    import pandas
+
+    Reportable = Union[Result, Document, Mapping[str, Any], pandas.DataFrame, str, os.PathLike]
+
+
+def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, svg: bool = False) -> Path:
+    """Writes one self-contained HTML page, which needs no other file and no network.
+
+    Parameters
+    ----------
+    what : Result, Comparison, Fit, Plan, their documents, DataFrame of a study, or path
+        what the page is about. A study must have been given ``out``. A path is that of a directory of results, of a study, or
+        of a document.
+    path : str or path, optional
+        the page; default, where ``what`` is a path: report.html in the directory, or the document's name with .html
+    svg : bool
+        write its pictures beside it as SVG files, too
+
+    Returns
+    -------
+    pathlib.Path
+        the page
+
+    Raises
+    ------
+    ScenarioError
+        if there is no page about it
+    """
+    with contextlib.ExitStack() as stack:
+        place, names = _place(what, stack)
+        if path is None and names:
+            raise refuse("say where the page is to be written, e.g. earthtop.report(r, 'page.html')")
+        stack.enter_context(errors_named(names))
+        page = Path(_core.report_file(place) if path is None else path)
+        if page.suffix != ".html" and page.exists():
+            raise refuse(f"{page} is there already, and no page by its name; choose a name that ends in .html")
+        html, pictures = _core.make_report(place)
+        _core.write_file(page, renamed(html, names))
+        for name, picture in pictures if svg else ():
+            _core.write_file(page.with_name(f"{page.stem}-{name}.svg"), picture)
+    return page
+
+
+def _place(what: "Reportable", stack: contextlib.ExitStack) -> Tuple[str, Mapping[str, str]]:
+    """The path of what is to be reported, and what to call it if it is a temporary one."""
+    if isinstance(what, Result):
+        directory = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="earthtop-"))) / "results"
+        what.save(directory)
+        return str(directory), {str(directory): what.summary["name"]}
+    if isinstance(what, (Document, Mapping)):
+        file = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="earthtop-"))) / "document.json"
+        file.write_text(what.text if isinstance(what, Document) else plain_json(what, "the document"), encoding="utf-8")
+        return str(file), {str(file): f"<{type(what).__name__}>"}
+    return store_of(what), {}
