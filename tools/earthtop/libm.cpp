@@ -9,6 +9,9 @@
 
 namespace real = earthtop::real;
 
+// The rest of the program is compiled with hidden symbols, which shared libraries would not find.
+#pragma GCC visibility push(default)
+
 extern "C" {
 double sin(double x) noexcept { return real::sin(x); }
 double cos(double x) noexcept { return real::cos(x); }
@@ -43,3 +46,5 @@ double erfc(double x) noexcept { return real::erfc(x); }
 double tgamma(double x) noexcept { return real::tgamma(x); }
 double lgamma(double x) noexcept { return real::lgamma(x); }
 }
+
+#pragma GCC visibility pop

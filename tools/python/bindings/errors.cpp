@@ -27,7 +27,7 @@ py::list findings(const std::string& file, const std::vector<Diagnostic>& diagno
 }
 
 void bind_errors(py::module_&) {
-  py::register_local_exception_translator([](std::exception_ptr pointer) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {  // NOLINT: pybind11 asks for a copy
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const ScenarioError& error) {
