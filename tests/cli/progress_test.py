@@ -73,6 +73,8 @@ def watched(arguments, environment=None):
 
 
 def check(name, arguments):
+    if arguments[0] == "run":
+        arguments = [*arguments, "--jobs", "1"]  # the share is one of the time that passes, which only then is the processor's
     status, seen, text, whole, stops = watched(arguments)
     if status not in (0, 1):
         return fault(f"{name}: status {status}: {text}")
@@ -121,9 +123,8 @@ def main():
               "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 5, "to": 40, "points": 8}}]}
     with open("points.json", "w", encoding="utf-8") as file:
         json.dump(points, file)
-    # In one thread: the share is one of the time that passes, which only then is the processor's.
-    check("run, rows to be written", ["run", rows, "--out", "rows", "--jobs", "1"])
-    check("run, growth of disturbances", ["run", body, "--out", "body", "--jobs", "1"])
+    check("run, rows to be written", ["run", rows, "--out", "rows"])
+    check("run, growth of disturbances", ["run", body, "--out", "body"])
     check("compare", ["compare", "rows", "rows"])
     check("explain", ["explain", friction])
     check("study", ["study", "points.json", "--out", "points", "--jobs", "2"])
