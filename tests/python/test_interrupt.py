@@ -110,6 +110,7 @@ def test_another_state_of_the_processor_does_not_change_digits():
 
 
 @pytest.mark.extra
+@pytest.mark.skipif("asan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer keeps memory that was freed")
 def test_memory_is_steady():
     def resident():
         return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
