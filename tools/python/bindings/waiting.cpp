@@ -75,6 +75,7 @@ void wait_for(const pybind11::object& on_progress, const std::function<void(cons
     on_progress(worker.progress().share(), worker.progress().phase());
   }
   worker.rethrow();
+  if (!on_progress.is_none()) on_progress(worker.progress().share(), worker.progress().phase());
 }
 
 }  // namespace earthtop::python

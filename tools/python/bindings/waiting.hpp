@@ -14,7 +14,8 @@ namespace earthtop::python {
 
 /// Does the work and returns when it has ended. Signals are looked at every 20 ms: if a handler raises, the work is asked to stop,
 /// and the exception is passed on once it has stopped.
-/// @param on_progress  Python callable that takes the share done (0 to 1) and the phase, called about ten times a second; or None
+/// @param on_progress  Python callable that takes the share done (0 to 1) and the phase, called about ten times a second and
+/// once at the end; or None
 /// @param work  is called once, in another thread, with rounding and subnormal numbers as IEEE 754 has them by default
 /// @throws what the work throws; error_already_set from a signal handler or `on_progress`
 void wait_for(const pybind11::object& on_progress, const std::function<void(const Watch&)>& work);
