@@ -155,11 +155,13 @@ def test_a_file_keeps_its_text(scenarios, tmp_path):
 
 
 def test_a_file_is_looked_for_beside_the_scenario(tmp_path):
-    (tmp_path / "angles.csv").write_text("t_s,angle_rad\n" + "".join(f"{i / 10},{i / 1000}\n" for i in range(40)))
-    platform = {"motion": "table", "axis": [0, 0, 1], "file": "angles.csv"}
-    content = {**SMALL, "platform": platform}
+    (tmp_path / "angles.csv").write_text("t_s,angle_rad\n0,0\n0.4,0.1\n0.7,0.2\n1,0.3\n")
+    content = {**SMALL, "platform": {"motion": "table", "file": "angles.csv"}}
     (tmp_path / "moving.json").write_text(json.dumps(content))
-    check = et.check(tmp_path / "moving.json")
-    assert bool(et.check(content)) is False, "not beside the working directory"
-    same = et.check(et.load(tmp_path / "moving.json")) if check else check
-    assert same.errors == check.errors
+    top = et.load(tmp_path / "moving.json")
+    assert et.check(tmp_path / "moving.json") and top.check()
+    for moved in (top, et.Scenario(content, path=tmp_path / "another.json"), pickle.loads(pickle.dumps(top))):
+        assert et.run(moved).drift.axis_final_rad == et.run(top).drift.axis_final_rad
+    assert et.run(top).drift.axis_final_rad != et.run(et.Scenario(SMALL)).drift.axis_final_rad
+    refused = et.check(content)
+    assert not refused and refused.errors[0].pointer == "/platform/file", "it is not in the working directory"

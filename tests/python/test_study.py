@@ -4,10 +4,8 @@
 import copy
 import json
 import pickle
-import signal
 import sqlite3
 import subprocess
-import sys
 import threading
 
 import numpy as np
@@ -226,36 +224,12 @@ def test_progress_is_told(top):
     assert {phase for _, phase in told} <= {"", "points"}
 
 
-LONG = """
-import signal, sys, time
-import earthtop as et
-
-def handler(number, frame):
-    global told
-    told = time.process_time()
-    raise KeyboardInterrupt
-
-signal.signal(signal.SIGINT, handler)
-top = et.example("toy-top").changed(duration_s=20, output_step_s=20)
-axes = {"latitude_deg": {"from": -80, "to": 80, "points": int(sys.argv[2])}}
-try:
-    et.study(top, axes, out=sys.argv[1], jobs=2, progress=lambda share, phase: print(share, flush=True))
-except KeyboardInterrupt:
-    print("ended after", time.process_time() - told, flush=True)
-"""
-
-
-def test_an_interrupted_study_goes_on(tmp_path):
+def test_an_interrupted_study_goes_on(tmp_path, interrupted):
     points = 1200
-    command = [sys.executable, "-c", LONG, str(tmp_path / "out"), str(points)]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-    while float(process.stdout.readline()) < 0.1:
-        assert process.poll() is None
-    process.send_signal(signal.SIGINT)
-    rest = process.communicate(timeout=60)[0].splitlines()
-    assert process.returncode == 0
-    assert rest[-1].startswith("ended after")
-    assert float(rest[-1].split()[2]) < 0.4  # processor time (s) of two threads in 0.2 s
+    work = ("et.study(et.example('toy-top').changed(duration_s=20, output_step_s=20), "
+            "{'latitude_deg': {'from': -80, 'to': 80, 'points': int(sys.argv[2])}}, out=sys.argv[1], jobs=2, "
+            "progress=lambda share, phase: print(share, flush=True))")
+    interrupted(work, lambda process: float(process.stdout.readline()) >= 0.1, tmp_path / "out", points)
     part = et.load_study(tmp_path / "out")
     assert 0 < len(part) < points
     assert part.attrs["study"]["points_computed"] == len(part) and (part["status"] == "completed").all()

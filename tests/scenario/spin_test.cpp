@@ -13,6 +13,16 @@ namespace {
 
 const std::string kInRpm = replaced(kMinimal, "\"spin_rad_s\": 200", "\"spin_rpm\": 1910");
 
+TEST(SpinInRpm, TakesThePlaceOfTheOtherInAChangedText) {
+  const Overrides rpm = {{"/release/spin_rpm", "1910"}, {"/site/height_m", "5"}};
+  const std::string changed = changed_text(kMinimal, rpm);
+  EXPECT_EQ(changed.find("spin_rad_s"), changed.npos);
+  EXPECT_EQ(canonical_json(parse_scenario({"top.json", changed})), canonical_json(parse_scenario({"top.json", kMinimal}, rpm)));
+  const Overrides rad_s = {{"/release/spin_rad_s", "200"}};
+  EXPECT_EQ(changed_text(kInRpm, rad_s).find("spin_rpm"), std::string::npos);
+  EXPECT_EQ(changed_text(kMinimal, {}), kMinimal);
+}
+
 TEST(SpinInRpm, IsTheNearestNumberInRadians) {
   // Pi with 40 digits (DLMF 3.12.1), of which float128 holds 34.
   const float128 pi = 3.141592653589793238462643383279502884197Q;

@@ -91,8 +91,6 @@ void bind_results(py::module_& module) {
   using Class = py::class_<RunResult, std::shared_ptr<RunResult>>;
   using Self = const std::shared_ptr<RunResult>&;
   Class(module, "RunResult", "What a run returns.")
-      .def_property_readonly("status", [](Self self) { return to_string(self->status); })
-      .def_property_readonly("is_extended", [](Self self) { return !self->extended_rows.empty(); })
       .def("row_arrays", [](Self self) { return described(row_arrays(*self), self); })
       .def("torque_arrays", [](Self self) { return described(torque_arrays(*self), self); })
       .def("summary_json", text_of(summary_json))

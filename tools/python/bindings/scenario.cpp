@@ -51,10 +51,6 @@ void bind_scenario(py::module_& module) {
   module.def("changed_text", &changed_text, py::arg("text"), py::arg("overrides"),
              "A scenario's text with changes in it; everything else stays as it is.");
   module.def("scenario_pointers", &scenario_pointers, "JSON pointers of all single values of a scenario.");
-  module.def("annotated_scenario", [](const std::string& file, const std::string& text) {
-    return annotated_scenario({file, text});
-  });
-  module.def("scenario_schema", &scenario_schema);
 }
 
 }  // namespace earthtop::python

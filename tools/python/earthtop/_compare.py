@@ -157,4 +157,4 @@ def compare(reference: "Comparable", new: "Comparable", *, profile: str = "",
         texts = _core.compare(paths.of_results(reference, "reference"), paths.of_results(new, "new"), profile,
                               paths.of_table(tolerances, "tolerances"), paths.of_table(mapping, "mapping"), pointers,
                               may_lack_rows, steps_ratio, seconds_ratio, reporter)
-        return Comparison(*(renamed(text, paths.names) for text in texts))
+    return Comparison(*(renamed(text, paths.names) for text in texts))

@@ -90,6 +90,15 @@ def table(rows: Sequence[Mapping[str, Any]], words: Sequence[str], numbers: Sequ
     return frame.set_index(pandas.Index(frame[index], name=None)) if index else frame
 
 
+def correlation_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
+    """Correlation matrix of the estimates' errors, of shape (estimates, estimates), by their names; empty if there is none."""
+    import pandas
+
+    matrix = document["correlation"]
+    names = [one["name"] for one in document["estimates"]] if matrix else []
+    return pandas.DataFrame(matrix, index=names, columns=names, dtype=float)
+
+
 def parts_of(scenario: Scenario) -> Given:
     """A scenario as the compiled module takes it: the file, its text, and the changes after it."""
     return scenario._path, scenario._text, list(scenario._changes.items())

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 import numpy as np
 
 from . import _core
-from ._documents import Document, Given, errors_named, names_of, number, parts_of, table
+from ._documents import Document, Given, correlation_of, errors_named, names_of, number, parts_of, table
 from ._errors import refuse
 from ._progress import Progress, Reporter
 from ._scenario import Scenario, ScenarioLike, as_scenario
@@ -91,11 +91,7 @@ class Fit(Document):
     @property
     def correlation(self) -> "pandas.DataFrame":
         """Correlation matrix of the estimates' errors, of shape (estimates, estimates)."""
-        import pandas
-
-        matrix = self.document["correlation"]
-        names = [one["name"] for one in self.document["estimates"]] if matrix else []
-        return pandas.DataFrame(matrix, index=names, columns=names, dtype=float)
+        return correlation_of(self.document)
 
     @property
     def residuals(self) -> "pandas.DataFrame":
@@ -269,8 +265,9 @@ def _text_of(data: "Data") -> Tuple[str, Optional[str]]:
     if isinstance(data, (str, os.PathLike)):
         return os.fspath(data), None
     name = f"<{type(data).__name__}>"
-    if hasattr(data, "reset_index") and "t_s" in data.index.names:
-        data = data.reset_index("t_s")
+    index = getattr(data, "index", None)
+    if "t_s" in getattr(index, "names", ()):
+        data = data.reset_index("t_s")  # type: ignore[union-attr]
     try:
         columns = {str(key): _cells_of(data[key]) for key in data.keys() if not str(key).startswith("_")}
     except AttributeError:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple
 
 from . import _core
-from ._documents import Document, errors_named, names_of, number, parts_of, table
+from ._documents import Document, correlation_of, errors_named, names_of, number, parts_of, table
 from ._errors import refuse
 from ._measure import Names, measured, times
 from ._progress import Progress, Reporter
@@ -42,11 +42,7 @@ class Plan(Document):
     @property
     def correlation(self) -> "pandas.DataFrame":
         """Correlation matrix of the estimates' errors, of shape (estimates, estimates)."""
-        import pandas
-
-        matrix = self.document["correlation"]
-        names = [one["name"] for one in self.document["estimates"]] if matrix else []
-        return pandas.DataFrame(matrix, index=names, columns=names, dtype=float)
+        return correlation_of(self.document)
 
     @property
     def variations(self) -> "pandas.DataFrame":

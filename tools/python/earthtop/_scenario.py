@@ -132,10 +132,6 @@ class Scenario:
         self._scene: Optional[_core.Scene] = None
         self.scene()
 
-    @classmethod
-    def _from(cls, path: str, text: str) -> "Scenario":
-        return cls(text, path=path)
-
     # The keys ---------------------------------------------------------------------------------------------------------
 
     def __getitem__(self, key: str) -> Any:
@@ -254,7 +250,8 @@ class Scenario:
 
 def load(path: Union[str, os.PathLike]) -> Scenario:
     """Reads a scenario file. ScenarioError if it is refused, FileError if it cannot be read."""
-    return Scenario._from(*_core.read_scenario(os.fspath(path)))
+    name, text = _core.read_scenario(os.fspath(path))
+    return Scenario(text, path=name)
 
 
 def _examples() -> Path:
@@ -275,12 +272,17 @@ def example(name: str) -> Scenario:
     return load(_examples() / f"{name}.json")
 
 
+def _is_text(what: Any) -> bool:
+    """Whether a string is JSON text, or meant to be, and not the path of a file."""
+    return isinstance(what, str) and (not what.strip() or "\n" in what or what.lstrip("\ufeff \t").startswith(("{", "[")))
+
+
 def as_scenario(what: ScenarioLike) -> Scenario:
     """A scenario from what a user may give: a Scenario, a dictionary, JSON text, or the path of a file."""
     if isinstance(what, Scenario):
         return what
-    if isinstance(what, Mapping) or (isinstance(what, str) and what.lstrip("\ufeff \t\r\n").startswith("{")):
-        return Scenario(what)
+    if isinstance(what, Mapping) or _is_text(what):
+        return Scenario(what)  # type: ignore[arg-type]
     if isinstance(what, (str, os.PathLike)):
         return load(what)
     raise TypeError(f"a scenario is a Scenario, a dictionary, JSON text or a path, not {type(what).__name__}")
@@ -291,13 +293,13 @@ def check(what: ScenarioLike) -> Check:
 
     ``what`` may be the path of a file, JSON text, a dictionary or a Scenario.
     """
-    path, changes = "", []
+    path, text, changes = "", "", []
     if isinstance(what, Scenario):
         path, text, changes = what._path, what._text, list(what._changes.items())
     elif isinstance(what, Mapping):
         text = json_text(what)
-    elif isinstance(what, str) and (not what.strip() or "\n" in what or what.lstrip("\ufeff \t").startswith(("{", "["))):
-        text = what
+    elif _is_text(what):
+        text = str(what)
     else:
         try:
             path, text = _core.read_scenario(os.fspath(what))

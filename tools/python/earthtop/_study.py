@@ -102,7 +102,7 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
     KeyboardInterrupt
         Ctrl-C ends a study at once; with ``out`` the points that are complete are kept
     """
-    given = {"collect": collect, "design": design, "points": points, "seed": seed, "name": name, **more}
+    given: Dict[str, Any] = {"collect": collect, "design": design, "points": points, "seed": seed, "name": name, **more}
     if axes is None:
         file, text = _study_text(base, [key for key, value in given.items() if value is not None])
     else:
@@ -166,7 +166,7 @@ def _document(base: Scenario, axes: Axes, *, design: Union[None, str, Mapping[st
     chosen: Dict[str, Any] = dict(design) if isinstance(design, Mapping) else {} if design is None else {"kind": design}
     chosen.update({key: value for key, value in (("points", points), ("seed", seed)) if value is not None})
     is_drawn = chosen.get("kind", "grid") not in ("grid", "one_at_a_time")
-    document = {"name": name or _name_of(base), **more, "axes": [_axis(key, axes[key], is_drawn) for key in axes]}
+    document: Dict[str, Any] = {"name": name or _name_of(base), **more, "axes": [_axis(key, axes[key], is_drawn) for key in axes]}
     if chosen:
         document["design"] = chosen
     if isinstance(collect, Mapping):
@@ -225,7 +225,8 @@ def _study_text(given: Any, more: List[str]) -> Tuple[str, str]:
 def _frame(store: str, text: str, kept: Optional[str]) -> "pandas.DataFrame":
     import pandas
 
-    columns = {name: _cells(*column) for name, *column in _core.study_columns(store)}
+    columns = {name: _cells(has_numbers, numbers, words, places)
+               for name, has_numbers, numbers, words, places in _core.study_columns(store)}
     columns["point"] = columns["point"].astype(np.int64)
     frame = pandas.DataFrame(columns)
     frame["reason"] = frame["reason"].astype(object).where(frame["reason"].notna(), "")
