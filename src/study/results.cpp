@@ -177,8 +177,14 @@ void write_table(Store& store, const FileSet::Sink& sink) {
 }  // namespace
 }  // namespace study
 
+StudyStoreCheck check_study_store(const std::filesystem::path& file) {
+  const study::StoreCheck check = study::Store::open(file, study::sqlite::Connection::Mode::read).check();
+  return {check.is_damaged() ? check.text() : "", check.has_checksums};
+}
+
 std::string study_json(const std::filesystem::path& file) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
+  store.check();  // so that the quantiles, too, pass over damaged points
   return study::text_of(study::document_of(store));
 }
 
