@@ -11,6 +11,7 @@
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
@@ -39,14 +40,18 @@ Comparand open_results(const fs::path& directory) {
   Comparand results;
   results.path = directory;
   const fs::path file = directory / "summary.json";
-  results.summary = read_json_file(file, "summary");
+  results.summary = read_json_file(file, "summary",
+                                   [&](std::string_view text) { results.has_checksums = check_result_files(directory, text); });
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
   if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
     refuse_path(file, "does not state its rows (/outcome/rows), a whole number; write the results anew");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
-  if (is_there(directory / "timing.json")) results.timing = read_json_file(directory / "timing.json", "timing");
+  if (is_there(directory / "timing.json"))
+    results.timing = read_json_file(directory / "timing.json", "timing", [&](std::string_view text) {
+      if (seal_of(text) == Seal::broken) refuse_path(directory / "timing.json", "is damaged: run the scenario again");
+    });
   const std::string trajectory = (directory / "trajectory.csv").string(), torques = (directory / "torques.csv").string();
   results.open_rows = [trajectory] { return open_own_csv(trajectory, trajectory_table()); };
   if (is_there(torques)) results.open_torques = [torques] { return open_own_csv(torques, torques_table()); };
@@ -96,9 +101,10 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
   return found;
 }
 
-Json read_json_file(const fs::path& file, std::string_view noun) {
+Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check) {
   const std::string text = input::read_regular_file(file.string(), file.string(), {noun, false});
   if (text.empty()) refuse_path(file, "is empty");
+  if (check) check(text);
   Json json = json_or_discarded(text);
   if (json.is_discarded() || !json.is_object())
     refuse_path(file, fmt::format("is no JSON object, as a {} is: truncated or changed; write it anew", noun));

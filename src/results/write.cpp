@@ -15,6 +15,8 @@
 #include "earthtop/results/results.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
+#include "results/seal.hpp"
+#include "text/checksum.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {
@@ -112,18 +114,31 @@ double writing_seconds(const Scenario& scenario) {
   return (scenario.ledger ? 2 : 1) * seconds_a_row * scenario.duration_s / scenario.output_step_s;
 }
 
-void write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
+std::string write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
   check_output_directory(dir, result.scene, force);
   FileSet files(dir, kFiles, watch);
   check_present_files(dir, result.scene, force);  // once more, since no other run can write there while the directory is locked
-  files.add("trajectory.csv",
-            [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });
+  FileChecksums checksums;
+  const auto add = [&](std::string_view name, const auto& produce) {
+    Checksum checksum;
+    files.add(name, [&](const FileSet::Sink& sink) {
+      produce([&](std::string_view piece) {
+        checksum.add(piece);
+        sink(piece);
+      });
+    });
+    checksums.emplace_back(name, checksum_text(checksum.value()));
+  };
+  add("trajectory.csv",
+      [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });
   if (result.ledger)
-    files.add("torques.csv", [&](const FileSet::Sink& sink) { write_torques_csv(result, sink, watch.part(0.5, 1)); });
-  files.add("drift.svg", svg(drift_figure(result)));
-  files.add("timing.json", timing_json(result));
-  files.add(kSummary, summary_json(result));
+    add("torques.csv", [&](const FileSet::Sink& sink) { write_torques_csv(result, sink, watch.part(0.5, 1)); });
+  add("drift.svg", [&](const FileSet::Sink& sink) { sink(svg(drift_figure(result))); });
+  files.add("timing.json", sealed(timing_json(result)));  // on its own: a summary has nothing that differs from run to run
+  const std::string summary = sealed(summary_json(result), checksums);
+  files.add(kSummary, summary);
   files.commit();
+  return summary;
 }
 
 }  // namespace earthtop

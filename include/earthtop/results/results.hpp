@@ -67,8 +67,9 @@ class Interrupted : public std::runtime_error {
 /// being replaced there is no summary.json; if there is one, the other files belong to it, even if the program is killed. If a
 /// result is a link, the link is replaced and its target is left alone.
 /// @param watch  may stop the writing until the first file is in place, and is told its progress
+/// @returns the content of summary.json: that of `summary_json`, and checksums of the files
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted
-void write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
+std::string write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
 /// The approximate cost of writing, in the seconds of `estimated_seconds`.
 double writing_seconds(const Scenario& scenario);
 

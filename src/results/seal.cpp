@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/seal.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "earthtop/error.hpp"
+#include "input/file.hpp"
+#include "text/checksum.hpp"
+#include "text/json.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr std::string_view kEnd = "\n}\n", kBefore = ",\n  \"checksum\": \"", kZeros = "0000000000000000";
+
+constexpr const char* kDamaged = "is damaged: it is not what was written, or a run is writing there; run the scenario again";
+
+[[noreturn]] void refuse_damaged(const std::filesystem::path& file) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", kDamaged}}, file.string());
+}
+
+std::string checksum_of_file(const std::filesystem::path& file) {
+  const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"result file", false});
+  std::string block(std::size_t{1} << 18, '\0');
+  Checksum checksum;
+  while (const std::size_t got = input::read_some(descriptor, file.string(), block.data(), block.size()))
+    checksum.add(std::string_view(block).substr(0, got));
+  return checksum_text(checksum.value());
+}
+
+}  // namespace
+
+std::string sealed(std::string_view document) {
+  std::string text(document.substr(0, document.size() - kEnd.size()));
+  text.append(kBefore).append(kZeros).append("\"").append(kEnd);
+  const std::string checksum = checksum_text(checksum_of(text));
+  return text.replace(text.size() - kEnd.size() - 1 - kZeros.size(), kZeros.size(), checksum);
+}
+
+std::string sealed(std::string_view document, const FileChecksums& files) {
+  std::string text(document.substr(0, document.size() - kEnd.size()));
+  text += ",\n  \"files\": {";
+  for (std::size_t i = 0; i < files.size(); ++i)
+    text += fmt::format("{}\n    \"{}\": \"{}\"", i > 0 ? "," : "", files[i].first, files[i].second);
+  text += "\n  }";
+  return sealed(text.append(kEnd));
+}
+
+Seal seal_of(std::string_view document) {
+  const std::size_t behind = kZeros.size() + 1 + kEnd.size();
+  if (document.size() < kBefore.size() + behind) return Seal::absent;
+  const std::size_t digits = document.size() - behind, begin = digits - kBefore.size();
+  const std::string_view stated = document.substr(digits, kZeros.size());
+  const bool is_named = document.substr(begin, kBefore.size()) == kBefore;
+  // If the name is damaged, the digits tell that there was a checksum.
+  if (!is_named && stated.find_first_not_of("0123456789abcdef") != stated.npos) return Seal::absent;
+  std::string text(document);
+  text.replace(digits, kZeros.size(), kZeros);
+  return is_named && checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
+}
+
+bool check_result_files(const std::filesystem::path& directory, std::string_view summary) {
+  const Seal seal = seal_of(summary);
+  if (seal == Seal::absent) return false;
+  if (seal == Seal::broken) refuse_damaged(directory / "summary.json");
+  const nlohmann::ordered_json json = json_or_discarded(summary);
+  const nlohmann::ordered_json files = json.value("files", nlohmann::ordered_json::object());
+  for (const auto& [name, checksum] : files.items()) {
+    const std::filesystem::path file = directory / name;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) continue;  // who needs it says that it is missing
+    if (!checksum.is_string() || checksum.get<std::string>() != checksum_of_file(file)) refuse_damaged(file);
+  }
+  return true;
+}
+
+}  // namespace earthtop
