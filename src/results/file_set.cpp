@@ -129,7 +129,7 @@ struct FileSet::File {
     is_in_place = true;
   }
   void put_back() noexcept {
-    if (is_in_place && ::rename(place.c_str(), next.c_str()) == 0) is_written = true;
+    if (is_in_place) ::unlink(place.c_str());
     if (is_set_aside) ::rename(last.c_str(), place.c_str());
     is_set_aside = false;  // where even that failed, the old version stays under its temporary name
   }
@@ -275,8 +275,8 @@ void FileSet::commit() {
     if (file->is_set_aside) ::unlink(file->last.c_str());
     file->is_set_aside = false;
   }
-  remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
   committing = false;
+  remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
 }
 
 }  // namespace earthtop

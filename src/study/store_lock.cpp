@@ -88,6 +88,7 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
   if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0 ||
       (::fsync(descriptor_) != 0 && errno != EINVAL)) {  // so that other machines of a network file system can read it
     const int error = errno;
+    ::unlink(file_.c_str());
     ::close(descriptor_);
     throw WriteError(file_.string(), std::strerror(error));
   }
