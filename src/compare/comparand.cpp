@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/file.hpp"
 #include "results/seal.hpp"
 #include "text/json.hpp"
 
@@ -21,9 +21,13 @@ constexpr const char* kSummarySchema = "earthtop-summary-1.json";
 
 bool is_compact_reference(const fs::path& file) {
   if (file.extension() != ".json") return false;
-  std::ifstream stream(file, std::ios::binary);
   std::string head(std::size_t{1} << 10, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  try {
+    const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"reference", false});
+    head.resize(input::read_some(descriptor, file.string(), head.data(), head.size()));
+  } catch (const ScenarioError&) {  // no file that can be opened
+    return false;
+  }
   return head.find(kReferenceSchema) != head.npos;
 }
 
@@ -66,7 +70,9 @@ void refuse_path(const fs::path& path, std::string message) {
 
 bool is_there(const fs::path& path) {
   std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
+  const bool found = fs::exists(fs::symlink_status(path, error));
+  if (error == std::errc::io_error) throw ReadError(path.string(), error.message());
+  return found;
 }
 
 ComparandKind kind_of(const fs::path& path) {

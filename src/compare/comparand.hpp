@@ -27,6 +27,7 @@ enum class ComparandKind {
 
 /// @throws ScenarioError always, with this message about a file or directory that is not what it should be
 [[noreturn]] void refuse_path(const fs::path& path, std::string message);
+/// Whether a name is there. @throws ReadError where the disk does not tell
 bool is_there(const fs::path& path);
 
 /// The kind of the file or directory at a path. @throws ScenarioError where it is none of these kinds

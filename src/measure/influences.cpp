@@ -18,7 +18,9 @@ using Eigen::VectorXd;
 }  // namespace
 
 Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
-    : lengths_(static_cast<Index>(J->size2)), V_(allocated(gsl_matrix_alloc(J->size2, J->size2))), S_(allocated(gsl_vector_alloc(J->size2))) {
+    : lengths_(static_cast<Index>(J->size2)),
+      V_(allocated(gsl_matrix_alloc(J->size2, J->size2))),
+      S_(allocated(gsl_vector_alloc(J->size2))) {
   const std::unique_ptr<gsl_matrix, FreeMatrix> U(allocated(gsl_matrix_alloc(J->size1, J->size2)));
   gsl_matrix_memcpy(U.get(), J);
   for (std::size_t j = 0; j < J->size2; ++j) {

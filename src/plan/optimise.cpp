@@ -210,8 +210,7 @@ void simplex_search(Designs& designs, const std::vector<DesignInput>& design, co
   const ReturnedGslErrors returned;
   const std::size_t n = design.size();
   Search search{&designs, &design, nullptr};
-  const std::unique_ptr<gsl_vector, FreeVector> angles(allocated(gsl_vector_alloc(n))),
-      steps(allocated(gsl_vector_alloc(n)));
+  const std::unique_ptr<gsl_vector, FreeVector> angles(allocated(gsl_vector_alloc(n))), steps(allocated(gsl_vector_alloc(n)));
   for (std::size_t i = 0; i < n; ++i) {
     const double place = 2 * (start[i] - design[i].low) / (design[i].high - design[i].low) - 1;
     gsl_vector_set(angles.get(), i, real::asin(std::clamp(place, -1.0, 1.0)));

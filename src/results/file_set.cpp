@@ -244,6 +244,11 @@ void FileSet::sync() const {
 
 void FileSet::replace() {
   File& seal = *files_.back();
+  if (files_.size() == 1) {  // it needs no seal: the system puts one version in the place of the other
+    seal.put_in_place();
+    seal.is_in_place = false;  // the old version is gone: there is nothing to be put back
+    return sync();
+  }
   seal.set_aside();
   if (seal.is_set_aside) sync();
   for (const auto& file : files_) {

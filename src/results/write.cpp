@@ -6,13 +6,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "input/file.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
 #include "results/seal.hpp"
@@ -34,12 +34,13 @@ constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.c
 
 /// The SHA-256 of the scenario whose results `summary` holds; empty if the file is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
-  constexpr std::uintmax_t kLargest = 64U << 20U;
-  std::error_code error;
-  if (!fs::is_regular_file(summary, error) || fs::file_size(summary, error) > kLargest || error) return "";
-  std::ifstream file(summary, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) return "";
+  constexpr std::size_t kLargest_MiB = 64;
+  std::string text;
+  try {
+    text = input::read_regular_file(summary.string(), summary.string(), {"summary", false, kLargest_MiB});
+  } catch (const ScenarioError&) {  // it is no file, cannot be opened or is too large
+    return "";
+  }
   const nlohmann::ordered_json json = json_or_discarded(text);
   const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
   if (json.is_discarded() || !json.contains(hash) || !json.at(hash).is_string()) return "";

@@ -15,8 +15,7 @@ namespace {
 
 class Threads : public Workforce {
  public:
-  Threads(const Study& study, unsigned jobs, const Watch& watch)
-      : study_(study), collector_(study), watch_(watch) {
+  Threads(const Study& study, unsigned jobs, const Watch& watch) : study_(study), collector_(study), watch_(watch) {
     threads_.reserve(jobs);
   }
   ~Threads() override {

@@ -25,7 +25,19 @@
 
 namespace {
 
-enum Kind { allocation, before, thread, write_call, sync_call, rename_call, open_call, stat_call, read_call, remove_call, change };
+enum Kind {
+  allocation,
+  before,
+  thread,
+  write_call,
+  sync_call,
+  rename_call,
+  open_call,
+  stat_call,
+  read_call,
+  remove_call,
+  change
+};
 struct KindRow {
   const char* name;
   int error;
@@ -58,7 +70,8 @@ __attribute__((constructor(101))) void read_request() {
   if (colon == nullptr) return;
   const auto length = static_cast<std::size_t>(colon - request);
   for (std::size_t i = 0; i < kKinds.size(); ++i)
-    if (std::strlen(kKinds[i].name) == length && std::strncmp(kKinds[i].name, request, length) == 0) chosen = static_cast<int>(i);
+    if (std::strlen(kKinds[i].name) == length && std::strncmp(kKinds[i].name, request, length) == 0)
+      chosen = static_cast<int>(i);
   char* mode = nullptr;
   number = std::strtol(colon + 1, &mode, 10);
   goes_on = std::strcmp(mode, ":on") == 0;
@@ -154,25 +167,25 @@ int pthread_create(pthread_t* id, const pthread_attr_t* attributes, void* (*star
   return fails(thread) ? EAGAIN : real(id, attributes, start, argument);
 }
 
-#define EARTHTOP_OPEN(name)                                                   \
-  int name(const char* file, int flags, ...) {                                \
-    static const auto real = next(name, #name);                               \
-    std::va_list arguments;                                                   \
-    va_start(arguments, flags);                                               \
-    const mode_t mode = mode_of(flags, arguments);                            \
-    va_end(arguments);                                                        \
-    return open_fails(flags) ? -1 : real(file, flags, mode);                  \
+#define EARTHTOP_OPEN(name)                                  \
+  int name(const char* file, int flags, ...) {               \
+    static const auto real = next(name, #name);              \
+    std::va_list arguments;                                  \
+    va_start(arguments, flags);                              \
+    const mode_t mode = mode_of(flags, arguments);           \
+    va_end(arguments);                                       \
+    return open_fails(flags) ? -1 : real(file, flags, mode); \
   }
 EARTHTOP_OPEN(open)
 EARTHTOP_OPEN(open64)
-#define EARTHTOP_OPENAT(name)                                                 \
-  int name(int directory, const char* file, int flags, ...) {                 \
-    static const auto real = next(name, #name);                               \
-    std::va_list arguments;                                                   \
-    va_start(arguments, flags);                                               \
-    const mode_t mode = mode_of(flags, arguments);                            \
-    va_end(arguments);                                                        \
-    return open_fails(flags) ? -1 : real(directory, file, flags, mode);       \
+#define EARTHTOP_OPENAT(name)                                           \
+  int name(int directory, const char* file, int flags, ...) {           \
+    static const auto real = next(name, #name);                         \
+    std::va_list arguments;                                             \
+    va_start(arguments, flags);                                         \
+    const mode_t mode = mode_of(flags, arguments);                      \
+    va_end(arguments);                                                  \
+    return open_fails(flags) ? -1 : real(directory, file, flags, mode); \
   }
 EARTHTOP_OPENAT(openat)
 EARTHTOP_OPENAT(openat64)

@@ -45,7 +45,7 @@ bool g_words_are_json = false;
 /// Libraries allocate static objects before `main`; this handler comes before theirs.
 __attribute__((constructor(101))) void install_last_handler() { std::set_terminate(end_without_memory); }
 
-constexpr rlim_t kNeeded = 512 << 10, kOrdinary = 8 << 20;  // bytes; at most 300 KiB were seen in use
+constexpr rlim_t kNeeded = 512 << 10, kOrdinary = 8 << 20;  // bytes; less than 256 KiB were seen in use
 
 }  // namespace
 
@@ -72,8 +72,10 @@ bool make_room_on_stack() {
   if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kNeeded) return true;
   limit.rlim_cur = std::min(limit.rlim_max, kOrdinary);
   if (limit.rlim_cur < kNeeded || ::setrlimit(RLIMIT_STACK, &limit) != 0) {
-    report_errors("", {{0, 0, "", fmt::format("the stack is limited to {} KiB, and {} are needed; see to a higher ulimit -s",
-                                              limit.rlim_cur >> 10, kNeeded >> 10)}},
+    report_errors("",
+                  {{0, 0, "",
+                    fmt::format("the stack is limited to {} KiB, and {} are needed; see to a higher ulimit -s",
+                                limit.rlim_cur >> 10, kNeeded >> 10)}},
                   g_words_are_json, kNumericalFailure);
     return false;
   }

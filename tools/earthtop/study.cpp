@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "command_line.hpp"
@@ -93,8 +96,17 @@ void print_shard_report(const StudyRunReport& report, const StudyArguments& argu
 
 /// The document that `write_study_results` put beside the store; gathering it again from millions of points would take long.
 std::string written_document(const fs::path& store) {
-  std::ifstream file(store.parent_path() / "study.json");
-  return {std::istreambuf_iterator<char>(file), {}};
+  const fs::path name = store.parent_path() / "study.json";
+  try {
+    errno = 0;
+    std::ifstream file(name);
+    if (!file && errno == ENOMEM) throw std::bad_alloc();
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (text.empty()) throw ReadError(name.string(), "reading broke off; see to the file");
+    return text;
+  } catch (const std::ios_base::failure&) {
+    throw ReadError(name.string(), "reading broke off; see to the file");
+  }
 }
 
 void tell_results(const fs::path& store, bool json, bool quiet) {
