@@ -30,26 +30,27 @@ using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
 
-/// Keeps a name known to `discard_temporaries` while it lives.
-class KnownName {
- public:
-  explicit KnownName(const char* name, Names& names = names_on_disk) {
-    for (auto& slot : names) {
-      const char* none = nullptr;
-      if (slot.compare_exchange_strong(none, name)) {
-        slot_ = &slot;
-        return;
-      }
-    }
+/// Enters a name. @returns where; null if all slots are taken
+std::atomic<const char*>* enter(const char* name, Names& names) {
+  for (auto& slot : names) {
+    const char* none = nullptr;
+    if (slot.compare_exchange_strong(none, name)) return &slot;
   }
-  ~KnownName() {
+  return nullptr;
+}
+
+/// Keeps the name of a directory known to `discard_temporaries` while it lives.
+class MadeDirectory {
+ public:
+  explicit MadeDirectory(const char* name) : slot_(enter(name, directories_made)) {}
+  ~MadeDirectory() {
     if (slot_) *slot_ = nullptr;
   }
-  KnownName(const KnownName&) = delete;
-  KnownName& operator=(const KnownName&) = delete;
+  MadeDirectory(const MadeDirectory&) = delete;
+  MadeDirectory& operator=(const MadeDirectory&) = delete;
 
  private:
-  std::atomic<const char*>* slot_ = nullptr;
+  std::atomic<const char*>* slot_;
 };
 
 std::string temporary_name(std::string_view name) {
@@ -94,6 +95,11 @@ class Descriptor {
 
 }  // namespace
 
+TemporaryName::TemporaryName(const char* name) : slot_(enter(name, names_on_disk)) {}
+TemporaryName::~TemporaryName() {
+  if (slot_) *slot_ = nullptr;
+}
+
 void fail_to_write(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
 
 bool discard_temporaries() noexcept {
@@ -136,7 +142,7 @@ struct FileSet::File {
 
   std::string name;
   fs::path place, next, last;
-  KnownName known{next.c_str()};
+  TemporaryName known{next.c_str()};
   bool is_written = false;    // the new version is on disk as `next`
   bool is_in_place = false;   // the new version has been moved to `place`
   bool is_set_aside = false;  // the old version has been moved to `last`
@@ -173,7 +179,7 @@ void FileSet::make_directory() {
   std::error_code error;
   for (fs::path at = dir_; !at.empty() && !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path())
     made_.insert(made_.begin(), at);
-  for (const fs::path& made : made_) known_.push_back(std::make_shared<KnownName>(made.c_str(), directories_made));
+  for (const fs::path& made : made_) known_.push_back(std::make_shared<MadeDirectory>(made.c_str()));
   fs::create_directories(dir_, error);
   if (error) throw WriteError(dir_.string(), error.message());
 }

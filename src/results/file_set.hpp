@@ -2,6 +2,7 @@
 /// A set of files that change together: either all of them are replaced, or none.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -16,6 +17,19 @@ namespace earthtop {
 
 /// @throws WriteError always, for the file, with the system's message for the errno value `error`
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
+/// While it lives, `discard_temporaries` removes the file with this name.
+class TemporaryName {
+ public:
+  /// @param name  outlives this object
+  explicit TemporaryName(const char* name);
+  ~TemporaryName();
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+ private:
+  std::atomic<const char*>* slot_;
+};
 
 /// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
 /// complete and belong to it.

@@ -95,6 +95,7 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
     ::close(descriptor_);
     throw WriteError(file_.string(), std::strerror(error));
   }
+  held_.emplace(file_.c_str());
 }
 
 StoreLock::~StoreLock() {

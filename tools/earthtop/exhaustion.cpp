@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -28,6 +29,15 @@ struct LastWords {
 std::array<LastWords, 2> g_words = {{{"out of memory; take fewer rows (a longer output_step_s, no ledger)"},
                                      {"no thread can be started; take fewer --jobs, or end other programs"}}};
 bool g_words_are_json = false;
+
+/// Memory that is given up when there is no other, so that what is cleared up then finds some: the JSON library's destructors
+/// allocate.
+std::atomic<void*> g_reserve = nullptr;
+
+void give_up_reserve() {
+  std::free(g_reserve.exchange(nullptr));
+  throw std::bad_alloc();
+}
 
 /// Where an exception leaves a function that may throw none, or where one is thrown before `main`, nothing can be cleared up
 /// any more except for the temporary files.
@@ -55,6 +65,9 @@ void prepare_for_exhaustion(bool json) {
     words.written = new std::string(json ? errors_json("", errors) : errors_text("", errors));
   }
   g_words_are_json = json;
+  constexpr std::size_t kReserve = 1 << 20;  // bytes
+  g_reserve = std::malloc(kReserve);
+  std::set_new_handler(give_up_reserve);
 }
 
 int report_lacking(Lacking what) noexcept {

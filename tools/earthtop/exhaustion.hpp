@@ -6,7 +6,8 @@ namespace earthtop::tool {
 
 enum class Lacking { memory, threads };
 
-/// Writes the messages of `report_lacking` beforehand, because there may be no memory for them later.
+/// Writes the messages of `report_lacking` beforehand, because there may be no memory for them later, and sets memory aside for
+/// clearing up.
 /// @param json report as JSON
 void prepare_for_exhaustion(bool json);
 
