@@ -13,6 +13,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/results.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop::testing {
@@ -96,7 +97,14 @@ class ChangedCopy {
     change(csv);
     write_text(path() / "trajectory.csv", csv.text());
   }
-  ChangedCopy() { fs::copy(ShortRun::get().path(), path()); }
+  /// Without checksums, which would say that it has been changed.
+  ChangedCopy() {
+    fs::copy(ShortRun::get().path(), path());
+    auto summary = testing::parse_ordered_json(read_text(path() / "summary.json"));
+    summary.erase("files");
+    summary.erase("checksum");
+    write_text(path() / "summary.json", testing::text_of(summary));
+  }
   fs::path path() const { return directory_.path() / "new"; }
 
  private:
