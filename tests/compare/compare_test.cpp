@@ -20,8 +20,8 @@ class OtherRun {
   explicit OtherRun(const Set& set, const std::string& scene = "toy-top") {
     auto all = set;
     all.emplace_back("/motion/duration_s", "6");
-    write_results(run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + scene + ".json"), all)),
-                  path(), false);
+    testing::write_results_to_be_changed(
+        run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + scene + ".json"), all)), path());
   }
   fs::path path() const { return directory_.path() / "other"; }
 

@@ -89,6 +89,19 @@ class ShortRun {
   TemporaryDirectory directory_;
 };
 
+/// Removes the checksums of results that are to be changed.
+inline void forget_checksums(const fs::path& directory) {
+  auto summary = parse_ordered_json(read_text(directory / "summary.json"));
+  summary.erase("files");
+  summary.erase("checksum");
+  write_text(directory / "summary.json", text_of(summary));
+}
+
+inline void write_results_to_be_changed(const RunResult& result, const fs::path& directory) {
+  write_results(result, directory, false);
+  forget_checksums(directory);
+}
+
 /// A copy of the short run's results, to be changed.
 class ChangedCopy {
  public:
@@ -100,10 +113,7 @@ class ChangedCopy {
   /// Without checksums, which would say that it has been changed.
   ChangedCopy() {
     fs::copy(ShortRun::get().path(), path());
-    auto summary = testing::parse_ordered_json(read_text(path() / "summary.json"));
-    summary.erase("files");
-    summary.erase("checksum");
-    write_text(path() / "summary.json", testing::text_of(summary));
+    forget_checksums(path());
   }
   fs::path path() const { return directory_.path() / "new"; }
 
