@@ -50,15 +50,17 @@ std::string sealed(std::string_view document, const FileChecksums& files) {
 
 Seal seal_of(std::string_view document) {
   const std::size_t behind = kZeros.size() + 1 + kEnd.size();
-  if (document.size() < kBefore.size() + behind) return Seal::absent;
-  const std::size_t digits = document.size() - behind, begin = digits - kBefore.size();
-  const std::string_view stated = document.substr(digits, kZeros.size());
-  const bool is_named = document.substr(begin, kBefore.size()) == kBefore;
-  // If the name is damaged, the digits tell that there was a checksum.
-  if (!is_named && stated.find_first_not_of("0123456789abcdef") != stated.npos) return Seal::absent;
+  const std::size_t digits = document.size() < kBefore.size() + behind ? 0 : document.size() - behind;
+  const std::string_view stated = digits > 0 ? document.substr(digits, kZeros.size()) : std::string_view();
+  const bool is_named = digits > 0 && document.substr(digits - kBefore.size(), kBefore.size()) == kBefore;
+  if (!is_named) {
+    // The name in another place, or the digits with another name, tell that there was a checksum.
+    const bool has_digits = !stated.empty() && stated.find_first_not_of("0123456789abcdef") == stated.npos;
+    return has_digits || document.find(kBefore) != document.npos ? Seal::broken : Seal::absent;
+  }
   std::string text(document);
   text.replace(digits, kZeros.size(), kZeros);
-  return is_named && checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
+  return checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
 }
 
 bool check_result_files(const std::filesystem::path& directory, std::string_view summary) {
