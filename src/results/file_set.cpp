@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/file_set.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -13,6 +14,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -210,10 +212,15 @@ void FileSet::lock() {
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {
+  // libstdc++'s directory_iterator ends the program where it finds no memory.
+  struct Close {
+    void operator()(DIR* directory) const { ::closedir(directory); }
+  };
   std::vector<fs::path> found;
-  std::error_code error;
-  for (auto at = fs::directory_iterator(dir, error); !error && at != fs::directory_iterator(); at.increment(error))
-    if (is_temporary_of(at->path().filename().string(), name)) found.push_back(at->path());
+  const std::unique_ptr<DIR, Close> directory(::opendir(dir.c_str()));
+  if (!directory && errno == ENOMEM) throw std::bad_alloc();
+  while (const dirent* entry = directory ? ::readdir(directory.get()) : nullptr)
+    if (is_temporary_of(entry->d_name, name)) found.push_back(dir / entry->d_name);
   return found;
 }
 

@@ -33,8 +33,10 @@ bool g_words_are_json = false;
 /// Memory that is given up when there is no other, so that what is cleared up then finds some: the JSON library's destructors
 /// allocate.
 std::atomic<void*> g_reserve = nullptr;
+std::atomic<bool> g_has_lacked = false;
 
 void give_up_reserve() {
+  g_has_lacked = true;
   std::free(g_reserve.exchange(nullptr));
   throw std::bad_alloc();
 }
@@ -42,14 +44,17 @@ void give_up_reserve() {
 /// Where an exception leaves a function that may throw none, or where one is thrown before `main`, nothing can be cleared up
 /// any more except for the temporary files.
 [[noreturn]] void end_without_memory() noexcept {
+  bool lacks_memory = g_has_lacked;  // libraries may end the program without an exception then
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    discard_temporaries();
-    ::_exit(report_lacking(Lacking::memory));
-  } catch (...) {  // a defect of the program: the ordinary end shows where
+    lacks_memory = true;
+  } catch (...) {
+    lacks_memory = false;
   }
-  std::abort();
+  if (!lacks_memory) std::abort();  // a defect of the program
+  discard_temporaries();
+  ::_exit(report_lacking(Lacking::memory));
 }
 
 /// Libraries allocate static objects before `main`; this handler comes before theirs.
