@@ -102,7 +102,10 @@ TemporaryName::~TemporaryName() {
   if (slot_) *slot_ = nullptr;
 }
 
-void fail_to_write(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
+void fail_to_write(const fs::path& file, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  throw WriteError(file.string(), std::strerror(error));
+}
 
 bool discard_temporaries() noexcept {
   if (committing) return false;
@@ -183,7 +186,7 @@ void FileSet::make_directory() {
     made_.insert(made_.begin(), at);
   for (const fs::path& made : made_) known_.push_back(std::make_shared<MadeDirectory>(made.c_str()));
   fs::create_directories(dir_, error);
-  if (error) throw WriteError(dir_.string(), error.message());
+  if (error) fail_to_write(dir_, error.value());
 }
 
 /// Removes temporary files left for `name`. While this run holds the lock they belong to no running process; without a lock

@@ -15,7 +15,8 @@
 
 namespace earthtop {
 
-/// @throws WriteError always, for the file, with the system's message for the errno value `error`
+/// @throws WriteError always, for the file, with the system's message for the errno value `error`; std::bad_alloc if that says
+/// that memory is lacking
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
 /// While it lives, `discard_temporaries` removes the file with this name.

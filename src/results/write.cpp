@@ -87,7 +87,7 @@ void check_output_directory(const fs::path& dir, const Scene& scene, bool force)
   if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
-  if (error) throw WriteError(dir.string(), error.message());
+  if (error) fail_to_write(dir, error.value());
   while (!is_there(present) && present.has_relative_path()) present = present.parent_path();
   if (!fs::is_directory(present, error)) {
     const bool link = fs::is_symlink(fs::symlink_status(present, error));

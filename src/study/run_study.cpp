@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "earthtop/run.hpp"
+#include "results/file_set.hpp"
 #include "study/process_workforce.hpp"
 #include "study/store.hpp"
 #include "study/store_lock.hpp"
@@ -30,7 +31,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 void make_directory(const fs::path& dir) {
   std::error_code error;
   fs::create_directories(dir, error);
-  if (error) throw WriteError(dir.string(), error.message());
+  if (error) fail_to_write(dir, error.value());
 }
 
 void remove_store(const fs::path& file) {
@@ -129,7 +130,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
   remove_store(file);
   std::error_code error;
   fs::rename(next, file, error);
-  if (error) throw WriteError(file.string(), error.message());
+  if (error) fail_to_write(file, error.value());
 }
 
 /// What is wrong with the store of a study; empty where nothing is, or where there is no store of this study.
