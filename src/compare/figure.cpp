@@ -44,11 +44,11 @@ Figure comparison_figure(const CompareReport& report) {
     std::vector<double> times = quantity->curve.t_s;
     for (double& t : times) t *= time.per_s;
     const LineColor color = quantity->passed ? LineColor::blue : LineColor::vermillion;
-    figure.panels.push_back({{quantity->name, std::string(unit_of_name(quantity->name)), AxisScale::logarithmic},
-                             {{"tolerance", times, quantity->curve.tolerance, LineColor::grey, LineStyle::dashed},
-                              {quantity->passed ? "difference" : "difference, beyond it", times, quantity->curve.difference,
-                               color, LineStyle::solid}},
-                             130});
+    std::vector<Line> lines{{"tolerance", times, quantity->curve.tolerance, LineColor::grey, LineStyle::dashed},
+                            {quantity->passed ? "difference" : "difference, beyond it", times, quantity->curve.difference,
+                             color, LineStyle::solid}};
+    figure.panels.push_back(
+        {{quantity->name, std::string(unit_of_name(quantity->name)), AxisScale::logarithmic}, std::move(lines), 130});
   }
   return figure;
 }

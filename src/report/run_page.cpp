@@ -112,9 +112,10 @@ Figure parts_figure(const Run& run) {
                 {"Time", run.time.name},
                 {}};
   const std::vector<double> t = times(run), azimuth = values(run, "drift_azimuth_rad", kArcseconds);
-  Panel parts{
-      {"Drift", "arcseconds"},
-      {{"azimuth", t, azimuth}, {"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed}}};
+  // The lines are made first: of a panel that is begun when memory ends, g++ 12 destroys parts twice.
+  std::vector<Line> lines{{"azimuth", t, azimuth},
+                          {"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed}};
+  Panel parts{{"Drift", "arcseconds"}, std::move(lines)};
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
   const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
   const bool has_azimuth = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
