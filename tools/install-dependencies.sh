@@ -13,7 +13,7 @@ fi
 
 packages=(
   g++ cmake ninja-build pkg-config git
-  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev
+  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev libxxhash-dev
   "${tests[@]}" "$@"
 )
 

@@ -21,9 +21,8 @@ MotionTrajectory<double> integrate(const gsl_odeiv2_step_type* type, const Motio
   PeerSystem top(problem, watch);
   gsl_odeiv2_system system{rates, nullptr, PeerSystem::kSize, &top};
   const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
-      gsl_odeiv2_driver_alloc_standard_new(&system, type, top.first_step(), tolerance, tolerance, 1, 0),
+      allocated(gsl_odeiv2_driver_alloc_standard_new(&system, type, top.first_step(), tolerance, tolerance, 1, 0)),
       gsl_odeiv2_driver_free);
-  if (!driver) throw std::bad_alloc();
   PeerSystem::State x = top.initial_state();
   auto trajectory = top.trajectory(x, [&](double from, double to) {
     const int status = gsl_odeiv2_driver_apply(driver.get(), &from, to, x.data());

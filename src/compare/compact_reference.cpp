@@ -12,6 +12,7 @@
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
 #include "results/figures.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
@@ -95,7 +96,11 @@ std::string row_text(const Row& row, const std::vector<std::size_t>& places) {
 Comparand open_compact_reference(const fs::path& file) {
   Comparand reference;
   reference.path = file;
-  const Json json = read_json_file(file, "reference");
+  const Json json = read_json_file(file, "reference", [&](std::string_view text) {
+    const Seal seal = seal_of(text);
+    if (seal == Seal::broken) refuse_path(file, "is damaged: it is not what was written");
+    reference.has_checksums = seal == Seal::fits;
+  });
   if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
     refuse_path(file,
                 fmt::format("is no reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
@@ -175,7 +180,7 @@ std::string compact_reference(const Comparand& results, Json history, const std:
                {"columns", std::move(columns)}};
   std::string text = written(head, 1);
   text.resize(text.rfind('\n'));  // the closing brace comes after the rows
-  return text + ",\n \"rows\": [\n" + rows_text + "\n ]\n}\n";
+  return sealed(text + ",\n \"rows\": [\n" + rows_text + "\n ]\n}\n");
 }
 
 }  // namespace earthtop::compare

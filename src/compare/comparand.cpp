@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/file.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::compare {
@@ -20,9 +21,13 @@ constexpr const char* kSummarySchema = "earthtop-summary-1.json";
 
 bool is_compact_reference(const fs::path& file) {
   if (file.extension() != ".json") return false;
-  std::ifstream stream(file, std::ios::binary);
   std::string head(std::size_t{1} << 10, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  try {
+    const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"reference", false});
+    head.resize(input::read_some(descriptor, file.string(), head.data(), head.size()));
+  } catch (const ScenarioError&) {  // no file that can be opened
+    return false;
+  }
   return head.find(kReferenceSchema) != head.npos;
 }
 
@@ -39,14 +44,18 @@ Comparand open_results(const fs::path& directory) {
   Comparand results;
   results.path = directory;
   const fs::path file = directory / "summary.json";
-  results.summary = read_json_file(file, "summary");
+  results.summary = read_json_file(file, "summary",
+                                   [&](std::string_view text) { results.has_checksums = check_result_files(directory, text); });
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
   if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
     refuse_path(file, "does not state its rows (/outcome/rows), a whole number; write the results anew");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
-  if (is_there(directory / "timing.json")) results.timing = read_json_file(directory / "timing.json", "timing");
+  if (is_there(directory / "timing.json"))
+    results.timing = read_json_file(directory / "timing.json", "timing", [&](std::string_view text) {
+      if (seal_of(text) == Seal::broken) refuse_path(directory / "timing.json", "is damaged: run the scenario again");
+    });
   const std::string trajectory = (directory / "trajectory.csv").string(), torques = (directory / "torques.csv").string();
   results.open_rows = [trajectory] { return open_own_csv(trajectory, trajectory_table()); };
   if (is_there(torques)) results.open_torques = [torques] { return open_own_csv(torques, torques_table()); };
@@ -61,7 +70,9 @@ void refuse_path(const fs::path& path, std::string message) {
 
 bool is_there(const fs::path& path) {
   std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
+  const bool found = fs::exists(fs::symlink_status(path, error));
+  if (error == std::errc::io_error) throw ReadError(path.string(), error.message());
+  return found;
 }
 
 ComparandKind kind_of(const fs::path& path) {
@@ -96,9 +107,10 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
   return found;
 }
 
-Json read_json_file(const fs::path& file, std::string_view noun) {
+Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check) {
   const std::string text = input::read_regular_file(file.string(), file.string(), {noun, false});
   if (text.empty()) refuse_path(file, "is empty");
+  if (check) check(text);
   Json json = json_or_discarded(text);
   if (json.is_discarded() || !json.is_object())
     refuse_path(file, fmt::format("is no JSON object, as a {} is: truncated or changed; write it anew", noun));

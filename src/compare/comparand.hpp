@@ -27,6 +27,7 @@ enum class ComparandKind {
 
 /// @throws ScenarioError always, with this message about a file or directory that is not what it should be
 [[noreturn]] void refuse_path(const fs::path& path, std::string message);
+/// Whether a name is there. @throws ReadError where the disk does not tell
 bool is_there(const fs::path& path);
 
 /// The kind of the file or directory at a path. @throws ScenarioError where it is none of these kinds
@@ -54,6 +55,7 @@ struct Comparand {
   std::function<std::unique_ptr<RowSource>()> open_rows;
   std::function<std::unique_ptr<RowSource>()> open_torques;  ///< null where there are none
   std::optional<std::uint64_t> stated_rows;                  ///< number of rows stated by the summary
+  bool has_checksums = true;                                 ///< false: results from before files were written with checksums
   std::string generator;                                     ///< for a compact reference: the program that made it
 
   /// The number at a JSON pointer of the summary; none where there is no number.
@@ -73,6 +75,7 @@ Comparand open_comparand(const fs::path& path, const Mapping* mapping);
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
 
 /// Reads a JSON file. @param noun  the kind of file, for messages   @throws ScenarioError where it is not JSON; ReadError
-Json read_json_file(const fs::path& file, std::string_view noun);
+/// @param check  is given the text before it is read; may be null
+Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check = nullptr);
 
 }  // namespace earthtop::compare

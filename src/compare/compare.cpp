@@ -180,8 +180,14 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
     compare_stores(reference, candidate, options, report);
   else if (mapping && old_kind != ComparandKind::csv && new_kind != ComparandKind::csv)
     throw ScenarioError("", "--mapping says what the columns of a CSV file mean, but none of the two is one");
-  else
-    compare_runs(open_comparand(reference, mapping), open_comparand(candidate, mapping), options, report);
+  else {
+    const Comparand sides[] = {open_comparand(reference, mapping), open_comparand(candidate, mapping)};
+    compare_runs(sides[0], sides[1], options, report);
+    for (const Comparand& side : sides)
+      if (side.has_summary() && !side.has_checksums)
+        report.notes.push_back(fmt::format("{} has no checksums, since an older earthtop wrote it: damage would not be noticed",
+                                           side.path.string()));
+  }
   return report;
 } catch (const Json::exception& error) {
   throw ScenarioError("", fmt::format("{} or {}: a JSON file in it is not as this program writes it; write it anew ({})",

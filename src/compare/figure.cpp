@@ -44,11 +44,14 @@ Figure comparison_figure(const CompareReport& report) {
     std::vector<double> times = quantity->curve.t_s;
     for (double& t : times) t *= time.per_s;
     const LineColor color = quantity->passed ? LineColor::blue : LineColor::vermillion;
-    figure.panels.push_back({{quantity->name, std::string(unit_of_name(quantity->name)), AxisScale::logarithmic},
-                             {{"tolerance", times, quantity->curve.tolerance, LineColor::grey, LineStyle::dashed},
-                              {quantity->passed ? "difference" : "difference, beyond it", times, quantity->curve.difference,
-                               color, LineStyle::solid}},
-                             130});
+    Line tolerance{"tolerance", times, quantity->curve.tolerance, LineColor::grey, LineStyle::dashed};
+    Line difference{quantity->passed ? "difference" : "difference, beyond it", times, quantity->curve.difference, color,
+                    LineStyle::solid};
+    std::vector<Line> lines;  // not as a list, parts of which g++ 12 would destroy twice when memory ends
+    lines.push_back(std::move(tolerance));
+    lines.push_back(std::move(difference));
+    figure.panels.push_back(
+        {{quantity->name, std::string(unit_of_name(quantity->name)), AxisScale::logarithmic}, std::move(lines), 130});
   }
   return figure;
 }

@@ -26,7 +26,9 @@ constexpr double kWithoutBounds = 1e-9;  // tolerance where no bounds were colle
 Store open_store(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path file = std::filesystem::is_directory(path, error) ? study_store(path) : path;
-  return Store::open(file, study::sqlite::Connection::Mode::read);
+  Store store = Store::open(file, study::sqlite::Connection::Mode::read);
+  store.check_intact();
+  return store;
 }
 
 std::string name_of(const PointResult& point, const Study& study) {

@@ -5,8 +5,16 @@
 #include <gsl/gsl_errno.h>
 
 #include <mutex>
+#include <new>
 
 namespace earthtop {
+
+/// The object that a GSL function has allocated. @throws std::bad_alloc if there was no memory for it
+template <class T>
+T* allocated(T* object) {
+  if (object == nullptr) throw std::bad_alloc();
+  return object;
+}
 
 /// While an object of this class lives, GSL functions return their errors instead of aborting. The process has one handler for
 /// all its threads: the first object puts it off, and the last one restores it.

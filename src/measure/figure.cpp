@@ -224,12 +224,14 @@ Figure residuals_histogram(const MeasurementReport& report) {
     normal.x.push_back(kEnd * k / 100);
     normal.y.push_back(n * width * normal_density(normal.x.back()));
   }
+  std::vector<Line> lines{std::move(bars), std::move(normal)};
+  std::vector<Panel> panels{{{"Number of values", ""}, std::move(lines), 240}};
   return {"How often each size occurs",
           beyond > 0
               ? fmt::format("{} of {} values are beyond 5 standard errors, and are counted at the ends", beyond, values.size())
               : fmt::format("{} values", values.size()),
           {report.correlation_time_s > 0 ? "Whitened residual" : "Residual", "standard errors"},
-          {{{"Number of values", ""}, {std::move(bars), std::move(normal)}, 240}}};
+          std::move(panels)};
 }
 
 }  // namespace earthtop

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "error/gsl_errors.hpp"
+
 namespace earthtop::measure {
 namespace {
 
@@ -16,8 +18,10 @@ using Eigen::VectorXd;
 }  // namespace
 
 Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
-    : lengths_(static_cast<Index>(J->size2)), V_(gsl_matrix_alloc(J->size2, J->size2)), S_(gsl_vector_alloc(J->size2)) {
-  const std::unique_ptr<gsl_matrix, FreeMatrix> U(gsl_matrix_alloc(J->size1, J->size2));
+    : lengths_(static_cast<Index>(J->size2)),
+      V_(allocated(gsl_matrix_alloc(J->size2, J->size2))),
+      S_(allocated(gsl_vector_alloc(J->size2))) {
+  const std::unique_ptr<gsl_matrix, FreeMatrix> U(allocated(gsl_matrix_alloc(J->size1, J->size2)));
   gsl_matrix_memcpy(U.get(), J);
   for (std::size_t j = 0; j < J->size2; ++j) {
     gsl_vector_view column = gsl_matrix_column(U.get(), j);
@@ -29,7 +33,7 @@ Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
   has_all_ = lengths_.minCoeff() > 0 && lengths_.allFinite();
   if (!has_all_) return;
   gsl_linalg_SV_decomp_jacobi(U.get(), V_.get(), S_.get());
-  const std::unique_ptr<gsl_vector, FreeVector> projected(gsl_vector_alloc(J->size2));
+  const std::unique_ptr<gsl_vector, FreeVector> projected(allocated(gsl_vector_alloc(J->size2)));
   gsl_blas_dgemv(CblasTrans, 1, U.get(), f, 0, projected.get());
   next_step_ = gsl_blas_dnrm2(projected.get());
 }

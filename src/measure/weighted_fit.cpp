@@ -10,7 +10,6 @@
 #include <cmath>
 #include <exception>
 #include <memory>
-#include <new>
 #include <utility>
 
 #include "error/gsl_errors.hpp"
@@ -121,8 +120,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
 
   const gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
   const std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)> workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p), gsl_multifit_nlinear_free);
-  if (!workspace) throw std::bad_alloc();
+      allocated(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p)), gsl_multifit_nlinear_free);
   Callbacks callbacks{&problem, nullptr, 0, true, std::move(without_influence), static_cast<Index>(given.priors.size())};
   gsl_multifit_nlinear_fdf functions{};
   functions.f = evaluate_residuals;

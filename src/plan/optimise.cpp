@@ -9,7 +9,6 @@
 #include <cmath>
 #include <exception>
 #include <memory>
-#include <new>
 
 #include "earthtop/elementary.hpp"
 #include "error/gsl_errors.hpp"
@@ -207,7 +206,7 @@ void simplex_search(Designs& designs, const std::vector<DesignInput>& design, co
   const ReturnedGslErrors returned;
   const std::size_t n = design.size();
   Search search{&designs, &design, nullptr};
-  const std::unique_ptr<gsl_vector, FreeVector> angles(gsl_vector_alloc(n)), steps(gsl_vector_alloc(n));
+  const std::unique_ptr<gsl_vector, FreeVector> angles(allocated(gsl_vector_alloc(n))), steps(allocated(gsl_vector_alloc(n)));
   for (std::size_t i = 0; i < n; ++i) {
     const double place = 2 * (start[i] - design[i].low) / (design[i].high - design[i].low) - 1;
     gsl_vector_set(angles.get(), i, real::asin(std::clamp(place, -1.0, 1.0)));
@@ -215,8 +214,7 @@ void simplex_search(Designs& designs, const std::vector<DesignInput>& design, co
     gsl_vector_set(steps.get(), i, place > 0 ? -kFirstStep : kFirstStep);
   }
   const std::unique_ptr<gsl_multimin_fminimizer, void (*)(gsl_multimin_fminimizer*)> minimizer(
-      gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, n), gsl_multimin_fminimizer_free);
-  if (!minimizer) throw std::bad_alloc();
+      allocated(gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, n)), gsl_multimin_fminimizer_free);
   gsl_multimin_function function{log_of_error, n, &search};
   int status = gsl_multimin_fminimizer_set(minimizer.get(), &function, angles.get(), steps.get());
   for (int i = 0; status == GSL_SUCCESS && i < kMostIterations; ++i) {

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "compare/comparand.hpp"
@@ -25,8 +24,11 @@ bool is_document(const std::filesystem::path& what) {
   std::error_code error;
   if (what == kStandardInput || what.extension() == ".json") return !std::filesystem::is_directory(what, error);
   if (!std::filesystem::is_regular_file(what, error)) return false;
-  char first = 0;
-  return std::ifstream(what) >> first && first == '{';
+  const input::Descriptor file = input::open_regular_file(what.string(), what.string(), {"document", false});
+  std::string head(std::size_t{1} << 10, '\0');
+  head.resize(input::read_some(file, what.string(), head.data(), head.size()));
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  return first != head.npos && head[first] == '{';
 }
 
 Report document_page(const std::filesystem::path& file) {

@@ -113,9 +113,12 @@ Figure parts_figure(const Run& run) {
                 {"Time", run.time.name},
                 {}};
   const std::vector<double> t = times(run), azimuth = values(run, "drift_azimuth_rad", kArcseconds);
-  Panel parts{
-      {"Drift", "arcseconds"},
-      {{"azimuth", t, azimuth}, {"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed}}};
+  // One part after the other: of a list that is begun when memory ends, g++ 12 destroys parts twice.
+  Line azimuth_line{"azimuth", t, azimuth};
+  Line tilt_line{"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed};
+  Panel parts{{"Drift", "arcseconds"}, {}};
+  parts.lines.push_back(std::move(azimuth_line));
+  parts.lines.push_back(std::move(tilt_line));
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
   const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
   const bool has_azimuth = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
@@ -135,10 +138,12 @@ Figure parts_figure(const Run& run) {
       residual.push_back(azimuth[i] - line.back());
     }
     parts.lines.push_back({"secular part of the azimuth", t, std::move(line), LineColor::grey, LineStyle::broad});
-    figure.panels = {std::move(parts),
-                     {{"Azimuth less its secular part", "arcseconds"}, {{"residual", t, std::move(residual)}}, 120}};
+    Panel rest{{"Azimuth less its secular part", "arcseconds"}, {}, 120};
+    rest.lines.push_back({"residual", t, std::move(residual)});
+    figure.panels.push_back(std::move(parts));
+    figure.panels.push_back(std::move(rest));
   } else {
-    figure.panels = {std::move(parts)};
+    figure.panels.push_back(std::move(parts));
   }
   return figure;
 }

@@ -127,6 +127,8 @@ void add_points(const Json& study, Page& page) {
 }  // namespace
 
 Report study_page(const std::filesystem::path& store, const Watch& watch) {
+  if (const StudyStoreCheck check = check_study_store(store); !check.damage.empty())
+    throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", check.damage}}, store.string());
   const Json study = Json::parse(study_json(store, watch));
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
   Page page("study", title);

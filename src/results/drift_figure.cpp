@@ -64,7 +64,8 @@ Panel parts_panel(const RunResult& result, TimeUnit time) {
     azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_rad);
     tilt.y.push_back(row.drift_tilt_rad * unit.per_rad);
   }
-  return {{"Drift in azimuth and in tilt", unit.name, AxisScale::linear}, {std::move(azimuth), std::move(tilt)}};
+  std::vector<Line> lines{std::move(azimuth), std::move(tilt)};
+  return {{"Drift in azimuth and in tilt", unit.name, AxisScale::linear}, std::move(lines)};
 }
 
 }  // namespace
@@ -72,10 +73,14 @@ Panel parts_panel(const RunResult& result, TimeUnit time) {
 Figure drift_figure(const RunResult& result) {
   const Scenario& scenario = result.scene.scenario();
   const TimeUnit time = time_unit(result.rows.empty() ? scenario.duration_s : result.rows.back().t_s);
-  return {scenario.title.empty() ? scenario.name : scenario.title,
-          "Rotating minus non-rotating Earth; " + matching_rule(scenario),
-          {"Time", time.name},
-          {axis_panel(result, time), parts_panel(result, time)}};
+  // One part after the other: of a whole that is begun when memory ends, g++ 12 destroys parts twice.
+  Figure figure;
+  figure.title = scenario.title.empty() ? scenario.name : scenario.title;
+  figure.subtitle = "Rotating minus non-rotating Earth; " + matching_rule(scenario);
+  figure.x = {"Time", time.name};
+  figure.panels.push_back(axis_panel(result, time));
+  figure.panels.push_back(parts_panel(result, time));
+  return figure;
 }
 
 }  // namespace earthtop

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/file_set.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -13,6 +14,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -30,26 +32,27 @@ using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
 
-/// Keeps a name known to `discard_temporaries` while it lives.
-class KnownName {
- public:
-  explicit KnownName(const char* name, Names& names = names_on_disk) {
-    for (auto& slot : names) {
-      const char* none = nullptr;
-      if (slot.compare_exchange_strong(none, name)) {
-        slot_ = &slot;
-        return;
-      }
-    }
+/// Enters a name. @returns where; null if all slots are taken
+std::atomic<const char*>* enter(const char* name, Names& names) {
+  for (auto& slot : names) {
+    const char* none = nullptr;
+    if (slot.compare_exchange_strong(none, name)) return &slot;
   }
-  ~KnownName() {
+  return nullptr;
+}
+
+/// Keeps the name of a directory known to `discard_temporaries` while it lives.
+class MadeDirectory {
+ public:
+  explicit MadeDirectory(const char* name) : slot_(enter(name, directories_made)) {}
+  ~MadeDirectory() {
     if (slot_) *slot_ = nullptr;
   }
-  KnownName(const KnownName&) = delete;
-  KnownName& operator=(const KnownName&) = delete;
+  MadeDirectory(const MadeDirectory&) = delete;
+  MadeDirectory& operator=(const MadeDirectory&) = delete;
 
  private:
-  std::atomic<const char*>* slot_ = nullptr;
+  std::atomic<const char*>* slot_;
 };
 
 std::string temporary_name(std::string_view name) {
@@ -94,7 +97,15 @@ class Descriptor {
 
 }  // namespace
 
-void fail_to_write(const fs::path& file, int error) { throw WriteError(file.string(), std::strerror(error)); }
+TemporaryName::TemporaryName(const char* name) : slot_(enter(name, names_on_disk)) {}
+TemporaryName::~TemporaryName() {
+  if (slot_) *slot_ = nullptr;
+}
+
+void fail_to_write(const fs::path& file, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  throw WriteError(file.string(), std::strerror(error));
+}
 
 bool discard_temporaries() noexcept {
   if (committing) return false;
@@ -129,14 +140,14 @@ struct FileSet::File {
     is_in_place = true;
   }
   void put_back() noexcept {
-    if (is_in_place && ::rename(place.c_str(), next.c_str()) == 0) is_written = true;
+    if (is_in_place) ::unlink(place.c_str());
     if (is_set_aside) ::rename(last.c_str(), place.c_str());
     is_set_aside = false;  // where even that failed, the old version stays under its temporary name
   }
 
   std::string name;
   fs::path place, next, last;
-  KnownName known{next.c_str()};
+  TemporaryName known{next.c_str()};
   bool is_written = false;    // the new version is on disk as `next`
   bool is_in_place = false;   // the new version has been moved to `place`
   bool is_set_aside = false;  // the old version has been moved to `last`
@@ -173,9 +184,9 @@ void FileSet::make_directory() {
   std::error_code error;
   for (fs::path at = dir_; !at.empty() && !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path())
     made_.insert(made_.begin(), at);
-  for (const fs::path& made : made_) known_.push_back(std::make_shared<KnownName>(made.c_str(), directories_made));
+  for (const fs::path& made : made_) known_.push_back(std::make_shared<MadeDirectory>(made.c_str()));
   fs::create_directories(dir_, error);
-  if (error) throw WriteError(dir_.string(), error.message());
+  if (error) fail_to_write(dir_, error.value());
 }
 
 /// Removes temporary files left for `name`. While this run holds the lock they belong to no running process; without a lock
@@ -204,10 +215,15 @@ void FileSet::lock() {
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {
+  // libstdc++'s directory_iterator ends the program where it finds no memory.
+  struct Close {
+    void operator()(DIR* directory) const { ::closedir(directory); }
+  };
   std::vector<fs::path> found;
-  std::error_code error;
-  for (auto at = fs::directory_iterator(dir, error); !error && at != fs::directory_iterator(); at.increment(error))
-    if (is_temporary_of(at->path().filename().string(), name)) found.push_back(at->path());
+  const std::unique_ptr<DIR, Close> directory(::opendir(dir.c_str()));
+  if (!directory && errno == ENOMEM) throw std::bad_alloc();
+  while (const dirent* entry = directory ? ::readdir(directory.get()) : nullptr)
+    if (is_temporary_of(entry->d_name, name)) found.push_back(dir / entry->d_name);
   return found;
 }
 
@@ -244,6 +260,11 @@ void FileSet::sync() const {
 
 void FileSet::replace() {
   File& seal = *files_.back();
+  if (files_.size() == 1) {  // it needs no seal: the system puts one version in the place of the other
+    seal.put_in_place();
+    seal.is_in_place = false;  // the old version is gone: there is nothing to be put back
+    return sync();
+  }
   seal.set_aside();
   if (seal.is_set_aside) sync();
   for (const auto& file : files_) {
@@ -275,8 +296,8 @@ void FileSet::commit() {
     if (file->is_set_aside) ::unlink(file->last.c_str());
     file->is_set_aside = false;
   }
-  remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
   committing = false;
+  remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
 }
 
 }  // namespace earthtop

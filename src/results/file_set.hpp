@@ -2,6 +2,7 @@
 /// A set of files that change together: either all of them are replaced, or none.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,8 +15,22 @@
 
 namespace earthtop {
 
-/// @throws WriteError always, for the file, with the system's message for the errno value `error`
+/// @throws WriteError always, for the file, with the system's message for the errno value `error`; std::bad_alloc if that says
+/// that memory is lacking
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
+/// While it lives, `discard_temporaries` removes the file with this name.
+class TemporaryName {
+ public:
+  /// @param name  outlives this object
+  explicit TemporaryName(const char* name);
+  ~TemporaryName();
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+ private:
+  std::atomic<const char*>* slot_;
+};
 
 /// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
 /// complete and belong to it.
@@ -23,7 +38,7 @@ namespace earthtop {
 /// Every file is complete on disk under a temporary name (`.NAME.PID-N.tmp`) before anything is changed. Then the old seal is
 /// taken away, the others are replaced, and the new seal is put in place, with the directory synced in between. After a
 /// failure everything is put back as it was. A crash during these few system calls leaves a directory without its seal, with
-/// the old and the new seal under temporary names. Links are replaced, never followed. Temporary files that a killed run left
+/// the old and the new seal under temporary names; of a set of one file, either version is there at any time. Links are replaced, never followed. Temporary files that a killed run left
 /// are removed by the next run.
 class FileSet {
  public:

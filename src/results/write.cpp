@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -6,15 +7,17 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "input/file.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
+#include "results/seal.hpp"
+#include "text/checksum.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {
@@ -23,8 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// summary.json names the scenario, and is the seal of the file set: it comes last in the list.
-constexpr std::string_view kSummary = "summary.json";
-constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", kSummary};
+constexpr std::string_view kSummary = "summary.json", kRowTable = "trajectory.csv", kTorqueTable = "torques.csv",
+                           kFigure = "drift.svg", kTiming = "timing.json";
+constexpr std::array<std::string_view, 5> kFiles = {kRowTable, kTorqueTable, kFigure, kTiming, kSummary};
+constexpr std::size_t kLargestText_MiB = 4096;
 
 [[noreturn]] void refuse(const fs::path& dir, std::string reason) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, dir.string());
@@ -32,12 +37,13 @@ constexpr std::array<std::string_view, 5> kFiles = {"trajectory.csv", "torques.c
 
 /// The SHA-256 of the scenario whose results `summary` holds; empty if the file is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
-  constexpr std::uintmax_t kLargest = 64U << 20U;
-  std::error_code error;
-  if (!fs::is_regular_file(summary, error) || fs::file_size(summary, error) > kLargest || error) return "";
-  std::ifstream file(summary, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) return "";
+  constexpr std::size_t kLargest_MiB = 64;
+  std::string text;
+  try {
+    text = input::read_regular_file(summary.string(), summary.string(), {"summary", false, kLargest_MiB});
+  } catch (const ScenarioError&) {  // it is no file, cannot be opened or is too large
+    return "";
+  }
   const nlohmann::ordered_json json = json_or_discarded(text);
   const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
   if (json.is_discarded() || !json.contains(hash) || !json.at(hash).is_string()) return "";
@@ -65,7 +71,7 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
       refuse(dir, "summary.json in it is not a summary of earthtop's; choose another --out, or --force to overwrite it");
     if (present != scene.sha256())
       refuse(dir, "holds the results of another scenario; choose another --out, or --force to overwrite them");
-    if (!scene.scenario().ledger && is_there(dir / "torques.csv"))
+    if (!scene.scenario().ledger && is_there(dir / kTorqueTable))
       refuse(dir, "torques.csv in it is none of this scenario's results; choose another --out, or --force to remove it");
     return;
   }
@@ -78,13 +84,62 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
       refuse(dir, std::string(name) + " is in it without a summary.json; choose another --out, or --force to overwrite it");
 }
 
+/// The files of a run that change together, each with its checksum in the summary.
+class SealedSet {
+ public:
+  SealedSet(const fs::path& dir, const Watch& watch) : files_(dir, kFiles, watch) {}
+  void add(std::string_view name, const std::function<void(const FileSet::Sink&)>& produce) {
+    Checksum checksum;
+    files_.add(name, [&](const FileSet::Sink& sink) {
+      produce([&](std::string_view piece) {
+        checksum.add(piece);
+        sink(piece);
+      });
+    });
+    checksums_.emplace_back(name, checksum_text(checksum.value()));
+  }
+  /// Adds a document that has its own checksum, since it differs from run to run, which the summary does not.
+  void add_by_itself(std::string_view name, std::string_view document) { files_.add(name, sealed(document)); }
+  /// Puts all in place. @returns the summary as written
+  std::string commit(std::string_view summary) {
+    std::string text = sealed(summary, checksums_);
+    files_.add(kSummary, text);
+    files_.commit();
+    return text;
+  }
+
+ private:
+  FileSet files_;
+  FileChecksums checksums_;
+};
+
+/// @param add_files  adds all files but the summary, which it returns   @returns the summary as written
+std::string write_set(const fs::path& dir, const Scene& scene, bool force, const Watch& watch,
+                      const std::function<std::string(SealedSet&)>& add_files) {
+  check_output_directory(dir, scene, force);
+  SealedSet set(dir, watch);
+  check_present_files(dir, scene, force);  // once more, since no other run can write there while the directory is locked
+  return set.commit(add_files(set));
+}
+
+/// Holds the texts of result files against the checksums in them. @throws ScenarioError
+void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
+  for (const std::string_view name : {kSummary, kTiming})
+    if (const auto found = texts.find(name); found != texts.end() && seal_of(found->second) == Seal::broken)
+      refuse_damaged(dir / name);
+  const FileChecksums checksums = checksums_in(texts.find(kSummary)->second);
+  for (const auto& [name, checksum] : checksums)
+    if (const auto found = texts.find(name); found == texts.end() || checksum_text(checksum_of(found->second)) != checksum)
+      refuse_damaged(dir / name);
+}
+
 }  // namespace
 
 void check_output_directory(const fs::path& dir, const Scene& scene, bool force) {
   if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
-  if (error) throw WriteError(dir.string(), error.message());
+  if (error) fail_to_write(dir, error.value());
   while (!is_there(present) && present.has_relative_path()) present = present.parent_path();
   if (!fs::is_directory(present, error)) {
     const bool link = fs::is_symlink(fs::symlink_status(present, error));
@@ -112,18 +167,45 @@ double writing_seconds(const Scenario& scenario) {
   return (scenario.ledger ? 2 : 1) * seconds_a_row * scenario.duration_s / scenario.output_step_s;
 }
 
-void write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
-  check_output_directory(dir, result.scene, force);
-  FileSet files(dir, kFiles, watch);
-  check_present_files(dir, result.scene, force);  // once more, since no other run can write there while the directory is locked
-  files.add("trajectory.csv",
+std::string write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
+  return write_set(dir, result.scene, force, watch, [&](SealedSet& set) {
+    set.add(kRowTable,
             [&](const FileSet::Sink& sink) { write_trajectory_csv(result, sink, watch.part(0, result.ledger ? 0.5 : 1)); });
-  if (result.ledger)
-    files.add("torques.csv", [&](const FileSet::Sink& sink) { write_torques_csv(result, sink, watch.part(0.5, 1)); });
-  files.add("drift.svg", svg(drift_figure(result)));
-  files.add("timing.json", timing_json(result));
-  files.add(kSummary, summary_json(result));
-  files.commit();
+    if (result.ledger)
+      set.add(kTorqueTable, [&](const FileSet::Sink& sink) { write_torques_csv(result, sink, watch.part(0.5, 1)); });
+    set.add(kFigure, [&](const FileSet::Sink& sink) { sink(svg(drift_figure(result))); });
+    set.add_by_itself(kTiming, timing_json(result));
+    return summary_json(result);
+  });
+}
+
+void write_results(const ResultTexts& texts, const Scene& scene, const fs::path& dir, bool force) {
+  write_set(dir, scene, force, {}, [&](SealedSet& set) {
+    for (const std::string_view name : kFiles) {
+      const auto found = texts.find(name);
+      if (found == texts.end() || name == kSummary) continue;
+      if (name == kTiming)
+        set.add_by_itself(name, found->second);
+      else
+        set.add(name, [&](const FileSet::Sink& sink) { sink(found->second); });
+    }
+    return texts.at(std::string(kSummary));
+  });
+}
+
+ResultTexts read_result_texts(const fs::path& dir) {
+  ResultTexts texts;
+  for (const std::string_view name : kFiles) {
+    const std::string file = dir / name;
+    if (!is_there(file)) continue;
+    texts.emplace(name, input::read_regular_file(file, file, {"result file", false, kLargestText_MiB}));
+  }
+  for (const std::string_view name : {kSummary, kRowTable})
+    if (!texts.contains(name)) refuse(dir, fmt::format("holds no results: it has no {}", name));
+  check_result_texts(dir, texts);
+  for (const std::string_view name : {kSummary, kTiming})
+    if (const auto found = texts.find(name); found != texts.end()) found->second = unsealed(found->second);
+  return texts;
 }
 
 }  // namespace earthtop

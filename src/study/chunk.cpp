@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <span>
 
 namespace earthtop::study {
@@ -17,6 +18,8 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch
   try {
     return run_batch(scenes, watch);
   } catch (const std::exception& error) {
+    const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    if (lacks_memory && scenes.size() == 1) throw;
     if (scenes.size() == 1) {
       std::vector<BatchOutcome> outcome(1);
       outcome.front().refusal = error.what();

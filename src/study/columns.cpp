@@ -57,7 +57,7 @@ class ColumnWriter {
 std::vector<StudyColumn> study_columns(const std::filesystem::path& file, const Watch& watch) {
   using namespace study;
   Store store = Store::open(file, sqlite::Connection::Mode::read);
-  const std::uint64_t rows = store.count();
+  const std::uint64_t rows = store.check_intact().intact;
   std::vector<ColumnWriter> writers;
   writers.emplace_back("point", rows);
   for (const StudyAxis& axis : store.study().axes) writers.emplace_back(axis.name, rows);

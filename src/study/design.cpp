@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "earthtop/elementary.hpp"
+#include "error/gsl_errors.hpp"
 #include "study/permutation.hpp"
 
 namespace earthtop {
@@ -40,8 +41,8 @@ SobolPlace sobol_place(const Study& study, std::uint64_t number) {
 Design::Design(const Study& study) : study_(study) {
   if (study.design.kind != DesignKind::sobol) return;
   const std::size_t dimensions = study.axes.size() * (study.design.indices ? 2 : 1);
-  sobol_.reset(gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(dimensions)));
-  if (!sobol_) throw std::bad_alloc();
+  const ReturnedGslErrors returned;
+  sobol_.reset(allocated(gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(dimensions))));
   sobol_vector_.resize(dimensions);
 }
 

@@ -11,10 +11,12 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "results/file_set.hpp"
+#include "results/seal.hpp"
 #include "study/figure.hpp"
 #include "study/gathering.hpp"
 #include "study/json_text.hpp"
 #include "study/store.hpp"
+#include "text/checksum.hpp"
 #include "text/json.hpp"
 #include "text/utf8.hpp"
 
@@ -163,9 +165,7 @@ Json document_of(Store& store, const Watch& watch) {
   return document;
 }
 
-std::string text_of(const Json& document) { return json_with_escapes(written_replacing(document, 1)) + '\n'; }
-
-void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch = {}) {
+void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch) {
   const Study& study = store.study();
   std::string text = "point";
   for (const StudyAxis& axis : study.axes) text.append(1, ',').append(axis.name);
@@ -185,27 +185,61 @@ void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch = {
   sink(text);
 }
 
+/// The results of a study as the contents of its files.
+struct Files {
+  std::optional<std::string> picture;
+  std::string document;  ///< with the checksums of the others
+};
+/// @param table_sink  receives the table
+Files files_of(Store& store, const FileSet::Sink& table_sink, const Watch& watch) {
+  Checksum table;
+  write_table(
+      store,
+      [&](std::string_view piece) {
+        table.add(piece);
+        table_sink(piece);
+      },
+      watch);
+  FileChecksums checksums = {{"study.csv", checksum_text(table.value())}};
+  const Json document = document_of(store, watch);
+  Files files;
+  if (const auto figure = study_figure(store.study(), document)) {
+    files.picture = svg(*figure);
+    checksums.emplace_back("study.svg", checksum_text(checksum_of(*files.picture)));
+  }
+  files.document = sealed(json_with_escapes(written_replacing(document, 1)) + '\n', checksums);
+  return files;
+}
+
 }  // namespace
 }  // namespace study
 
+StudyStoreCheck check_study_store(const std::filesystem::path& file) {
+  const study::StoreCheck check = study::Store::open(file, study::sqlite::Connection::Mode::read).check();
+  return {check.is_damaged() ? check.text() : "", check.has_checksums};
+}
+
 std::string study_json(const std::filesystem::path& file, const Watch& watch) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
-  return study::text_of(study::document_of(store, watch));
+  store.check();  // so that the quantiles, too, pass over damaged points
+  return study::files_of(
+             store, [](std::string_view) {}, watch)
+      .document;
 }
 
 void study_csv(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
-  study::write_table(store, sink);
+  study::write_table(store, sink, {});
 }
 
 void write_study_results(const std::filesystem::path& file, const Watch& watch) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   static constexpr std::array<std::string_view, 3> kNames = {"study.csv", "study.svg", "study.json"};
   FileSet files(file.parent_path(), kNames, watch);
-  files.add("study.csv", [&](const FileSet::Sink& sink) { study::write_table(store, sink, watch); });
-  const auto document = study::document_of(store, watch);
-  if (const auto figure = study::study_figure(store.study(), document)) files.add("study.svg", svg(*figure));
-  files.add("study.json", study::text_of(document));
+  study::Files contents;
+  files.add("study.csv", [&](const FileSet::Sink& sink) { contents = study::files_of(store, sink, watch); });
+  if (contents.picture) files.add("study.svg", *contents.picture);
+  files.add("study.json", contents.document);
   files.commit();
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "earthtop/run.hpp"
+#include "results/file_set.hpp"
 #include "study/process_workforce.hpp"
 #include "study/store.hpp"
 #include "study/store_lock.hpp"
@@ -30,7 +31,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 void make_directory(const fs::path& dir) {
   std::error_code error;
   fs::create_directories(dir, error);
-  if (error) throw WriteError(dir.string(), error.message());
+  if (error) fail_to_write(dir, error.value());
 }
 
 void remove_store(const fs::path& file) {
@@ -90,6 +91,60 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
            "throw them away and start anew");
   remove_store(file);
   return Store::create(file, study, options.shard);
+}
+
+/// Copies the intact points with numbers from `first` to `last` from a damaged store. Where a part of the file cannot be read,
+/// smaller and smaller spans are tried.
+void copy_intact(Store& damaged, Store& fresh, std::uint64_t first, std::uint64_t last) {
+  try {
+    std::vector<PointResult> found;  // all of them or none: an error may come in the middle
+    Store::Points points = damaged.points(first, last);
+    for (PointResult point; points.next(point);) found.push_back(point);
+    for (const PointResult& point : found) fresh.insert(point);
+  } catch (const ReadError&) {
+    if (first == last) return;
+    const std::uint64_t middle = first + (last - first) / 2;
+    copy_intact(damaged, fresh, first, middle);
+    copy_intact(damaged, fresh, middle + 1, last);
+  }
+}
+
+/// Replaces a damaged store by a new one with its intact points.
+void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
+  const fs::path next = file.string() + ".repaired";
+  remove_store(next);
+  {
+    Store fresh = Store::create(next, study, shard);
+    fresh.begin();
+    try {
+      Store damaged = Store::open_damaged(file, study);
+      constexpr std::uint64_t kSpan = 4096;
+      const std::uint64_t count = point_count(study).value_or(0);
+      for (std::uint64_t first = 0; first < count; first += kSpan)
+        copy_intact(damaged, fresh, first, std::min(count, first + kSpan) - 1);
+    } catch (const FileError&) {  // it is no database any more: nothing can be kept
+    }
+    fresh.commit();
+    fresh.finish();
+  }
+  remove_store(file);
+  std::error_code error;
+  fs::rename(next, file, error);
+  if (error) fail_to_write(file, error.value());
+}
+
+/// What is wrong with the store of a study; empty where nothing is, or where there is no store of this study.
+std::string damage_of(const fs::path& file, const Study& study) {
+  std::error_code error;
+  if (!fs::exists(file, error) || is_blank(file)) return "";
+  try {
+    Store store = Store::open(file, sqlite::Connection::Mode::read);
+    if (store.sha256() != study_sha256(study)) return "";
+    const StoreCheck check = store.check();
+    return check.is_damaged() ? check.text() : "";
+  } catch (const ScenarioError& what) {
+    return what.diagnostics().front().message;
+  }
 }
 
 /// Hands out the points that the store lacks, in ascending order.
@@ -208,11 +263,19 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   require_room(options.dir, expected.disk_bytes / static_cast<double>(options.shard.n));
   StudyRunReport report;
   report.store = study_store(options.dir, options.shard);
+  std::optional<StoreLock> lock;
+  if (options.repair) {
+    make_directory(options.dir);
+    lock.emplace(report.store);
+    report.damage = damage_of(report.store, study);
+    if (!report.damage.empty()) repair(report.store, study, options.shard);
+  }
   if (!options.keep_going)
     if (const auto refusal = sample_points(study).common; refusal && !is_under_way(report.store, study)) throw *refusal;
   make_directory(options.dir);
-  const StoreLock lock(report.store);
+  if (!lock) lock.emplace(report.store);
   Store store = open_or_create(report.store, study, options, report.replaced);
+  report.has_checksums = store.check_intact().has_checksums;
   if (options.retry_failed) store.remove_failed();
   const bool spread_out = options.processes && options.processes->workers() > 0;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -236,15 +299,19 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
     if (fs::equivalent(part, target, error)) refuse(part, "is the merged store itself; choose another --out");
   }
   std::optional<Store> first = Store::open(stores.front(), sqlite::Connection::Mode::read);
-  for (const fs::path& part : stores)
-    if (Store::open(part, sqlite::Connection::Mode::read).sha256() != first->sha256())
+  for (const fs::path& part : stores) {
+    Store store = Store::open(part, sqlite::Connection::Mode::read);
+    if (store.sha256() != first->sha256())
       refuse(part, fmt::format("holds points of another study than {}", stores.front().string()));
+    store.check_intact();
+  }
   make_directory(dir);
   const StoreLock lock(target);
   StudyRunOptions options;
   options.force = force;
   bool replaced = false;
   Store merged = open_or_create(target, first->study(), options, replaced);
+  merged.check_intact();
   for (const fs::path& part : stores) {
     Store store = Store::open(part, sqlite::Connection::Mode::read);
     merged.begin();

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <new>
 #include <sstream>
 #include <string>
 
@@ -55,8 +56,10 @@ std::string holder_of(const std::string& file) {
 }  // namespace
 
 void Connection::fail() const {
-  std::string reason = database_ ? sqlite3_errmsg(database_.get()) : "out of memory";
-  const int code = database_ ? sqlite3_errcode(database_.get()) & 0xff : SQLITE_NOMEM;
+  const int extended = database_ ? sqlite3_extended_errcode(database_.get()) : SQLITE_NOMEM;
+  const int code = extended & 0xff;
+  if (code == SQLITE_NOMEM || extended == SQLITE_IOERR_NOMEM) throw std::bad_alloc();
+  std::string reason = sqlite3_errmsg(database_.get());
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
     if (!patient_) refuse_in_use(file_, holder_of(file_));
     reason = "is in use by " + holder_of(file_);
@@ -110,6 +113,8 @@ void Statement::execute() {
 
 std::string Statement::text(int column) const {
   const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(get(), column));
+  // Of a value that is there, no text means that there was no memory for it.
+  if (!bytes && sqlite3_errcode(sqlite3_db_handle(get())) == SQLITE_NOMEM) throw std::bad_alloc();
   return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(get(), column))) : std::string();
 }
 

@@ -8,11 +8,13 @@
 #include <new>
 
 #include "earthtop/real.hpp"
+#include "error/gsl_errors.hpp"
 
 namespace earthtop::study {
 
-LineFit::LineFit() : workspace_(gsl_multilarge_linear_alloc(gsl_multilarge_linear_tsqr, 2)) {
-  if (!workspace_) throw std::bad_alloc();
+LineFit::LineFit() {
+  const ReturnedGslErrors returned;
+  workspace_.reset(allocated(gsl_multilarge_linear_alloc(gsl_multilarge_linear_tsqr, 2)));
   block_.reserve(kBlock);
 }
 
@@ -26,6 +28,7 @@ void LineFit::include(double x, double y) {
 
 void LineFit::flush() {
   if (block_.empty()) return;
+  const ReturnedGslErrors returned;
   // The decomposition needs at least as many rows as columns; a row of zeros changes no sum of squares.
   const std::size_t rows = std::max<std::size_t>(block_.size(), 2);
   struct FreeMatrix {
@@ -34,15 +37,14 @@ void LineFit::flush() {
   struct FreeVector {
     void operator()(gsl_vector* v) const { gsl_vector_free(v); }
   };
-  const std::unique_ptr<gsl_matrix, FreeMatrix> X(gsl_matrix_calloc(rows, 2));
-  const std::unique_ptr<gsl_vector, FreeVector> y(gsl_vector_calloc(rows));
-  if (!X || !y) throw std::bad_alloc();
+  const std::unique_ptr<gsl_matrix, FreeMatrix> X(allocated(gsl_matrix_calloc(rows, 2)));
+  const std::unique_ptr<gsl_vector, FreeVector> y(allocated(gsl_vector_calloc(rows)));
   for (std::size_t i = 0; i < block_.size(); ++i) {
     gsl_matrix_set(X.get(), i, 0, 1);
     gsl_matrix_set(X.get(), i, 1, block_[i][0]);
     gsl_vector_set(y.get(), i, block_[i][1]);
   }
-  gsl_multilarge_linear_accumulate(X.get(), y.get(), workspace_.get());
+  if (gsl_multilarge_linear_accumulate(X.get(), y.get(), workspace_.get()) == GSL_ENOMEM) throw std::bad_alloc();
   block_.clear();
 }
 
@@ -50,9 +52,10 @@ std::optional<Line> LineFit::line() {
   flush();
   if (points_ < 2 || !(x_most_ > x_least_)) return std::nullopt;
   std::array<double, 2> solution{};
+  const ReturnedGslErrors returned;
   gsl_vector_view c = gsl_vector_view_array(solution.data(), solution.size());
   double residual = 0, norm = 0;
-  gsl_multilarge_linear_solve(0, &c.vector, &residual, &norm, workspace_.get());
+  if (gsl_multilarge_linear_solve(0, &c.vector, &residual, &norm, workspace_.get()) == GSL_ENOMEM) throw std::bad_alloc();
   Line line{points_, solution[0], solution[1], {}, {}, {}};
   if (points_ == 2) return line;
   // The covariance is s^2 (R^T R)^-1, where R is the triangular factor.

@@ -3,14 +3,18 @@
 
 #include <fmt/core.h>
 
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "earthtop/results/provenance.hpp"
+#include "text/checksum.hpp"
 
 namespace earthtop::study {
 namespace {
 
+constexpr const char* kRepairStore = "; the same study with --repair keeps the intact points and computes the others again";
 constexpr const char* kFormat = "earthtop-study-store-1";
 
 [[noreturn]] void refuse_store(const std::filesystem::path& file, std::string message) {
@@ -30,6 +34,51 @@ std::uint64_t whole_number(const std::string& text) {
   return number;
 }
 
+using Facts = std::map<std::string, std::string>;
+
+constexpr const char* kFactsChecksum = "facts_checksum";  // the checksum of all facts but itself and the next
+constexpr const char* kContents = "contents";
+
+std::string facts_checksum(const Facts& facts) {
+  Checksum checksum;
+  for (const auto& [key, value] : facts) {
+    if (key == kFactsChecksum || key == kContents) continue;
+    checksum.add(fmt::format("{}:{}:", key.size(), value.size()));
+    checksum.add(key);
+    checksum.add(value);
+  }
+  return checksum_text(checksum.value());
+}
+
+Facts facts_of(sqlite::Connection& connection) {
+  Facts facts;
+  sqlite::Statement statement(connection, "SELECT key, value FROM study");
+  while (statement.step()) facts[statement.text(0)] = statement.text(1);
+  return facts;
+}
+
+/// The name of the column of checksums.
+constexpr const char* kRowChecksum = "row_checksum";
+
+bool has_column_of_checksums(sqlite::Connection& connection) {
+  sqlite::Statement statement(connection,
+                              fmt::format("SELECT count(*) FROM pragma_table_info('point') WHERE name = '{}'", kRowChecksum));
+  return statement.step() && statement.integer(0) > 0;
+}
+
+void append(std::string& bytes, std::uint64_t number) {
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift);
+}
+void append(std::string& bytes, std::string_view text) {
+  append(bytes, text.size());
+  bytes += text;
+}
+void append(std::string& bytes, const Value& value) {
+  bytes += static_cast<char>(value.index());
+  if (const auto* number = std::get_if<double>(&value)) append(bytes, std::bit_cast<std::uint64_t>(*number));
+  if (const auto* word = std::get_if<std::string>(&value)) append(bytes, std::string_view(*word));
+}
+
 /// Makes SQLite write changes to a log first: readers see whole transactions only, and a kill loses no committed one.
 void set_up(sqlite::Connection& connection) {
   connection.execute("PRAGMA journal_mode = WAL");
@@ -38,19 +87,47 @@ void set_up(sqlite::Connection& connection) {
 
 }  // namespace
 
+std::string StoreCheck::text() const {
+  const std::uint64_t wrong = damaged.size() + lost;
+  std::string numbers;
+  constexpr std::size_t kNamed = 8;
+  for (std::size_t i = 0; i < std::min(damaged.size(), kNamed); ++i)
+    numbers += fmt::format("{}{}", i > 0 ? ", " : "", damaged[i]);
+  if (damaged.size() > kNamed) numbers += ", ...";
+  std::string text = "is damaged";
+  if (!damaged.empty())
+    text += fmt::format(": of {} points {} ({}) are not what was stored", intact + wrong, damaged.size(), numbers);
+  if (lost > 0) text += fmt::format("{} {} points are missing", damaged.empty() ? ":" : ", and", lost);
+  if (!fault.empty()) text += (wrong > 0 ? "; " : ": ") + fault;
+  return text + kRepairStore;
+}
+
 Store::Store(std::unique_ptr<sqlite::Connection> connection, Study study, std::string sha256, StudyShard shard)
     : connection_(std::move(connection)), study_(std::move(study)), sha256_(std::move(sha256)), shard_(shard) {}
+
+/// The checksum of a point as it is stored. The study's identity is part of it: a row of another study does not pass for one of
+/// this.
+std::uint64_t Store::checksum_of_row(const PointResult& point) const {
+  std::string bytes = sha256_;
+  append(bytes, point.number);
+  for (const std::string* text : {&point.status, &point.reason, &point.scenario_sha256}) append(bytes, std::string_view(*text));
+  for (const Value& value : point.axis_values) append(bytes, value);
+  for (const Value& value : point.values) append(bytes, value);
+  return checksum_of(bytes);
+}
 
 std::string Store::columns() const {
   std::string list = "number, status, reason, scenario_sha256";
   for (const StudyAxis& axis : study_.axes) list += ", " + sqlite::quoted(axis.name);
   for (const StudyQuantity& quantity : study_.quantities) list += ", " + sqlite::quoted(quantity.name);
-  return list;
+  return has_checksums_ ? list + ", " + kRowChecksum : list;
 }
 
 Store Store::create(const std::filesystem::path& file, const Study& study, const StudyShard& shard) {
   Store store(std::make_unique<sqlite::Connection>(file.string(), sqlite::Connection::Mode::write), study, study_sha256(study),
               shard);
+  store.file_ = file;
+  store.contents_ = Contents();
   sqlite::Connection& connection = *store.connection_;
   set_up(connection);
   connection.wait_for_locks();
@@ -59,20 +136,21 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
   std::string table = "CREATE TABLE point (number INTEGER PRIMARY KEY, status TEXT NOT NULL, reason TEXT, scenario_sha256 TEXT";
   for (const StudyAxis& axis : study.axes) table += ", " + sqlite::quoted(axis.name);
   for (const StudyQuantity& quantity : study.quantities) table += ", " + sqlite::quoted(quantity.name);
-  connection.execute((table + ")").c_str());
+  connection.execute(fmt::format("{}, {} INTEGER)", table, kRowChecksum).c_str());
   const BuildInfo& build = build_info();
-  const std::pair<const char*, std::string> facts[] = {{"format", kFormat},
-                                                       {"name", study.name},
-                                                       {"study", study.text},
-                                                       {"base", study.base.text},
-                                                       {"base_file", study.base.file},
-                                                       {"sha256", store.sha256_},
-                                                       {"shard_k", fmt::format("{}", shard.k)},
-                                                       {"shard_n", fmt::format("{}", shard.n)},
-                                                       {"version", build.version},
-                                                       {"commit", build.commit},
-                                                       {"compiler", build.compiler},
-                                                       {"flags", build.flags}};
+  Facts facts = {{"format", kFormat},
+                 {"name", study.name},
+                 {"study", study.text},
+                 {"base", study.base.text},
+                 {"base_file", study.base.file},
+                 {"sha256", store.sha256_},
+                 {"shard_k", fmt::format("{}", shard.k)},
+                 {"shard_n", fmt::format("{}", shard.n)},
+                 {"version", build.version},
+                 {"commit", build.commit},
+                 {"compiler", build.compiler},
+                 {"flags", build.flags}};
+  facts[kFactsChecksum] = facts_checksum(facts);
   for (const auto& [key, value] : facts) put(connection, key, value);
   store.commit();
   return store;
@@ -82,21 +160,117 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) refuse_store(file, "there is no such store");
   auto connection = std::make_unique<sqlite::Connection>(file.string(), mode);
-  std::map<std::string, std::string> facts;
+  Facts facts;
+  bool has_checksums = true;
   try {
-    sqlite::Statement statement(*connection, "SELECT key, value FROM study");
-    while (statement.step()) facts[statement.text(0)] = statement.text(1);
+    facts = facts_of(*connection);
+    has_checksums = has_column_of_checksums(*connection);
   } catch (const FileError& what) {
-    refuse_store(file, fmt::format("is no study's store ({})", what.reason()));
+    refuse_store(file, fmt::format("is no study's store, or a damaged one ({}){}", what.reason(), kRepairStore));
   }
+  const bool is_damaged =
+      has_checksums != facts.contains(kFactsChecksum) || (has_checksums && facts.at(kFactsChecksum) != facts_checksum(facts));
+  if (is_damaged)
+    refuse_store(file, fmt::format("is damaged: what it says of its study is not what was stored{}", kRepairStore));
   if (facts["format"] != kFormat) refuse_store(file, "is no study's store of this version");
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
   const ScenarioSource base{facts["base_file"], facts["base"]};
   Study study = parse_study({facts["name"] + ".json", facts["study"]}, base);
   study.name = facts["name"];
-  return Store(std::move(connection), std::move(study), facts["sha256"],
-               StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
+  Store store(std::move(connection), std::move(study), facts["sha256"],
+              StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
+  store.has_checksums_ = has_checksums;
+  store.file_ = file;
+  return store;
+}
+
+Store Store::open_damaged(const std::filesystem::path& file, const Study& study) {
+  Store store(std::make_unique<sqlite::Connection>(file.string(), sqlite::Connection::Mode::read), study, study_sha256(study),
+              {});
+  store.connection_->wait_for_locks();
+  store.file_ = file;
+  return store;
+}
+
+std::optional<Store::Contents> Store::stored_contents() {
+  const Facts facts = facts_of(*connection_);
+  const auto found = facts.find(kContents);
+  Contents contents;
+  unsigned long long count = 0, sum = 0;
+  if (found == facts.end() || std::sscanf(found->second.c_str(), "%llu %llx", &count, &sum) != 2) return std::nullopt;
+  contents.count = count;
+  contents.sum = sum;
+  if (found->second != contents_text(contents)) return std::nullopt;
+  return contents;
+}
+
+std::string Store::contents_text(const Contents& contents) const {
+  const std::string numbers = fmt::format("{} {:016x}", contents.count, contents.sum);
+  return fmt::format("{} {}", numbers, checksum_text(checksum_of(sha256_ + numbers)));
+}
+
+std::string Store::fault_of_file() {
+  std::error_code error;
+  if (std::filesystem::exists(file_.string() + "-wal", error)) return "";  // the file is not all of the store
+  sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
+  const std::uintmax_t size = std::filesystem::file_size(file_, error);
+  if (!pages.step() || error || size == static_cast<std::uintmax_t>(pages.integer(0))) return "";
+  return fmt::format("the file has {} bytes where its pages have {}", size, pages.integer(0));
+}
+
+StoreCheck Store::check() {
+  StoreCheck check;
+  check.has_checksums = has_checksums_;
+  if (!has_checksums_) {
+    check.intact = count();
+    return check;
+  }
+  Contents seen;
+  try {
+    connection_->execute("BEGIN");  // what is read belongs together, though another process may be storing points
+    Points all = points();
+    PointResult point;
+    while (all.statement_.step())
+      if (all.read(point)) {
+        seen.include(checksum_of_row(point));
+      } else {
+        check.damaged.push_back(point.number);
+      }
+    check.intact = seen.count;
+    check.fault = fault_of_file();
+    const std::optional<Contents> stored = stored_contents();
+    const std::uint64_t there = seen.count + check.damaged.size();
+    if (!stored)
+      check.fault = "its record of the points that were stored is not what it was";
+    else if (stored->count > there)
+      check.lost = stored->count - there;
+    else if (check.damaged.empty() && *stored != seen)
+      check.fault = "its points are not those that were stored";
+    connection_->execute("COMMIT");
+  } catch (const FileError& error) {
+    check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
+    sqlite3_exec(connection_->get(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  pass_over(check.damaged);
+  return check;
+}
+
+StoreCheck Store::check_intact() {
+  StoreCheck found = check();
+  if (found.is_damaged()) refuse_store(file_, found.text());
+  return found;
+}
+
+void Store::pass_over(const std::vector<std::uint64_t>& numbers) {
+  if (numbers.empty()) return;
+  connection_->execute("CREATE TEMP TABLE damaged (number INTEGER PRIMARY KEY)");
+  sqlite::Statement insert(*connection_, "INSERT OR IGNORE INTO damaged VALUES (?)");
+  for (const std::uint64_t number : numbers) {
+    insert.bind(1, static_cast<std::int64_t>(number));
+    insert.execute();
+  }
+  passes_over_ = true;
 }
 
 void Store::adopt(const Study& study) {
@@ -105,6 +279,7 @@ void Store::adopt(const Study& study) {
   put(*connection_, "study", study.text);
   put(*connection_, "base", study.base.text);
   put(*connection_, "base_file", study.base.file);
+  if (has_checksums_) put(*connection_, kFactsChecksum, facts_checksum(facts_of(*connection_)));
   commit();
   study_ = study;
 }
@@ -115,12 +290,36 @@ std::uint64_t Store::counted(const char* condition) {
   return static_cast<std::uint64_t>(statement.integer(0));
 }
 
+void Store::begin() {
+  connection_->execute("BEGIN IMMEDIATE");
+  if (has_checksums_ && !contents_) contents_ = stored_contents().value_or(Contents());
+}
+
+void Store::commit() {
+  if (contents_) put(*connection_, kContents, contents_text(*contents_));
+  connection_->execute("COMMIT");
+}
+
+void Store::remove_failed() {
+  constexpr const char* kFailed = "FROM point WHERE status <> 'completed'";
+  begin();
+  exclude(fmt::format("SELECT {} {}", kRowChecksum, kFailed));
+  connection_->execute(fmt::format("DELETE {}", kFailed).c_str());
+  commit();
+}
+
+void Store::exclude(const std::string& query) {
+  if (!contents_) return;
+  sqlite::Statement statement(*connection_, query);
+  while (statement.step()) contents_->exclude(static_cast<std::uint64_t>(statement.integer(0)));
+}
+
 void Store::insert(const PointResult& point) {
   if (!insert_) {
-    std::string places = "?, ?, ?, ?";
+    std::string places = has_checksums_ ? "?, ?, ?, ?, ?" : "?, ?, ?, ?";
     for (std::size_t i = 0; i < study_.axes.size() + study_.quantities.size(); ++i) places += ", ?";
     insert_ = std::make_unique<sqlite::Statement>(
-        *connection_, fmt::format("INSERT OR REPLACE INTO point ({}) VALUES ({})", columns(), places));
+        *connection_, fmt::format("INSERT OR IGNORE INTO point ({}) VALUES ({})", columns(), places));
   }
   int at = 0;
   insert_->bind(++at, static_cast<std::int64_t>(point.number));
@@ -129,7 +328,15 @@ void Store::insert(const PointResult& point) {
   insert_->bind(++at, point.scenario_sha256.empty() ? Value() : Value(point.scenario_sha256));
   for (const Value& value : point.axis_values) insert_->bind(++at, value);
   for (const Value& value : point.values) insert_->bind(++at, value);
+  const std::uint64_t checksum = has_checksums_ ? checksum_of_row(point) : 0;
+  if (has_checksums_) insert_->bind(++at, static_cast<std::int64_t>(checksum));
   insert_->execute();
+  if (sqlite3_changes(connection_->get()) == 0) {  // the point is there already
+    exclude(fmt::format("SELECT {} FROM point WHERE number = {}", kRowChecksum, point.number));
+    connection_->execute(fmt::format("DELETE FROM point WHERE number = {}", point.number).c_str());
+    insert_->execute();
+  }
+  if (contents_) contents_->include(checksum);
 }
 
 void Store::finish() {
@@ -148,22 +355,30 @@ std::vector<std::uint64_t> Store::numbers(std::uint64_t first, std::uint64_t end
   return list;
 }
 
-Store::Points Store::points() {
-  return {sqlite::Statement(*connection_, fmt::format("SELECT {} FROM point ORDER BY number", columns())), study_};
+Store::Points Store::points(std::uint64_t first, std::optional<std::uint64_t> last) {
+  const std::string until = last ? fmt::format(" AND number <= {}", *last) : "";
+  return {sqlite::Statement(*connection_,
+                            fmt::format("SELECT {} FROM point WHERE number >= {}{} ORDER BY number", columns(), first, until)),
+          *this};
 }
 
-bool Store::Points::next(PointResult& point) {
-  if (!statement_.step()) return false;
+bool Store::Points::read(PointResult& point) const {
   int at = 0;
   point.number = static_cast<std::uint64_t>(statement_.integer(at++));
   point.status = statement_.text(at++);
   point.reason = statement_.text(at++);
   point.scenario_sha256 = statement_.text(at++);
-  point.axis_values.resize(study_.axes.size());
+  point.axis_values.resize(store_.study_.axes.size());
   for (Value& value : point.axis_values) value = statement_.value(at++);
-  point.values.resize(study_.quantities.size());
+  point.values.resize(store_.study_.quantities.size());
   for (Value& value : point.values) value = statement_.value(at++);
-  return true;
+  return !store_.has_checksums_ || static_cast<std::uint64_t>(statement_.integer(at)) == store_.checksum_of_row(point);
+}
+
+bool Store::Points::next(PointResult& point) {
+  while (statement_.step())
+    if (read(point)) return true;
+  return false;
 }
 
 void Store::for_each(const std::function<void(const PointResult&)>& visit) {
@@ -176,9 +391,9 @@ std::optional<double> Store::quantile(const std::string& quantity, double share,
   if (count == 0) return std::nullopt;
   const std::string column = sqlite::quoted(quantity);
   sqlite::Statement statement(
-      *connection_, fmt::format("SELECT {0} FROM point WHERE status = 'completed' AND typeof({0}) IN ('real', 'integer') "
+      *connection_, fmt::format("SELECT {0} FROM point WHERE status = 'completed' AND typeof({0}) IN ('real', 'integer'){1} "
                                 "ORDER BY {0} LIMIT 1 OFFSET ?",
-                                column));
+                                column, passes_over_ ? " AND number NOT IN damaged" : ""));
   statement.bind(1, std::int64_t{std::llround(share * static_cast<double>(count - 1))});
   if (!statement.step()) return std::nullopt;
   return std::get<double>(statement.value(0));

@@ -18,12 +18,28 @@
 
 namespace earthtop::study {
 
+/// What a check of a store found.
+struct StoreCheck {
+  bool has_checksums = true;           ///< false: a store from before there were checksums, of which nothing is known
+  std::vector<std::uint64_t> damaged;  ///< numbers of the points whose row is not what was stored
+  std::uint64_t intact = 0;            ///< number of the other points
+  std::uint64_t lost = 0;              ///< number of points that were stored and are not there
+  std::string fault;                   ///< what is wrong with the file as a whole; empty where nothing is
+  bool is_damaged() const { return !damaged.empty() || lost > 0 || !fault.empty(); }
+  /// In words, with the remedy: "2 of 100 points are damaged (5, 17) ...".
+  std::string text() const;
+};
+
 class Store {
  public:
   /// Creates an empty store. @throws WriteError
   static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard);
   /// Opens an existing store. @throws ScenarioError if the file is no store of this format; ReadError, WriteError
   static Store open(const std::filesystem::path& file, sqlite::Connection::Mode mode);
+
+  /// Opens what is left of a damaged store, to read its intact points: those whose checksum fits this study's.
+  /// @throws ReadError if it is no longer a database
+  static Store open_damaged(const std::filesystem::path& file, const Study& study);
 
   /// The study as it was when the store was made, with what `adopt` changed.
   const Study& study() const { return study_; }
@@ -37,18 +53,23 @@ class Store {
   std::uint64_t ended_count() { return counted(" WHERE status IN ('completed', 'accuracy_not_reached')"); }
   std::uint64_t failed_count() { return counted(" WHERE status <> 'completed'"); }
 
-  void begin() { connection_->execute("BEGIN IMMEDIATE"); }
+  /// Reads every point and holds it against its checksum, and their number against what was stored.
+  StoreCheck check();
+  /// The same. @throws ScenarioError, which names the damage, if there is any
+  StoreCheck check_intact();
+
+  void begin();
   void insert(const PointResult& point);
-  void commit() { connection_->execute("COMMIT"); }
+  void commit();
   /// Deletes the points that failed.
-  void remove_failed() { connection_->execute("DELETE FROM point WHERE status <> 'completed'"); }
+  void remove_failed();
   /// Moves SQLite's log into the file, so that the store is one file; does nothing while someone else reads it.
   void finish();
 
   /// The numbers of stored points in first <= number < end, ascending.
   std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t end);
 
-  /// All points in ascending order, one at a time.
+  /// All points in ascending order, one at a time; those whose row is damaged are passed over.
   class Points {
    public:
     /// @returns false at the end
@@ -56,11 +77,13 @@ class Store {
 
    private:
     friend class Store;
-    Points(sqlite::Statement statement, const Study& study) : statement_(std::move(statement)), study_(study) {}
+    Points(sqlite::Statement statement, const Store& store) : statement_(std::move(statement)), store_(store) {}
+    /// Reads the row that the statement is at. @returns whether it is what was stored
+    bool read(PointResult& point) const;
     sqlite::Statement statement_;
-    const Study& study_;
+    const Store& store_;
   };
-  Points points();
+  Points points(std::uint64_t first = 0, std::optional<std::uint64_t> last = std::nullopt);
   void for_each(const std::function<void(const PointResult&)>& visit);
 
   /// The quantile of a quantity over the completed points that have a number for it: the value at position share * (count - 1),
@@ -69,14 +92,33 @@ class Store {
   std::optional<double> quantile(const std::string& quantity, double share, std::uint64_t count);
 
  private:
+  /// How many points there are, and the sum of their checksums modulo 2^64: kept with every commit, so that lost points are
+  /// noticed.
+  struct Contents {
+    std::uint64_t count = 0, sum = 0;
+    void include(std::uint64_t checksum) { ++count, sum += checksum; }
+    void exclude(std::uint64_t checksum) { --count, sum -= checksum; }
+    bool operator==(const Contents&) const = default;
+  };
+
   Store(std::unique_ptr<sqlite::Connection> connection, Study study, std::string sha256, StudyShard shard);
   std::uint64_t counted(const char* condition);
   std::string columns() const;
+  std::uint64_t checksum_of_row(const PointResult& point) const;
+  std::optional<Contents> stored_contents();  ///< none if the record is damaged
+  std::string contents_text(const Contents& contents) const;
+  std::string fault_of_file();
+  void pass_over(const std::vector<std::uint64_t>& numbers);
+  /// Takes the points whose checksums a query gives out of the contents.
+  void exclude(const std::string& query);
 
   std::unique_ptr<sqlite::Connection> connection_;
   Study study_;
   std::string sha256_;
   StudyShard shard_;
+  bool has_checksums_ = true, passes_over_ = false;
+  std::filesystem::path file_;
+  std::optional<Contents> contents_;  ///< of a store that is written to
   std::unique_ptr<sqlite::Statement> insert_;
 };
 

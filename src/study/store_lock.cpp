@@ -63,34 +63,39 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
   // Wait a moment: a process that is being killed needs time to disappear, and one that has just started has not yet written
   // its name.
   constexpr auto kMoment = std::chrono::milliseconds(200), kPatienceWithTheDead = std::chrono::milliseconds(2000);
+  const std::string who = this_process();
   for (const auto start = std::chrono::steady_clock::now();;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
     if (descriptor_ < 0) throw WriteError(file_.string(), fmt::format("cannot be opened ({})", std::strerror(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
-      const std::string who = holder(descriptor_);
+      const std::string other = holder(descriptor_);
       ::close(descriptor_);
       if (error == EINTR) continue;
       // Some network file systems have no locks.
       if (error != EWOULDBLOCK) throw WriteError(file_.string(), fmt::format("cannot be locked ({})", std::strerror(error)));
       const auto waited = std::chrono::steady_clock::now() - start;
-      if (waited > (has_ended(who) ? kPatienceWithTheDead : kMoment)) refuse_in_use(store, who);
+      if (waited > (has_ended(other) ? kPatienceWithTheDead : kMoment)) refuse_in_use(store, other);
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       continue;
     }
     // A holder that ended meanwhile may have deleted the file; the lock just taken would then be on a file that nobody else
     // sees.
     struct stat ours = {}, named = {};
-    if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &named) == 0 && ours.st_ino == named.st_ino) break;
+    const bool has_name = ::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &named) == 0;
+    const int error = errno;
+    if (has_name && ours.st_ino == named.st_ino) break;
     ::close(descriptor_);
+    if (!has_name && error != ENOENT) throw WriteError(file_.string(), std::strerror(error));
   }
-  const std::string who = this_process();
   if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0 ||
       (::fsync(descriptor_) != 0 && errno != EINVAL)) {  // so that other machines of a network file system can read it
     const int error = errno;
+    ::unlink(file_.c_str());
     ::close(descriptor_);
     throw WriteError(file_.string(), std::strerror(error));
   }
+  held_.emplace(file_.c_str());
 }
 
 StoreLock::~StoreLock() {

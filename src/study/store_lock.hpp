@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "results/file_set.hpp"
 
 namespace earthtop::study {
 
@@ -23,6 +26,7 @@ class StoreLock {
  private:
   std::filesystem::path file_;
   int descriptor_;
+  std::optional<TemporaryName> held_;  // removes the file where the process ends at once
 };
 
 }  // namespace earthtop::study

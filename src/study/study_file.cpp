@@ -305,7 +305,7 @@ class Decoder {
   Study study_;
   bool drawn_ = false;
   std::set<std::string> pointers_;
-  std::set<std::string> columns_ = {"point", "status", "reason", "scenario_sha256"};
+  std::set<std::string> columns_ = {"point", "number", "status", "reason", "scenario_sha256", "row_checksum"};
 };
 
 }  // namespace

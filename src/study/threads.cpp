@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "earthtop/run.hpp"
@@ -12,10 +15,8 @@ namespace {
 
 class Threads : public Workforce {
  public:
-  Threads(const Study& study, unsigned jobs, const Watch& watch)
-      : study_(study), collector_(study), jobs_(jobs), watch_(watch) {
+  Threads(const Study& study, unsigned jobs, const Watch& watch) : study_(study), collector_(study), watch_(watch) {
     threads_.reserve(jobs);
-    for (unsigned i = 0; i < jobs; ++i) threads_.emplace_back([this] { work(); });
   }
   ~Threads() override {
     {
@@ -27,9 +28,17 @@ class Threads : public Workforce {
     for (std::thread& thread : threads_) thread.join();
   }
 
+  /// Starts the threads, or as many of them as the system grants. If it grants none, `collect` computes in the calling thread.
+  void start() {
+    try {
+      while (threads_.size() < threads_.capacity()) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+    }
+  }
+
   bool wants_work() override {
     const std::lock_guard lock(mutex_);
-    return waiting_.size() < jobs_;  // at most one chunk waiting per thread
+    return waiting_.size() < std::max<std::size_t>(1, threads_.size());  // at most one chunk waiting per thread
   }
   void give(Chunk chunk) override {
     {
@@ -50,35 +59,52 @@ class Threads : public Workforce {
     return points;
   }
   std::vector<PointResult> collect(std::chrono::milliseconds patience) override {
+    if (threads_.empty() && under_way() > 0) compute_next();
     std::unique_lock lock(mutex_);
     result_came_.wait_for(lock, patience, [&] { return came_; });
     came_ = false;
+    if (thrown_) std::rethrow_exception(thrown_);
     return std::exchange(results_, {});
   }
 
  private:
-  void work() {
-    for (;;) {
-      Chunk chunk;
-      Progress progress;
-      {
-        std::unique_lock lock(mutex_);
-        work_came_.wait(lock, [&] { return ends_ || !waiting_.empty(); });
-        if (ends_) return;
-        chunk = std::move(waiting_.front());
-        waiting_.pop_front();
-        busy_.push_back({&progress, chunk.size()});
+  /// What a thread does. An exception, for want of memory, ends it and waits for `collect`.
+  void work() noexcept {
+    try {
+      while (compute_next()) {
       }
-      std::vector<PointResult> results = compute(study_, collector_, chunk, watch_.with_progress(&progress));
+    } catch (...) {
       {
         const std::lock_guard lock(mutex_);
-        results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));
-        --under_way_;
-        std::erase_if(busy_, [&](const Busy& busy) { return busy.progress == &progress; });
+        thrown_ = std::current_exception();
         came_ = true;
       }
       result_came_.notify_one();
     }
+  }
+
+  /// Waits for a chunk and computes it. @returns false if there will be none
+  bool compute_next() {
+    Chunk chunk;
+    Progress progress;
+    {
+      std::unique_lock lock(mutex_);
+      work_came_.wait(lock, [&] { return ends_ || !waiting_.empty(); });
+      if (ends_) return false;
+      chunk = std::move(waiting_.front());
+      waiting_.pop_front();
+      busy_.push_back({&progress, chunk.size()});
+    }
+    const LeavesBusy leaves{*this, &progress};
+    std::vector<PointResult> results = compute(study_, collector_, chunk, watch_.with_progress(&progress));
+    {
+      const std::lock_guard lock(mutex_);
+      results_.insert(results_.end(), std::make_move_iterator(results.begin()), std::make_move_iterator(results.end()));
+      --under_way_;
+      came_ = true;
+    }
+    result_came_.notify_one();
+    return true;
   }
 
   /// A chunk that is being computed.
@@ -86,10 +112,18 @@ class Threads : public Workforce {
     const Progress* progress;
     std::size_t points;
   };
+  /// Takes the chunk with this progress off the list when it is done, or given up.
+  struct LeavesBusy {
+    Threads& threads;
+    const Progress* progress;
+    ~LeavesBusy() {
+      const std::lock_guard lock(threads.mutex_);
+      std::erase_if(threads.busy_, [&](const Busy& busy) { return busy.progress == progress; });
+    }
+  };
 
   const Study& study_;
   Collector collector_;
-  unsigned jobs_;
   Watch watch_;
   mutable std::mutex mutex_;
   std::condition_variable work_came_, result_came_;
@@ -97,6 +131,7 @@ class Threads : public Workforce {
   std::vector<PointResult> results_;
   std::vector<Busy> busy_;
   std::size_t under_way_ = 0;
+  std::exception_ptr thrown_;  // the last exception that ended a thread
   bool came_ = false, ends_ = false;
   std::vector<std::thread> threads_;
 };
@@ -104,7 +139,9 @@ class Threads : public Workforce {
 }  // namespace
 
 std::unique_ptr<Workforce> make_threads(const Study& study, unsigned jobs, const Watch& watch) {
-  return std::make_unique<Threads>(study, jobs, watch);
+  auto threads = std::make_unique<Threads>(study, jobs, watch);
+  threads->start();
+  return threads;
 }
 
 }  // namespace earthtop::study

@@ -181,8 +181,8 @@ PairReport compared_bitwise(const fs::path& before, const fs::path& now) {
 void expect_every_change_is_found(const RunResult& result, std::size_t at_least) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
-  write_results(result, before, false);
-  write_results(result, now, false);
+  testing::write_results_to_be_changed(result, before);
+  testing::write_results_to_be_changed(result, now);
   ASSERT_TRUE(compared_bitwise(before, now).passed());
   Json summary = parse_ordered_json(read_text(now / "summary.json"));
   std::set<std::string> changed, in_words;
@@ -227,8 +227,8 @@ std::map<std::string, std::size_t> expect_every_column_is_compared(const RunResu
                                                                    const std::vector<std::string>& files) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
-  write_results(result, before, false);
-  write_results(result, now, false);
+  testing::write_results_to_be_changed(result, before);
+  testing::write_results_to_be_changed(result, now);
   std::map<std::string, std::size_t> columns;
   for (const std::string& file : files) {
     const Csv original(before / file);
@@ -272,7 +272,7 @@ TEST(Columns, EachOfAContactIsCompared) {
 TEST(Columns, TheTipsDriftHasItsBound) {
   const TemporaryDirectory directory;
   const RunResult result = test::made_up_contact_run(11);
-  write_results(result, directory.path() / "before", false);
+  testing::write_results_to_be_changed(result, directory.path() / "before");
   const auto change_of = [&](double by_bounds) {
     RunResult moved = result;
     BasicContactRow<double>& contact = *moved.rows[5].contact;
@@ -291,7 +291,7 @@ TEST(Columns, TheTipsDriftHasItsBound) {
 TEST(Columns, AWordThatNoContactHasIsRefused) {
   const TemporaryDirectory directory;
   const fs::path before = directory.path() / "before", now = directory.path() / "now";
-  for (const fs::path& path : {before, now}) write_results(test::made_up_contact_run(11), path, false);
+  for (const fs::path& path : {before, now}) testing::write_results_to_be_changed(test::made_up_contact_run(11), path);
   Csv csv(now / "trajectory.csv");
   csv.rows[3][csv.column("contact_state")] = "hop";
   write_text(now / "trajectory.csv", csv.text());
@@ -307,8 +307,8 @@ TEST(Columns, AWordThatNoContactHasIsRefused) {
 TEST(Columns, OneSideAloneOnATableIsADifference) {
   const TemporaryDirectory directory;
   const fs::path table = directory.path() / "table", pivot = directory.path() / "pivot";
-  write_results(test::made_up_contact_run(11), table, false);
-  write_results(test::made_up_run(11), pivot, false);
+  testing::write_results_to_be_changed(test::made_up_contact_run(11), table);
+  testing::write_results_to_be_changed(test::made_up_run(11), pivot);
   EXPECT_FALSE(compared_bitwise(table, pivot).passed());
   EXPECT_FALSE(compared_bitwise(pivot, table).passed());
 }
@@ -317,7 +317,7 @@ TEST(Columns, OneSideAloneOnATableIsADifference) {
 TEST(Columns, ACompactReferenceKeepsTheContact) {
   const TemporaryDirectory directory;
   const fs::path results = directory.path() / "results", reference = directory.path() / "reference.json";
-  write_results(test::made_up_contact_run(11), results, false);
+  testing::write_results_to_be_changed(test::made_up_contact_run(11), results);
   write_text(reference, compare::compact_reference(compare::open_comparand(results, nullptr), Json::array(), "made up"));
   EXPECT_TRUE(compared_bitwise(reference, results).passed());
   Csv csv(results / "trajectory.csv");

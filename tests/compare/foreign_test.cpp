@@ -152,7 +152,7 @@ TEST(Mapping, SimbodyAgreesToItsOwnError) {
     const TemporaryDirectory dir;
     const Scenario scenario =
         parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/" + scene.name + ".json"));
-    write_results(run(scenario), dir.path() / "ours", false);
+    testing::write_results_to_be_changed(run(scenario), dir.path() / "ours");
     CompareOptions options;
     options.mapping = EARTHTOP_TESTS "/data/simbody/mapping.json";
     options.may_lack_rows = true;
@@ -175,7 +175,7 @@ TEST(Mapping, SimbodyAgreesToItsOwnError) {
 TEST(Mapping, PhysicsSeesTheEarth) {
   const TemporaryDirectory dir;
   const Scenario scenario = parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/toy-top.json"));
-  write_results(run(scenario), dir.path() / "ours", false);
+  testing::write_results_to_be_changed(run(scenario), dir.path() / "ours");
   Csv csv(dir.path() / "ours" / "trajectory.csv");
   for (std::size_t i = 0; i < csv.rows.size(); ++i)
     for (const char* column : {"q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z", "axis_L_x", "axis_L_y", "axis_L_z"})
@@ -223,7 +223,7 @@ fs::path slow_run(const TemporaryDirectory& dir, const std::string& name, const 
   const Scenario scenario =
       parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/asymmetric-top.json"),
                      {{"/motion/duration_s", "1"}, {"/motion/output_step_s", step}, {"/release/spin_rad_s", "10"}});
-  write_results(run(scenario), dir.path() / name, false);
+  testing::write_results_to_be_changed(run(scenario), dir.path() / name);
   return dir.path() / name;
 }
 

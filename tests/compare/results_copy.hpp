@@ -13,6 +13,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/results.hpp"
+#include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop::testing {
@@ -88,6 +89,19 @@ class ShortRun {
   TemporaryDirectory directory_;
 };
 
+/// Removes the checksums of results that are to be changed.
+inline void forget_checksums(const fs::path& directory) {
+  auto summary = parse_ordered_json(read_text(directory / "summary.json"));
+  summary.erase("files");
+  summary.erase("checksum");
+  write_text(directory / "summary.json", text_of(summary));
+}
+
+inline void write_results_to_be_changed(const RunResult& result, const fs::path& directory) {
+  write_results(result, directory, false);
+  forget_checksums(directory);
+}
+
 /// A copy of the short run's results, to be changed.
 class ChangedCopy {
  public:
@@ -96,7 +110,11 @@ class ChangedCopy {
     change(csv);
     write_text(path() / "trajectory.csv", csv.text());
   }
-  ChangedCopy() { fs::copy(ShortRun::get().path(), path()); }
+  /// Without checksums, which would say that it has been changed.
+  ChangedCopy() {
+    fs::copy(ShortRun::get().path(), path());
+    forget_checksums(path());
+  }
   fs::path path() const { return directory_.path() / "new"; }
 
  private:

@@ -28,7 +28,9 @@ def test_same_digits_as_the_program(name, program, scenarios, tmp_path):
     expected = files_of(tmp_path / "program")
     assert expected.keys() >= {"trajectory.csv", "summary.json", "drift.svg"}
     assert files_of(tmp_path / "python") == expected
-    assert r.summary == json.loads(expected["summary.json"])
+    summary = json.loads(expected["summary.json"])
+    assert {"files", "checksum"} <= summary.keys()
+    assert r.summary == {key: value for key, value in summary.items() if key not in ("files", "checksum")}
 
     # The arrays are the numbers of the file, to the last bit, and so is what a pickle and a directory give back.
     lines = expected["trajectory.csv"].decode().splitlines()
@@ -165,6 +167,18 @@ def test_saving_a_result_that_was_pickled(tmp_path):
         other.save(tmp_path / "a")
     other.save(tmp_path / "a", force=True)
     assert len(et.load_result(tmp_path / "a").t_s) == 21
+    et.load_result(tmp_path / "b").save(tmp_path / "c")
+    assert files_of(tmp_path / "c") == files_of(tmp_path / "b")
+
+
+@pytest.mark.parametrize("name", ["trajectory.csv", "summary.json", "timing.json", "drift.svg"])
+def test_a_damaged_result_is_refused(name, tmp_path):
+    et.run(et.example("toy-top"), duration_s=1).save(tmp_path)
+    content = bytearray((tmp_path / name).read_bytes())
+    content[len(content) // 3] ^= 1
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(et.ScenarioError, match=f"{name}.* is damaged"):
+        et.load_result(tmp_path)
 
 
 def test_errors_of_files(tmp_path):

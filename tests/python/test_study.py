@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies: the program's numbers, resumption, threads, bad input."""
 
+import contextlib
 import copy
 import json
 import pickle
@@ -234,20 +235,32 @@ def test_an_interrupted_study_goes_on(tmp_path, interrupted):
     assert 0 < len(part) < points
     assert part.attrs["study"]["points_computed"] == len(part) and (part["status"] == "completed").all()
 
-    # What the store has is not computed again: a mark put there is still in the table at the end.
-    store = tmp_path / "out/study.sqlite"
-    database = sqlite3.connect(store)
-    database.execute("UPDATE point SET reason = 'from before'")
-    database.commit()
-    database.close()
+    # What the store has is not computed again: a trigger would refuse it, and is there to the end.
+    with contextlib.closing(sqlite3.connect(tmp_path / "out/study.sqlite")) as database:
+        database.execute("CREATE TRIGGER again BEFORE INSERT ON point WHEN EXISTS (SELECT 1 FROM point WHERE number = NEW.number) "
+                         "BEGIN SELECT RAISE(ABORT, 'computed again'); END")
     top = et.example("toy-top").changed(duration_s=20, output_step_s=20)
     axes = {"latitude_deg": {"from": -80, "to": 80, "points": points}}
     whole = et.study(top, axes, out=tmp_path / "out")
     assert len(whole) == points
-    assert whole.loc[whole["reason"] == "from before", "point"].tolist() == part["point"].tolist()
-    pandas.testing.assert_frame_equal(whole.iloc[part["point"]].drop(columns="reason").reset_index(drop=True),
-                                      part.drop(columns="reason"))
+    with contextlib.closing(sqlite3.connect(tmp_path / "out/study.sqlite")) as database:
+        assert database.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall() == [("again",)]
+    pandas.testing.assert_frame_equal(whole.iloc[part["point"]].reset_index(drop=True), part)
     assert not list((tmp_path / "out").glob("*.lock"))
+
+
+def test_a_damaged_store_is_refused_and_repaired(top, tmp_path):
+    axes = {"latitude_deg": np.linspace(-60, 60, 5)}
+    whole = et.study(top, axes, out=tmp_path)
+    with contextlib.closing(sqlite3.connect(tmp_path / "study.sqlite")) as database:
+        database.execute('UPDATE point SET "drift.axis_final_rad" = 1 WHERE number = 3')
+        database.commit()
+    with pytest.raises(et.ScenarioError, match="of 5 points 1 [(]3[)] .*study.* with repair"):
+        et.load_study(tmp_path)
+    with pytest.raises(et.ScenarioError, match="of 5 points 1 [(]3[)]"):
+        et.study(top, axes, out=tmp_path)
+    pandas.testing.assert_frame_equal(et.study(top, axes, out=tmp_path, repair=True), whole)
+    pandas.testing.assert_frame_equal(et.load_study(tmp_path), whole)
 
 
 @pytest.mark.extra

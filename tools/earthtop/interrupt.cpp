@@ -54,18 +54,14 @@ void watch_the_end(std::int64_t grace) noexcept {
   set(g_wall_timer, kIdle);
 }
 
-void say(int descriptor, std::string_view text) noexcept {
-  if (::write(descriptor, text.data(), text.size()) < 0) return;  // nobody is listening
-}
-
 /// Ends the program. Runs in signal handlers, and therefore makes only calls that are safe there.
 void end_at_once() noexcept {
   if (!discard_temporaries()) return watch_the_end(kMoment);
-  if (is_line_shown()) say(STDERR_FILENO, "\r\033[K");
+  if (is_line_shown()) write_at_once(STDERR_FILENO, "\r\033[K");
   if (!g_json)
-    say(STDERR_FILENO, *g_message);
+    write_at_once(STDERR_FILENO, *g_message);
   else if (!has_printed())
-    say(STDOUT_FILENO, *g_json_message);
+    write_at_once(STDOUT_FILENO, *g_json_message);
   ::_exit(interrupted_status());
 }
 

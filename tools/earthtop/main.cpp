@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "command_line.hpp"
 #include "earthtop/arithmetic.hpp"
 #include "earthtop/error.hpp"
+#include "exhaustion.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "program.hpp"
@@ -25,6 +28,10 @@ int usage_error(const std::string& what, bool json) {
   const int status = report_errors("", {{0, 0, "", what}}, json, kRefused);
   if (!json) message("Try: earthtop --help");
   return status;
+}
+
+int report_unexpected(const std::exception& error, bool json) {
+  return report_errors("", {{0, 0, "", std::string("unexpected: ") + error.what()}}, json, kNumericalFailure);
 }
 
 int parse_and_do(int argc, char** argv, bool json) {
@@ -58,10 +65,16 @@ int guarded_main(int argc, char** argv) {
   } catch (const ReaderGone&) {
     throw;
   } catch (const std::bad_alloc&) {
-    return report_errors("", {{0, 0, "", "out of memory; take fewer rows (a longer output_step_s, no ledger)"}}, json,
-                         kNumericalFailure);
+    return report_lacking(Lacking::memory);
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (error.code() == std::errc::not_enough_memory) return report_lacking(Lacking::memory);
+    return report_errors(error.path1().string(), {{0, 0, "", error.code().message()}}, json, kWriteFailed);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) return report_lacking(Lacking::threads);
+    if (error.code() == std::errc::not_enough_memory) return report_lacking(Lacking::memory);
+    return report_unexpected(error, json);
   } catch (const std::exception& error) {
-    return report_errors("", {{0, 0, "", std::string("unexpected: ") + error.what()}}, json, kNumericalFailure);
+    return report_unexpected(error, json);
   }
 }
 
@@ -69,14 +82,20 @@ int guarded_main(int argc, char** argv) {
 }  // namespace earthtop::tool
 
 int main(int argc, char** argv) {
-  earthtop::tool::prepare_streams();
+  using namespace earthtop::tool;
+  prepare_streams();
   try {
-    earthtop::tool::install_stop_handlers(earthtop::tool::wants_json(argc, argv));
-    return earthtop::tool::guarded_main(argc, argv);
-  } catch (const earthtop::tool::ReaderGone&) {
-    return earthtop::tool::end_quietly();
+    const bool json = wants_json(argc, argv);
+    prepare_for_exhaustion(json);
+    if (!make_room_on_stack()) return kNumericalFailure;
+    install_stop_handlers(json);
+    return guarded_main(argc, argv);
+  } catch (const ReaderGone&) {
+    return end_quietly();
+  } catch (const std::bad_alloc&) {  // there was no memory for another error's message, either
+    return report_lacking(Lacking::memory);
   } catch (const std::exception& error) {  // even reporting an error failed
-    earthtop::tool::message(std::string("earthtop: error: ") + error.what());
-    return earthtop::tool::kWriteFailed;
+    message(std::string("earthtop: error: ") + error.what());
+    return kWriteFailed;
   }
 }

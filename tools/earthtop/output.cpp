@@ -49,6 +49,14 @@ void print(std::string_view text) {
   }
 }
 
+void write_at_once(int descriptor, std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written <= 0) return;  // nobody is listening
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 void message(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);

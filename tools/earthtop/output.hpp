@@ -35,6 +35,9 @@ bool has_printed() noexcept;
 /// Ends the program by the signal SIGPIPE, without a message. @returns kReaderGone if that signal is blocked
 int end_quietly();
 
+/// Writes to a descriptor at once; failures are ignored. Allocates nothing, and is safe in a signal handler.
+void write_at_once(int descriptor, std::string_view text) noexcept;
+
 /// Writes a line to standard error; failures are ignored.
 void message(std::string_view line);
 

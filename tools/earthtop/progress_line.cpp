@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "earthtop/watch.hpp"
@@ -70,7 +71,10 @@ std::string progress_text(double share, std::string_view phase, double seconds) 
 class ProgressDisplay::DisplayThread {
  public:
   DisplayThread(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
-    if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
+    try {
+      if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
+    } catch (const std::system_error&) {  // no thread can be had, and the work goes on without its line
+    }
   }
   ~DisplayThread() {
     if (!thread_.joinable()) return;

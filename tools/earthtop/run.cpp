@@ -84,6 +84,7 @@ struct WrittenRun {
   RunResult result;
   bool is_written = true;
   bool was_interrupted = false;  ///< before the results were written
+  std::string summary = {};      ///< as it was written
 };
 
 /// Runs and writes the results, with one progress display for both.
@@ -99,12 +100,12 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   if (!run.is_written) return run;
   if (run.was_interrupted) lift_time_limit();
   try {
-    write_results(run.result, dir, arguments.force, watch.part(1 - share, 1, "writing"));
+    run.summary = write_results(run.result, dir, arguments.force, watch.part(1 - share, 1, "writing"));
   } catch (const Interrupted&) {
     if (!arguments.partial) throw;
     run.was_interrupted = true;
     lift_time_limit();
-    write_results(run.result, dir, arguments.force);
+    run.summary = write_results(run.result, dir, arguments.force);
   }
   if (!run.was_interrupted) progress.reach(1);
   return run;
@@ -132,7 +133,7 @@ int run_verb(const RunArguments& arguments) try {
   const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
   check_output_directory(dir, scene, arguments.force);
 
-  const auto [result, is_written, was_interrupted] = run_and_write(scene, dir, arguments);
+  const auto [result, is_written, was_interrupted, summary] = run_and_write(scene, dir, arguments);
   if (!is_written) return report_nothing_kept(result, arguments);
   if (was_interrupted)
     message(fmt::format(
@@ -141,7 +142,7 @@ int run_verb(const RunArguments& arguments) try {
         printable(dir.string())));
   try {
     if (arguments.json)
-      print(summary_json(result));
+      print(summary);
     else if (!arguments.quiet)
       print(summary_text(result, dir.string(), is_changed, wants_color()) +
             (is_lively_terminal(STDOUT_FILENO) ? sparkline(result) : ""));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "command_line.hpp"
@@ -29,7 +32,7 @@ struct StudyArguments {
   std::optional<std::string> out;
   unsigned jobs = 0;
   std::string shard;
-  bool force = false, keep_going = false, retry_failed = false, dry_run = false;
+  bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false;
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // for merge
   std::string store;                // for show and export
@@ -93,8 +96,17 @@ void print_shard_report(const StudyRunReport& report, const StudyArguments& argu
 
 /// The document that `write_study_results` put beside the store; gathering it again from millions of points would take long.
 std::string written_document(const fs::path& store) {
-  std::ifstream file(store.parent_path() / "study.json");
-  return {std::istreambuf_iterator<char>(file), {}};
+  const fs::path name = store.parent_path() / "study.json";
+  try {
+    errno = 0;
+    std::ifstream file(name);
+    if (!file && errno == ENOMEM) throw std::bad_alloc();
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (text.empty()) throw ReadError(name.string(), "reading broke off; see to the file");
+    return text;
+  } catch (const std::ios_base::failure&) {
+    throw ReadError(name.string(), "reading broke off; see to the file");
+  }
 }
 
 void tell_results(const fs::path& store, bool json, bool quiet) {
@@ -106,6 +118,12 @@ void tell_results(const fs::path& store, bool json, bool quiet) {
     print(study_text(text) +
           fmt::format("\nResults in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes\n",
                       printable(store.parent_path().string())));
+}
+
+void tell_missing_checksums(const fs::path& store, bool has_checksums) {
+  if (!has_checksums)
+    message(fmt::format("{} has no checksums, since an older earthtop made it: damage would not be noticed",
+                        printable(store.string())));
 }
 
 int study_verb(const StudyArguments& arguments) {
@@ -125,6 +143,7 @@ int study_verb(const StudyArguments& arguments) {
   options.force = arguments.force;
   options.keep_going = arguments.keep_going;
   options.retry_failed = arguments.retry_failed;
+  options.repair = arguments.repair;
   options.processes = &processes;
   options.watch = stop_flag();
   StudyRunReport report;
@@ -145,6 +164,9 @@ int study_verb(const StudyArguments& arguments) {
   if (report.replaced && !arguments.quiet && !arguments.json)
     message(fmt::format("{} was another study's, no point of which had been completed; it has been replaced",
                         printable(report.store.string())));
+  if (!report.damage.empty() && !arguments.quiet && !arguments.json)
+    message(fmt::format("{} was repaired; it {}", printable(report.store.string()), printable(report.damage)));
+  if (!arguments.quiet) tell_missing_checksums(report.store, report.has_checksums);
   if (report.interrupted)
     return report_errors("",
                          {{0, 0, "",
@@ -159,6 +181,15 @@ int study_verb(const StudyArguments& arguments) {
   }
   if (report.failed == 0) return kDone;
   message(fmt::format("earthtop: {} of {} points failed; the reasons are in the table", report.failed, report.progress.wanted));
+  return kNegative;
+}
+
+/// Holds a store against its checksums and tells what is wrong. @returns the exit status
+int check_store(const fs::path& store) {
+  const StudyStoreCheck check = check_study_store(store);
+  tell_missing_checksums(store, check.has_checksums);
+  if (check.damage.empty()) return kDone;
+  message(fmt::format("earthtop: error: {} {}", printable(store.string()), printable(check.damage)));
   return kNegative;
 }
 
@@ -178,15 +209,18 @@ int merge_verb(const StudyArguments& arguments) {
 }
 
 int show_verb(const StudyArguments& arguments) {
-  const std::string text = study_json(store_of(arguments.store));
+  const fs::path store = store_of(arguments.store);
+  const int status = check_store(store);
+  const std::string text = study_json(store);
   print(arguments.json ? text : study_text(text));
-  return kDone;
+  return status;
 }
 
 int export_verb(const StudyArguments& arguments) {
   const fs::path store = store_of(arguments.store);
+  const int status = check_store(store);
   study_csv(store, [](std::string_view piece) { print(piece); });
-  return kDone;
+  return status;
 }
 
 }  // namespace
@@ -207,6 +241,7 @@ Verb describe_study() {
   study.add("--force", &a.force, "throw away a store of another study");
   study.add("--keep-going", &a.keep_going, "compute it even if all points looked at beforehand are refused alike");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
+  study.add("--repair", &a.repair, "keep the intact points of a damaged store and compute the others again");
   study.add("--dry-run", &a.dry_run, "count the points and estimate time and disk, compute nothing");
   add_output_flags(study);
 

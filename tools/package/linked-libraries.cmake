@@ -8,6 +8,7 @@ set(known_libraries
   "GSL::gslcblas|gsl|libgsl-dev"
   "fmt::fmt|fmt|libfmt-dev"
   "PkgConfig::MD|libmd|libmd-dev"
+  "PkgConfig::XXHASH|libxxhash|libxxhash-dev"
   "PkgConfig::ERFA|erfa|liberfa-dev"
   "PkgConfig::SLEEF|sleef|libsleef-dev"
   "SQLite::SQLite3|sqlite3|libsqlite3-dev"

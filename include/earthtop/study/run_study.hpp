@@ -38,6 +38,7 @@ struct StudyRunOptions {
   bool force = false;                                     ///< discard a store that holds another study
   bool keep_going = false;                                ///< compute the study even if all points sampled are refused
   bool retry_failed = false;                              ///< compute failed points again
+  bool repair = false;                                    ///< keep the intact points of a damaged store, and compute the others
   std::function<void(const StudyProgress&)> on_progress;  ///< called a few times a second; may be null
   Watch watch;                                            ///< may end the study early; reports nothing: see `on_progress`
   StudyProcesses* processes = nullptr;                    ///< if it has workers, these compute instead of threads
@@ -48,7 +49,9 @@ struct StudyRunReport {
   StudyProgress progress;
   std::uint64_t failed = 0;  ///< number of failed points in the store, from earlier calls too
   bool interrupted = false;
-  bool replaced = false;  ///< a store of another study in which no run had come to its end has been replaced
+  bool replaced = false;      ///< a store of another study in which no run had come to its end has been replaced
+  std::string damage;         ///< of a store that has been repaired: what was wrong with it, in words; else empty
+  bool has_checksums = true;  ///< false: the store is from before points were stored with checksums
   bool complete() const { return progress.before + progress.done >= progress.wanted; }
 };
 
@@ -57,21 +60,31 @@ std::filesystem::path study_store(const std::filesystem::path& dir, const StudyS
 
 /// Computes those points of a study that its store lacks. Each point's result depends on that point alone, and is stored within
 /// about a second after it has been computed. A store of another study is replaced if none of its runs came to its end.
+/// Every point that the store has already is held against its checksum first.
 /// @throws ScenarioError if the study exceeds its limits or the space left on the disk, if all points of `sample_points` are
 /// refused for the same reason and no run of this study has come to its end yet (unless `keep_going`), if the store holds
-/// another study (unless `force`), or if another process writes to the store
+/// another study (unless `force`), if it is damaged (unless `repair`), or if another process writes to the store
 /// @throws WriteError if a file cannot be written
 StudyRunReport run_study(const Study& study, const StudyRunOptions& options);
 
 /// Merges stores of one study (its shards, or any other parts of it) into one store in `dir`.
 /// @param force discard a store of another study that is there already
 /// @returns the number of points in the merged store
-/// @throws ScenarioError if the stores are of different studies, or if none is given; WriteError
+/// @throws ScenarioError if the stores are of different studies, if one is damaged, or if none is given; WriteError
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force);
 
+/// What a check of a store finds: whether every point is what was stored, and none is missing.
+struct StudyStoreCheck {
+  std::string damage;         ///< what is wrong, with the numbers of the points, and the remedy; empty where nothing is
+  bool has_checksums = true;  ///< false: a store from before points were stored with checksums, of which nothing is known
+};
+/// Reads all points of a store and holds them against their checksums.
+/// @throws ScenarioError if it is no store, or if what it says of its study is damaged
+StudyStoreCheck check_study_store(const std::filesystem::path& store);
+
 /// The study of a store and its results so far, as JSON: counts, statistics, fits, Sobol indices, figures, and every single
-/// point if there are at most 1000. Ends with a newline; the same points give the same bytes.
+/// point if there are at most 1000. Damaged points are left out. Ends with a newline The same points give the same bytes.
 /// @param watch may stop the reading   @throws Interrupted
 std::string study_json(const std::filesystem::path& store, const Watch& watch = {});
 

@@ -104,7 +104,9 @@ void bind_results(py::module_& module) {
       });
   module.def("row_array_kinds", [] { return kinds(row_array_kinds()); });
   module.def("torque_array_kinds", [] { return kinds(torque_array_kinds()); });
-  module.def("check_output_directory", &check_output_directory, py::arg("directory"), py::arg("scene"), py::arg("force"));
+  module.def("read_result_texts", &read_result_texts, py::arg("directory"));
+  module.def("write_result_texts", [](const ResultTexts& texts, const Scene& scene, const std::filesystem::path& dir,
+                                      bool force) { write_results(texts, scene, dir, force); });
   module.def("write_file", [](const std::filesystem::path& file, const std::string& content) { write_file(file, content); });
   module.def(
       "run",

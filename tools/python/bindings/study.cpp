@@ -46,20 +46,21 @@ void bind_study(py::module_& module) {
   module.def(
       "run_study",
       [](const std::string& file, const std::string& text, const fs::path& dir, unsigned jobs, bool force, bool keep_going,
-         bool retry_failed, bool writes_results, const py::object& on_progress) {
+         bool retry_failed, bool repair, bool writes_results, const py::object& on_progress) {
         StudyRunOptions options;
         options.dir = dir;
         options.jobs = jobs;
         options.force = force;
         options.keep_going = keep_going;
         options.retry_failed = retry_failed;
+        options.repair = repair;
         const StudyRunReport report = result_of(on_progress, [&](const Watch& watch) {
           return run_and_write({file, text}, options, writes_results, watch);
         });
         return report.store.string();
       },
       py::arg("file"), py::arg("text"), py::arg("dir"), py::arg("jobs"), py::arg("force"), py::arg("keep_going"),
-      py::arg("retry_failed"), py::arg("writes_results"), py::arg("on_progress"),
+      py::arg("retry_failed"), py::arg("repair"), py::arg("writes_results"), py::arg("on_progress"),
       "Computes the points that the store in the directory lacks; returns the store's path.");
   module.def(
       "study_columns",

@@ -14,7 +14,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import ROW_KINDS, TORQUE_KINDS, Arrays, Kind, Quantity, quantities_of, read_only
-from ._errors import FileError, refuse
+from ._errors import refuse
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ class Result:
 
     @property
     def summary(self) -> Dict[str, Any]:
-        """The content of summary.json."""
+        """The content of summary.json, without the checksums of the files."""
         if self._summary is None:
             self._summary = json.loads(self._files["summary.json"] or "null")
         return self._summary
@@ -268,14 +268,8 @@ class Result:
         if self._run is not None:
             self._run.write(place, force)
             return place
-        _core.check_output_directory(place, self.scenario.scene(), force)
-        (place / "summary.json").unlink(missing_ok=True)  # whoever finds it finds the other files of the same run
-        for name in sorted(FILES, key=lambda name: name == "summary.json"):
-            text = self._files[name]
-            if text is None:
-                (place / name).unlink(missing_ok=True)
-            else:
-                _core.write_file(place / name, text)
+        texts = {name: text for name, text in self.__getstate__().items() if text is not None}
+        _core.write_result_texts(texts, self.scenario.scene(), place, force)
         return place
 
     def __getstate__(self) -> Dict[str, Optional[str]]:
@@ -315,21 +309,16 @@ def _of_texts(texts: Mapping[str, Optional[str]], scenario: Optional[Scenario] =
 
 
 def load_result(directory: Union[str, os.PathLike]) -> Result:
-    """Reads the results that ``earthtop run`` or ``Result.save`` wrote to a directory."""
-    place = Path(directory)
-    if not (place / "summary.json").is_file():
-        raise refuse(f"{place} holds no results: it has no summary.json")
-    texts: Dict[str, Optional[str]] = {}
-    for name in FILES:
-        try:
-            texts[name] = (place / name).read_text(encoding="utf-8")
-        except FileNotFoundError:
-            texts[name] = None
-        except OSError as error:
-            raise FileError(str(place / name), error.strerror or "cannot be read") from None
-    if texts["trajectory.csv"] is None:
-        raise refuse(f"{place} has no trajectory.csv")
-    return _of_texts(texts)
+    """Reads the results that ``earthtop run`` or ``Result.save`` wrote to a directory.
+
+    Raises
+    ------
+    ScenarioError
+        if it holds no results, or a file is not what was written, which its checksum tells
+    FileError
+        if a file cannot be read
+    """
+    return _of_texts(_core.read_result_texts(os.fspath(directory)))
 
 
 def _array_property(kind: Kind, name: str, rows: Callable[[Any], Arrays]) -> property:

@@ -42,8 +42,8 @@ class StudyDocument(dict):
 def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[Collect] = None,
           design: Union[None, str, Mapping[str, Any]] = None, points: Optional[int] = None, seed: Optional[int] = None,
           name: Optional[str] = None, out: Union[None, str, os.PathLike] = None, jobs: Optional[int] = None,
-          force: bool = False, keep_going: bool = False, retry_failed: bool = False, progress: Progress = None,
-          **more: Any) -> "pandas.DataFrame":
+          force: bool = False, keep_going: bool = False, retry_failed: bool = False, repair: bool = False,
+          progress: Progress = None, **more: Any) -> "pandas.DataFrame":
     """Runs a scenario at many points and returns a DataFrame with one row for each.
 
     >>> import earthtop as et
@@ -83,6 +83,8 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
         compute it even if all points looked at beforehand are refused alike
     retry_failed : bool
         compute failed points of the store again
+    repair : bool
+        keep the intact points of a damaged store, and compute the others again
     progress : bool or callable, optional
         as of ``earthtop.run``
     **more
@@ -113,7 +115,8 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
         stack.enter_context(errors_named())
         reporter = stack.enter_context(Reporter(progress))
         directory = os.fspath(out) if out is not None else stack.enter_context(_temporary_directory())
-        store = _core.run_study(file, text, directory, workers, force, keep_going, retry_failed, out is not None, reporter)
+        store = _core.run_study(file, text, directory, workers, force, keep_going, retry_failed, repair, out is not None,
+                                reporter)
         if out is None:
             return _frame(store, _core.study_json(store), None)
         return _frame(store, (Path(store).parent / "study.json").read_text(encoding="utf-8"), store)
@@ -131,9 +134,15 @@ def load_study(path: Union[str, os.PathLike]) -> "pandas.DataFrame":
     -------
     pandas.DataFrame
         as of ``earthtop.study``; the points that have been computed so far
+
+    Raises
+    ------
+    ScenarioError
+        if points are not what was stored, which their checksums tell
     """
     given = os.fspath(path)
-    return _frame(given, _core.study_json(given), given)
+    with errors_named():
+        return _frame(given, _core.study_json(given), given)
 
 
 def store_of(given: Any) -> str:

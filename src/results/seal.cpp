@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/seal.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "earthtop/error.hpp"
+#include "input/file.hpp"
+#include "text/checksum.hpp"
+#include "text/json.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr std::string_view kEnd = "\n}\n", kBefore = ",\n  \"checksum\": \"", kBeforeFiles = ",\n  \"files\": {",
+                           kZeros = "0000000000000000";
+
+constexpr const char* kDamaged = "is damaged: it is not what was written, or a run is writing there; run the scenario again";
+
+std::string checksum_of_file(const std::filesystem::path& file) {
+  const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"result file", false});
+  std::string block(std::size_t{1} << 18, '\0');
+  Checksum checksum;
+  while (const std::size_t got = input::read_some(descriptor, file.string(), block.data(), block.size()))
+    checksum.add(std::string_view(block).substr(0, got));
+  return checksum_text(checksum.value());
+}
+
+}  // namespace
+
+std::string sealed(std::string_view document) {
+  std::string text(document.substr(0, document.size() - kEnd.size()));
+  text.append(kBefore).append(kZeros).append("\"").append(kEnd);
+  const std::string checksum = checksum_text(checksum_of(text));
+  return text.replace(text.size() - kEnd.size() - 1 - kZeros.size(), kZeros.size(), checksum);
+}
+
+std::string sealed(std::string_view document, const FileChecksums& files) {
+  std::string text(document.substr(0, document.size() - kEnd.size()));
+  text += kBeforeFiles;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    text += fmt::format("{}\n    \"{}\": \"{}\"", i > 0 ? "," : "", files[i].first, files[i].second);
+  text += "\n  }";
+  return sealed(text.append(kEnd));
+}
+
+std::string unsealed(std::string_view document) {
+  const std::size_t checksum = document.rfind(kBefore);
+  if (checksum == document.npos) return std::string(document);
+  const std::size_t files = document.rfind(kBeforeFiles, checksum);
+  // The member "files", whose values have no braces, is the last one before the checksum.
+  const bool has_files = files != document.npos && document.find('}', files) == checksum - 1;
+  return std::string(document.substr(0, has_files ? files : checksum)).append(kEnd);
+}
+
+void refuse_damaged(const std::filesystem::path& file) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", kDamaged}}, file.string());
+}
+
+Seal seal_of(std::string_view document) {
+  const std::size_t behind = kZeros.size() + 1 + kEnd.size();
+  const std::size_t digits = document.size() < kBefore.size() + behind ? 0 : document.size() - behind;
+  const std::string_view stated = digits > 0 ? document.substr(digits, kZeros.size()) : std::string_view();
+  const bool is_named = digits > 0 && document.substr(digits - kBefore.size(), kBefore.size()) == kBefore;
+  if (!is_named) {
+    // The name in another place, or the digits with another name, tell that there was a checksum.
+    const bool has_digits = !stated.empty() && stated.find_first_not_of("0123456789abcdef") == stated.npos;
+    return has_digits || document.find(kBefore) != document.npos ? Seal::broken : Seal::absent;
+  }
+  std::string text(document);
+  text.replace(digits, kZeros.size(), kZeros);
+  return checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
+}
+
+FileChecksums checksums_in(std::string_view summary) {
+  FileChecksums checksums;
+  const nlohmann::ordered_json json = json_or_discarded(summary);
+  if (!json.is_object()) return checksums;
+  const nlohmann::ordered_json files = json.value("files", nlohmann::ordered_json::object());
+  for (const auto& [name, checksum] : files.items())
+    checksums.emplace_back(name, checksum.is_string() ? checksum.get<std::string>() : "");
+  return checksums;
+}
+
+bool check_result_files(const std::filesystem::path& directory, std::string_view summary) {
+  const Seal seal = seal_of(summary);
+  if (seal == Seal::absent) return false;
+  if (seal == Seal::broken) refuse_damaged(directory / "summary.json");
+  for (const auto& [name, checksum] : checksums_in(summary)) {
+    const std::filesystem::path file = directory / name;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) continue;  // who needs it says that it is missing
+    if (checksum != checksum_of_file(file)) refuse_damaged(file);
+  }
+  return true;
+}
+
+}  // namespace earthtop
