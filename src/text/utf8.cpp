@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -29,10 +30,12 @@ Utf8Character first_character(std::string_view text) {
 
 std::size_t first_invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    // Most texts are ASCII, of which eight bytes are seen at a glance.
-    for (std::uint64_t bytes = 0; i + sizeof bytes <= text.size(); i += sizeof bytes) {
-      std::memcpy(&bytes, text.data() + i, sizeof bytes);
-      if ((bytes & 0x8080808080808080U) != 0) break;
+    // Most texts are ASCII, of which many bytes are seen at a glance.
+    for (std::array<std::uint64_t, 8> bytes; i + sizeof bytes <= text.size(); i += sizeof bytes) {
+      std::memcpy(bytes.data(), text.data() + i, sizeof bytes);
+      std::uint64_t all = 0;
+      for (const std::uint64_t eight : bytes) all |= eight;
+      if ((all & 0x8080808080808080U) != 0) break;
     }
     if (i == text.size()) break;
     const std::size_t length = first_character(text.substr(i)).length;

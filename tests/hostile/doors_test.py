@@ -158,6 +158,7 @@ def csv_kinds(text, door):
         "control characters in a number": (text.replace(rows[0], b"\x1b[2J" + rows[0], 1), REFUSED),
         "200,000 columns": (widened(many), REFUSED),
         "9,900 unknown columns": (widened(many[:9900]), unknown),
+        "9,900 columns, the first renamed": (b"x" + widened(many[:9900]), REFUSED),
         "200,000 cells in a row": (wide_row, REFUSED),
         "a line without end": (header + b"\n" + b"1" * (17 * MIB), REFUSED),
     }
