@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <map>
 #include <vector>
@@ -44,9 +44,9 @@ struct Timed {
   double seconds;
 };
 Timed timed(const Scenario& scenario) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   RunResult result = run(scenario);
-  return {std::move(result), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  return {std::move(result), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
 }
 
 struct Compared {

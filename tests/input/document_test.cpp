@@ -128,9 +128,9 @@ TEST(CsvText, IsUtf8WithoutNulBytes) {
 TEST(Names, AreListedUpToALimit) {
   EXPECT_EQ(listed({}), "");
   EXPECT_EQ(listed({"a", "b"}), "a, b");
-  const std::string many = listed(std::vector<std::string>(200'000, "a_column"));
+  const std::string many = listed(std::vector<std::string>(20'000, "a_column"));
   EXPECT_TRUE(many.starts_with("a_column, a_column, ") && many.ends_with(" more")) << many;
-  EXPECT_LT(listed(std::vector<std::string>(200'000, std::string(1000, 'x'))).size(), 1000U);
+  EXPECT_LT(listed(std::vector<std::string>(20'000, std::string(100, 'x'))).size(), 1000U);
 }
 
 TEST(Shortened, CutsBetweenCharactersAndEscapes) {
@@ -148,7 +148,7 @@ TEST(Shortened, CutsBetweenCharactersAndEscapes) {
 
 TEST(Shortened, EveryLineOfADiagnosticIsShort) {
   for (const std::string unit : {"x", "\x1b", "\xff", "\u202e", "\U000e0001", "\u00e9", "~1", "\\u001b"}) {
-    const std::string text = repeated(unit, 1'000'000 / unit.size());
+    const std::string text = repeated(unit, 100'000 / unit.size());
     const ScenarioError error({{123456789, 1234567890, text, text}}, text);
     EXPECT_LT(std::string(error.what()).size(), 2048U) << unit;
     EXPECT_EQ(error.what(), printable(error.what())) << unit;

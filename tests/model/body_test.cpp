@@ -222,12 +222,12 @@ TEST(BodyValidity, TheSameVerdictInTurnedAxes) {
   };
   for (std::size_t c = 0; c < cases.size(); ++c)
     for (int k = 0; k < 30; ++k) {
-      using Q = float128;
-      const Mat3<Q> R = k == 0 ? Mat3<Q>(Mat3<Q>::Identity()) : rotation_matrix(random.quaternion<Q>());
-      Mat3<Q> I = Mat3<Q>::Zero();
-      Vec3<Q> center;
+      using F = float128;
+      const Mat3<F> R = k == 0 ? Mat3<F>(Mat3<F>::Identity()) : rotation_matrix(random.quaternion<F>());
+      Mat3<F> I = Mat3<F>::Zero();
+      Vec3<F> center;
       for (int i = 0; i < 3; ++i) I(i, i) = cases[c].moments[i], center[i] = cases[c].center[i];
-      I = turned_tensor<Q>(R, I + point_mass_inertia<Q>(1, center));
+      I = turned_tensor<F>(R, I + point_mass_inertia<F>(1, center));
       center = R * center;
       BodySpec spec;
       spec.mass_kg = 1;

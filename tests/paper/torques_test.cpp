@@ -16,13 +16,13 @@ using test::Particles;
 using test::Random;
 using test::round_off;
 
-constexpr int kMotions = 25;
+constexpr int kRandomMotions = 25;
 
 TEST(PaperTorques, CoriolisTensorFormEqualsParticleSum) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(101);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       Particles<T> particles = test::random_particles<T>(random);
       const Vec3<T> w = random.vector<T>(2), w_r = random.vector<T>(2);
       // Any velocities: J is a sum over particles.
@@ -43,7 +43,7 @@ TEST(PaperTorques, CoriolisTensorFormEqualsParticleSumForRigidBody) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(102);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       Particles<T> particles = test::random_particles<T>(random);
       const Vec3<T> w_r = random.vector<T>(2);
       test::turn_rigidly(particles, w_r);
@@ -58,7 +58,7 @@ TEST(PaperTorques, TransverseTensorFormEqualsParticleSum) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(103);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       const Particles<T> particles = test::random_particles<T>(random);
       const Vec3<T> alpha = random.vector<T>(2);
       const test::Sum<T> sum = test::transverse_sum(particles, alpha);
@@ -73,7 +73,7 @@ TEST(PaperTorques, CentrifugalTensorFormEqualsParticleSum) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(104);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       const Particles<T> particles = test::random_particles<T>(random);
       const Vec3<T> w = random.vector<T>(2);
       const Mat3<T> S = test::second_moment(particles);
@@ -128,7 +128,7 @@ TEST(PaperTorques, SignsOfTheTensors) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(107);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       Particles<T> particles = test::exact_particles<T>(random);
       const Body<T> body = make_body<T>(test::body_spec(particles));
       // Everything is exact: [F]'s I_mn = -integral x_m x_n dm is minus the body's second moment ...
@@ -154,7 +154,7 @@ TEST(PaperTorques, TraceTerms) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(108);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       Particles<T> particles = test::random_particles<T>(random);
       const Mat3<T> S = test::second_moment(particles);
       const Vec3<T> w = random.vector<T>(2), w_r = random.vector<T>(2);
@@ -178,7 +178,7 @@ TEST(PaperTorques, VelocityMomentVanishesInTheBodyFrame) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(109);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       const Mat3<T> S = test::second_moment(test::random_particles<T>(random));
       const Mat3<T> J = velocity_moment<T>(S, Vec3<T>::Zero());
       EXPECT_TRUE(identical(J, Mat3<T>::Zero()));
@@ -191,7 +191,7 @@ TEST(PaperTorques, SymmetricTopCoriolisIsTheGyroscopicTorque) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(110);
-    for (int k = 0; k < kMotions; ++k) {
+    for (int k = 0; k < kRandomMotions; ++k) {
       const Vec3<T> n = random.unit<T>(), w = random.vector<T>(2);
       const T I1 = T(random.uniform(1, 3)), I3 = T(random.uniform(0.1, 1.9)), spin = T(random.uniform(-9, 9));
       const Mat3<T> nn = n * n.transpose();
