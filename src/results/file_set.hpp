@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "earthtop/watch.hpp"
+#include "results/directory_lock.hpp"
 
 namespace earthtop {
 
@@ -81,9 +83,23 @@ class FileSet {
   std::vector<std::filesystem::path> made_;   // directories that this set made, the outermost first
   std::vector<std::shared_ptr<void>> known_;  // keep the names of these directories known to `discard_temporaries`
   std::vector<std::unique_ptr<File>> files_;
-  int directory_ = -1;
-  bool locked_ = false;
+  std::optional<DirectoryLock> lock_;
   bool committed_ = false;
+};
+
+/// Writes a new file and waits until the disk has it.
+/// @param file  must not be there yet   @param place  what errors call it
+/// @throws WriteError; Interrupted if the watch asks to stop; all that `produce` throws
+void write_durably(const std::filesystem::path& file, const std::filesystem::path& place,
+                   const std::function<void(const FileSet::Sink&)>& produce, const Watch& watch = {});
+
+/// While it lives, signals do not end the program, since files are being put in place. There is only one at a time.
+class CommitMoment {
+ public:
+  CommitMoment();
+  ~CommitMoment();
+  CommitMoment(const CommitMoment&) = delete;
+  CommitMoment& operator=(const CommitMoment&) = delete;
 };
 
 }  // namespace earthtop
