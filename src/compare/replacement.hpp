@@ -41,7 +41,7 @@ class Replacement {
   /// @returns the path of the staged file and the checksum of its bytes   @throws WriteError; Interrupted; all of `produce`
   std::pair<std::filesystem::path, std::string> put(const std::filesystem::path& name,
                                                     const std::function<void(const FileSet::Sink&)>& produce);
-  /// Takes as a file of the next version what has been written to `staged(name)`.
+  /// States that a file of the next version will be written to `staged(name)`.
   void take(const std::filesystem::path& name);
   std::filesystem::path staged(const std::filesystem::path& name) const;
   /// States that the next version has no such file.

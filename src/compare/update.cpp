@@ -167,13 +167,10 @@ void put_study(Update& update, const fs::path& root, const fs::path& place, cons
   const fs::path staged = update.next.staged(place / name);
   if (const StudyStoreCheck check = check_study_store(staged); !check.damage.empty())
     refuse_path(candidate, "a study is writing there; wait until it has ended, and give the command again");
+  for (const std::string_view file : kStudyFiles) update.next.take(place / file);
   write_study_results(staged, update.watch);
-  for (const std::string_view file : kStudyFiles) {
-    if (is_there(update.next.staged(place / file)))
-      update.next.take(place / file);
-    else
-      update.next.remove(place / file);
-  }
+  for (const std::string_view file : kStudyFiles)
+    if (!is_there(update.next.staged(place / file))) update.next.remove(place / file);
   put_notes(update, root, place);
 }
 
@@ -246,25 +243,37 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
       type == input::PathType::directory && !is_there(reference / "summary.json") && !is_there(study_store(reference));
   if (type != input::PathType::nothing && !holds_many)
     refuse_path(reference, "is one reference, where the new results are several; give a directory");
-  std::vector<std::string> written;
   if (holds_many) members(reference);  // brings updates of single ones to their end
   Replacement next(reference, watch);
-  Update update{next, reason, watch, {}};
-  const auto all = members(candidate);
-  Parts parts(watch, static_cast<double>(all.size()));
-  for (const auto& [name, path] : all) {
+  struct Member {
+    fs::path place, candidate;
+    ComparandKind kind;
+    FileIdentities read = {};
+  };
+  std::vector<Member> all;
+  std::vector<std::string> written;
+  for (const auto& [name, path] : members(candidate)) {
     const ComparandKind kind = kind_of(path);
     if (kind != ComparandKind::results && kind != ComparandKind::store) refuse_as_reference(path);
     fs::path place = name;
     if (kind == ComparandKind::results && !is_there(reference / place)) place += ".json";
-    Update one{next, reason, parts.next(1), {}};
-    put_one(one, reference, place, path, kind);
-    update.read.insert(update.read.end(), one.read.begin(), one.read.end());
     written.push_back((reference / place).string());
+    all.push_back({place, path, kind});
   }
-  // At this moment all of the results were there together.
-  if (!are_current(update.read))
-    refuse_path(candidate, "runs are writing there; wait until they have ended, and give the command again");
+  // What has been written anew since it was read is read again, until all of the results have been there together.
+  constexpr int kAttempts = 4;
+  bool has_changed = true;
+  for (int attempt = 1; has_changed && attempt <= kAttempts; ++attempt) {
+    has_changed = false;
+    for (Member& member : all) {
+      if (!member.read.empty() && are_current(member.read)) continue;
+      Update update{next, reason, watch, {}};
+      put_one(update, reference, member.place, member.candidate, member.kind);
+      member.read = std::move(update.read);
+      has_changed = true;
+    }
+  }
+  if (has_changed) refuse_path(candidate, "runs are writing there; wait until they have ended, and give the command again");
   next.commit();
   return written;
 }

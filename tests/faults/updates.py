@@ -66,15 +66,10 @@ class Bench:
         return self.do(f"compare {reference} {new} --profile bitwise --quiet")[0] == 0
 
 
-def is_copy(reference, version, files):
-    """Whether a reference consists of exactly the files of one version, beside its notes."""
-    there = {path.name for path in reference.iterdir()} - {NOTES}
-    return there == {name for name in files if (version / name).exists()} and all(
-        filecmp.cmp(reference / name, version / name, shallow=False) for name in there)
-
-
 def holds(reference):
     """The files of a reference, for the check that a refused update left all as it was."""
+    if not reference.exists():
+        return None
     if reference.is_file():
         return reference.read_bytes()
     return {str(path.relative_to(reference)): path.read_bytes() for path in reference.rglob("*") if path.is_file()}
@@ -84,7 +79,7 @@ class Writer:
     """Rewrites results in a loop. Its versions are those of two spins."""
 
     def __init__(self, bench, way):
-        self.bench, self.way, self.ends, self.count = bench, way, False, 0
+        self.bench, self.way, self.ends, self.count, self.faults = bench, way, False, 0, 0
         self.thread = threading.Thread(target=self.write)
 
     def __enter__(self):
@@ -98,10 +93,11 @@ class Writer:
     def write(self):
         while not self.ends:
             spin = (150, 160)[self.count % 2]
-            if self.way == "run":
-                status, said = self.bench.do(f"run top.json --out new --force --quiet --set /release/spin_rad_s={spin}")
-                if status != 0:
-                    print(f"    the writer ended with {status}: {said}")
+            if self.way in ("run", "runs"):
+                for member in ("new",) if self.way == "run" else ("several/one", "several/two"):
+                    self.must(f"run top.json --out {member} --force --quiet --set /release/spin_rad_s={spin}")
+            elif self.way == "study":
+                self.must(f"study study-{spin}.json --out studied --force --quiet")
             else:  # another program, which knows of no lock and writes into the files
                 for name in RESULTS:
                     version = self.bench.folder / f"version-{spin}" / name
@@ -110,36 +106,52 @@ class Writer:
                             shutil.copyfileobj(source, target, 4096)
             self.count += 1
 
+    def must(self, line):
+        status, said = self.bench.do(line)
+        if status != 0:
+            print(f"    the writer ended with {status}: {said.strip()}")
+            self.faults += 1
+
+
+def is_whole(bench, kind, reference, versions):
+    """Whether a reference holds one version and nothing else."""
+    if kind == "several":
+        return all(is_whole(bench, "directory", reference / member, versions) for member in ("one", "two"))
+    if sum(bench.is_same(reference, version) for version in versions) != 1:
+        return False
+    if kind != "directory":
+        return True
+    names = {path.name for path in reference.iterdir()} - {NOTES}
+    return any(names == {path.name for path in version.iterdir()} and
+               all(filecmp.cmp(reference / name, version / name, shallow=False) for name in names if name != "timing.json")
+               for version in versions)
+
 
 def beside_a_writer(bench, updates, way, kind):
     """Counts the ends of updates of one reference beside a writer."""
     ends = collections.Counter()
     reference = bench.folder / ("reference.json" if kind == "compact" else "reference")
-    versions = [bench.folder / f"version-{spin}" for spin in (150, 160)]
-    before = None
+    new = {"several": "several", "study": "studied"}.get(kind, "new")
+    versions = [bench.folder / f"{'studied' if kind == 'study' else 'version'}-{spin}" for spin in (150, 160)]
+    if kind == "several":
+        for member in ("one", "two"):
+            shutil.copytree(versions[0], reference / member)
+    before = holds(reference)
     with Writer(bench, way) as writer:
         for number in range(updates):
-            status, said = bench.do(f"compare {reference.name} new --update --reason number-{number} --quiet")
+            status, said = bench.do(f"compare {reference.name} {new} --update --reason number-{number} --quiet")
             if status == 0:
-                if kind == "compact":
-                    whole = sum(bench.is_same(reference.name, version.name) for version in versions) == 1
-                else:
-                    whole = sum(all(filecmp.cmp(reference / name, version / name, shallow=False)
-                                    for name in RESULTS if name != "timing.json" and (version / name).exists())
-                                and bench.is_same("reference", version.name) for version in versions) == 1
-                    whole = whole and {path.name for path in reference.iterdir()} <= {*RESULTS, NOTES}
-                ends["0, whole" if whole else "0, TORN"] += 1
+                ends["0, whole" if is_whole(bench, kind, reference, versions) else "0, TORN"] += 1
             else:
-                intact = before is None or holds(reference) == before
-                ends[f"{status}, {'as before' if intact else 'LOST'}"] += 1
-                if status != 2:
-                    print(f"    {status}: {said.strip()}")
-                elif "writing there" not in said:
-                    ends["  (other words) " + said.strip().rsplit(": ", 1)[-1][:60]] += 1
-            before = holds(reference) if reference.exists() else None
-        written = writer.count
+                told = "writing there" in said or "damaged" in said or "in use" in said
+                ends[f"{status}, {'as before' if holds(reference) == before else 'LOST'}{'' if told else ', in other words'}"] += 1
+                if not told:
+                    print("    " + said.strip())
+            before = holds(reference)
+    if writer.faults:
+        ends["RUNS DISTURBED"] = writer.faults
     shutil.rmtree(reference) if reference.is_dir() else reference.unlink(missing_ok=True)
-    return ends, written
+    return ends, writer.count
 
 
 def killed(bench, kills, by_call):
@@ -223,20 +235,24 @@ def main():
         print(title)
         for end, count in sorted(ends.items()):
             print(f"  {count:5}  {end}", flush=True)
-            wrong += count * any(word in end for word in ("TORN", "LOST", "MIXED", "WRONG", "OTHER", "status 4", "status -1"))
+            wrong += count * any(word in end for word in ("TORN", "LOST", "MIXED", "WRONG", "OTHER", "DISTURBED", "status 4", "status -1"))
 
     with tempfile.TemporaryDirectory(prefix="earthtop-updates-") as name:
         bench = Bench(os.path.abspath(arguments.program), arguments.shim and os.path.abspath(arguments.shim),
                       pathlib.Path(name), arguments.seed)
         for spin in (150, 160):
             bench.must(f"run top.json --out version-{spin} --quiet --set /release/spin_rad_s={spin}")
-        bench.must("run top.json --out new --quiet --set /release/spin_rad_s=150")
-        for way in ("run", "copy"):
-            for kind in ("directory", "compact"):
-                ends, written = beside_a_writer(bench, updates, way, kind)
-                tell(f"{updates} updates of a {kind} beside a writer ({way}, {written} times):", ends)
         bench.make_several("old", 150)
         bench.make_several("newer", 160)
+        for spin, source in ((150, "old"), (160, "newer")):
+            shutil.copytree(bench.folder / source / "study", bench.folder / f"studied-{spin}")
+        for new in ("new", "several/one", "several/two"):
+            shutil.copytree(bench.folder / "version-150", bench.folder / new)
+        shutil.copytree(bench.folder / "studied-150", bench.folder / "studied")
+        for way, kind in (("run", "directory"), ("run", "compact"), ("runs", "several"), ("copy", "directory"), ("copy", "compact"),
+                          ("study", "study")):
+            ends, written = beside_a_writer(bench, updates, way, kind)
+            tell(f"{updates} updates, reference: {kind}; writer: {way}, {written} times", ends)
         # Two of the references are compact, and two are directories.
         for member in ("a", "study"):
             shutil.copytree(bench.folder / "old" / member, bench.folder / "references" / member)
