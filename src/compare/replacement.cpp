@@ -179,7 +179,7 @@ void require_own(const fs::path& root) {
     throw ReadError(stage.string(), std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
-    refuse_path(stage, "belongs to an update that another user began; that user may give the same command again, or remove it");
+    refuse_path(stage, "belongs to an update that another user began; let that user give the command again");
 }
 
 }  // namespace

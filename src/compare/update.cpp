@@ -166,7 +166,7 @@ void put_study(Update& update, const fs::path& root, const fs::path& place, cons
   update.read.insert(update.read.end(), read.begin(), read.end());
   const fs::path staged = update.next.staged(place / name);
   if (const StudyStoreCheck check = check_study_store(staged); !check.damage.empty())
-    refuse_path(candidate, "a study is writing there; wait until it has ended, and give the command again");
+    throw ReadError(staged.string(), "is a copy that cannot be read back: " + check.damage);
   for (const std::string_view file : kStudyFiles) update.next.take(place / file);
   write_study_results(staged, update.watch);
   for (const std::string_view file : kStudyFiles)

@@ -98,7 +98,7 @@ Descriptor open_regular_file(const std::string& path, const std::string& name, c
     refuse_file(name, fmt::format("cannot be opened ({}); check path and permissions", std::strerror(errno)));
   }
   if (::fstat(file.get(), &status) != 0)
-    refuse_file(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
+    throw ReadError(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
   require_regular(status, name, use);
   return file;
 }
