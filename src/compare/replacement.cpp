@@ -29,7 +29,7 @@ using ReplacedFile = Replacement::File;
 constexpr std::string_view kHead = "earthtop-update-1\n";  // the journal: this line, then `+` or `-`, `1` or `0`, name, NUL
                                                            // for each file, then the checksum of all that
 constexpr std::size_t kDigits = 16;
-constexpr const char *kJournal = "journal", *kUndo = "undo";
+constexpr const char *kJournal = "journal", *kUndo = "undo", *kDraft = "draft";
 
 void sync_directory(const fs::path& directory) {
   const int descriptor = ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -41,13 +41,14 @@ void sync_directory(const fs::path& directory) {
 }
 
 /// Makes a directory with those that hold it. @param made  gets those that were not there, the outermost first
-void make_directories(const fs::path& directory, std::vector<std::string>& made) {
+void make_directories(const fs::path& directory, std::vector<std::string>& made, TemporaryNames* known = nullptr) {
   std::vector<fs::path> missing;
   for (fs::path at = directory; !at.empty() && !is_there(at) && at != at.parent_path(); at = at.parent_path())
     missing.insert(missing.begin(), at);
   made.reserve(made.size() + missing.size());
   for (const fs::path& path : missing) {
     std::string name = path.string();
+    if (known) known->add(name);
     if (::mkdir(name.c_str(), 0777) == 0)
       made.push_back(std::move(name));
     else if (errno != EEXIST)
@@ -189,7 +190,7 @@ Replacement::Replacement(fs::path root, const Watch& watch) : root_(std::move(ro
   journal_ = stage_ / kJournal;
   undo_ = stage_ / kUndo;
   try {
-    make_directories(root_, made_);
+    make_directories(root_, made_, &temporary_names_);
     lock_.emplace(root_, DirectoryLock::Mode::exclusive, watch_);
     if (lock_->is_busy())
       throw WriteError(root_.string(), "another process has been writing there for 10 s; wait for it, and update again");
@@ -197,8 +198,9 @@ Replacement::Replacement(fs::path root, const Watch& watch) : root_(std::move(ro
       require_own(root_);
       resume(root_);
     }
-    make_directories(stage_ / "new", staged_directories_);
-    make_directories(stage_ / "old", staged_directories_);
+    make_directories(stage_ / "new", staged_directories_, &temporary_names_);
+    make_directories(stage_ / "old", staged_directories_, &temporary_names_);
+    temporary_names_.add(stage_ / kDraft);
   } catch (...) {
     for (auto* made : {&staged_directories_, &made_})
       for (auto at = made->rbegin(); at != made->rend(); ++at) ::rmdir(at->c_str());
@@ -233,8 +235,9 @@ Replacement::File& Replacement::file(const fs::path& name) {
     refuse_path(root_ / name, "is a directory, where a file of the reference belongs; move it away");
   changes_.push_back(change_of(root_, name, false, false));
   ReplacedFile& added = changes_.back();
-  make_directories(added.next.parent_path(), staged_directories_);
-  make_directories(added.last.parent_path(), staged_directories_);
+  make_directories(added.next.parent_path(), staged_directories_, &temporary_names_);
+  make_directories(added.last.parent_path(), staged_directories_, &temporary_names_);
+  temporary_names_.add(added.next);
   return added;
 }
 
@@ -279,7 +282,7 @@ void Replacement::write_journal() {
   }
   text += checksum_text(checksum_of(text));
   // Until it is complete it has the name of a journal that says nothing.
-  const fs::path draft = stage_ / "draft";
+  const fs::path draft = stage_ / kDraft;
   try {
     write_durably(draft, journal_, [&](const FileSet::Sink& sink) { sink(text); });
     for (const std::string& directory : staged_directories_) sync_directory(directory);
@@ -300,6 +303,7 @@ void Replacement::commit() {
   if (watch_.asks_to_stop()) throw Interrupted();
   const CommitMoment moment;
   write_journal();
+  temporary_names_.forget();
   keeps_root_ = keeps_stage_ = true;
   try {
     sync_directory(stage_);

@@ -63,6 +63,7 @@ class Replacement {
   std::filesystem::path root_, stage_, journal_, undo_;
   Watch watch_;
   std::vector<std::string> made_, staged_directories_;  // directories made: for the next version, and to stage it
+  TemporaryNames temporary_names_;
   std::optional<DirectoryLock> lock_;
   std::vector<File> changes_;
   bool keeps_root_ = false, keeps_stage_ = false;

@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
+std::atomic<const TemporaryNames::Name*> last_name = nullptr;
 
 /// Enters a name. @returns where; null if all slots are taken
 std::atomic<const char*>* enter(const char* name, Names& names) {
@@ -99,6 +100,16 @@ TemporaryName::~TemporaryName() {
   if (slot_) *slot_ = nullptr;
 }
 
+void TemporaryNames::add(std::string name) {
+  const Name* before = names_.empty() ? nullptr : &names_.back();
+  names_.push_back({std::move(name), before});
+  last_name.compare_exchange_strong(before, &names_.back());
+}
+void TemporaryNames::forget() noexcept {
+  const Name* last = names_.empty() ? nullptr : &names_.back();
+  last_name.compare_exchange_strong(last, nullptr);
+}
+
 void fail_to_write(const fs::path& file, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
   throw WriteError(file.string(), std::strerror(error));
@@ -126,6 +137,8 @@ bool discard_temporaries() noexcept {
   if (committing) return false;
   for (const auto& slot : names_on_disk)
     if (const char* name = slot.load()) ::unlink(name);
+  for (const TemporaryNames::Name* name = last_name; name != nullptr; name = name->before)
+    if (::unlink(name->path.c_str()) != 0) ::rmdir(name->path.c_str());
   for (auto slot = directories_made.rbegin(); slot != directories_made.rend(); ++slot)  // the innermost one first
     if (const char* name = slot->load()) ::rmdir(name);                                 // rmdir removes it only if it is empty
   return true;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,27 @@ class TemporaryName {
 
  private:
   std::atomic<const char*>* slot_;
+};
+
+/// Files and directories that `discard_temporaries` removes while this object lives, the last one first; of two objects at a time,
+/// the later one does nothing.
+class TemporaryNames {
+ public:
+  TemporaryNames() = default;
+  ~TemporaryNames() { forget(); }
+  TemporaryNames(const TemporaryNames&) = delete;
+  TemporaryNames& operator=(const TemporaryNames&) = delete;
+  /// @param name  of a file, or of a directory that is removed if it is empty
+  void add(std::string name);
+  void forget() noexcept;
+
+  struct Name {
+    std::string path;
+    const Name* before;
+  };
+
+ private:
+  std::list<Name> names_;
 };
 
 /// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
