@@ -27,10 +27,12 @@ add_library(earthtop-workbench
   compare/junit.cpp
   compare/mapping.cpp
   compare/pairing.cpp
+  compare/replacement.cpp
   compare/row.cpp
   compare/row_source.cpp
   compare/rows.cpp
   compare/scenario_changes.cpp
+  compare/snapshot.cpp
   compare/stores.cpp
   compare/survey.cpp
   compare/tolerances.cpp

@@ -143,7 +143,8 @@ Comparand open_compact_reference(const fs::path& file) {
 }
 
 Json with_reason(Json history, const std::string& reason) {
-  history.push_back({{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}});
+  Json entry = {{"reason", reason}, {"version", build_info().version}, {"commit", build_info().commit}};
+  if (history.empty() || history.back() != entry) history.push_back(std::move(entry));
   return history;
 }
 

@@ -11,7 +11,8 @@ inline constexpr const char* kReferenceSchema = "earthtop-reference-1.json";
 /// Opens a compact reference. @throws ScenarioError where the file is not one
 Comparand open_compact_reference(const fs::path& file);
 
-/// A reference's history with one more entry, which states the reason for the change and the program that made it.
+/// A reference's history with one more entry, which states the reason for the change and the program that made it. An update that
+/// is given again, for instance after it was killed, adds no second one.
 Json with_reason(Json history, const std::string& reason);
 
 /// The compact form of a run's results, with a final newline. @param history  that of the reference which it

@@ -8,16 +8,26 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compact_reference.hpp"
+#include "compare/replacement.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "input/document.hpp"
 #include "input/file.hpp"
+#include "results/directory_lock.hpp"
+#include "results/file_set.hpp"
 #include "results/seal.hpp"
 
 namespace earthtop::compare {
 namespace {
 
+using input::PathType;
+
 constexpr const char* kSummarySchema = "earthtop-summary-1.json";
+
+bool is_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error));
+}
 
 bool is_compact_reference(const fs::path& file) {
   if (file.extension() != ".json") return false;
@@ -31,13 +41,17 @@ bool is_compact_reference(const fs::path& file) {
   return head.find(kReferenceSchema) != head.npos;
 }
 
-/// Whether an entry looks like a result, a store or a compact reference by its files' names. Results without their summary
-/// count, too, so that they are refused by name later.
-bool may_be_member(const fs::directory_entry& entry) {
-  std::error_code error;
-  if (!entry.is_directory(error)) return entry.is_regular_file(error) && is_compact_reference(entry.path());
-  return is_there(entry.path() / "summary.json") || is_there(study_store(entry.path())) ||
-         is_there(entry.path() / "trajectory.csv");
+/// Whether a directory looks like a result or a store by its files' names. Results without their summary count, too, so that
+/// they are refused by name later.
+bool may_be_results(const fs::path& directory) {
+  const auto looks_so = [&] {
+    return is_there(directory / "summary.json") || is_there(study_store(directory)) || is_there(directory / "trajectory.csv") ||
+           !FileSet::temporaries(directory, "summary.json").empty();
+  };
+  if (looks_so()) return true;
+  // A run that is replacing its files takes them away for a moment.
+  const DirectoryLock lock(directory, DirectoryLock::Mode::shared);
+  return looks_so();
 }
 
 Comparand open_results(const fs::path& directory) {
@@ -68,25 +82,25 @@ void refuse_path(const fs::path& path, std::string message) {
   throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, path.string());
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  const bool found = fs::exists(fs::symlink_status(path, error));
-  if (error == std::errc::io_error) throw ReadError(path.string(), error.message());
-  return found;
-}
+bool is_there(const fs::path& path) { return input::type_of(path.string()) != PathType::nothing; }
 
 ComparandKind kind_of(const fs::path& path) {
-  std::error_code error;
   if (path.empty()) refuse_path(path, "the path is empty; give a directory of results, a study store, or a file");
-  if (!fs::is_directory(path, error)) {
-    if (!fs::exists(path, error)) refuse_path(path, "there is no such file or directory; check the path");
+  const PathType type = input::type_of(path.string());
+  if (type == PathType::nothing) refuse_path(path, "there is no such file or directory; check the path");
+  if (type != PathType::directory) {
     if (path.extension() == ".sqlite") return ComparandKind::store;
     return path.extension() == ".json" ? ComparandKind::reference : ComparandKind::csv;
   }
   if (is_there(path / "summary.json")) return ComparandKind::results;
   if (is_there(study_store(path))) return ComparandKind::store;
-  if (is_there(path / "trajectory.csv"))
-    refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
+  {
+    const DirectoryLock lock(path,
+                             DirectoryLock::Mode::shared);  // a run that is replacing its files has no summary for a moment
+    if (is_there(path / "summary.json")) return ComparandKind::results;
+    if (is_there(path / "trajectory.csv"))
+      refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
+  }
   if (members(path).empty())
     refuse_path(path, "holds no results: no summary.json, no study.sqlite, no directories with one, no compact references");
   return ComparandKind::collection;
@@ -94,13 +108,16 @@ ComparandKind kind_of(const fs::path& path) {
 
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory) {
   std::vector<std::pair<std::string, fs::path>> found;
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    std::error_code error;
-    if (may_be_member(entry)) {
-      found.emplace_back(entry.is_directory(error) ? name : entry.path().stem().string(), entry.path());
-    } else if (entry.is_directory(error) && !entry.is_symlink(error)) {
-      for (auto& [below, path] : members(entry.path())) found.emplace_back(fmt::format("{}/{}", name, below), std::move(path));
+  for (const std::string& name : input::names_in(directory.string())) {
+    const fs::path path = directory / name;
+    const PathType type = input::type_of(path.string());
+    if (type == PathType::file && is_compact_reference(path)) found.emplace_back(path.stem().string(), path);
+    if (type != PathType::directory || name == kStagingName) continue;
+    finish_update_in(path);
+    if (may_be_results(path)) {
+      found.emplace_back(name, path);
+    } else if (!is_link(path)) {
+      for (auto& [below, there] : members(path)) found.emplace_back(fmt::format("{}/{}", name, below), std::move(there));
     }
   }
   std::sort(found.begin(), found.end());

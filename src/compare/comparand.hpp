@@ -27,7 +27,7 @@ enum class ComparandKind {
 
 /// @throws ScenarioError always, with this message about a file or directory that is not what it should be
 [[noreturn]] void refuse_path(const fs::path& path, std::string message);
-/// Whether a name is there. @throws ReadError where the disk does not tell
+/// Whether a name is there, a link that leads nowhere included. @throws as `input::type_of`
 bool is_there(const fs::path& path);
 
 /// The kind of the file or directory at a path. @throws ScenarioError where it is none of these kinds
@@ -71,7 +71,7 @@ struct Comparand {
 Comparand open_comparand(const fs::path& path, const Mapping* mapping);
 
 /// The comparands in a directory of several, with their names: the paths below it (without .json for a compact reference).
-/// Sorted by name.
+/// Sorted by name. Updates of them that were broken off are brought to their end first.
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
 
 /// Reads a JSON file. @param noun  the kind of file, for messages   @throws ScenarioError where it is not JSON; ReadError

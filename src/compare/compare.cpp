@@ -5,13 +5,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "compare/cost.hpp"
 #include "compare/figures.hpp"
 #include "compare/hints.hpp"
+#include "compare/replacement.hpp"
 #include "compare/rows.hpp"
 #include "compare/scenario_changes.hpp"
+#include "compare/snapshot.hpp"
 #include "compare/stores.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/scene/scene.hpp"
@@ -210,10 +213,23 @@ double bytes_of(const fs::path& member) {
   return kOthers + (error ? 0 : static_cast<double>(size));
 }
 
+/// Notes the seals, which are replaced last or alone, of results and compact references. A store has none: reading it is safe while a study goes on.
+void note_seals(std::initializer_list<fs::path> members, FileIdentities& seals) {
+  for (const fs::path& member : members) {
+    const fs::path summary = member / "summary.json";
+    if (is_there(summary))
+      seals.emplace_back(summary, identity_of(summary));
+    else if (member.extension() == ".json")
+      seals.emplace_back(member, identity_of(member));
+  }
+}
+
 /// Compares all results in two directories, paired by name.
 void compare_collections(const fs::path& reference, const fs::path& candidate, const Mapping* mapping,
-                         const CompareOptions& options, CompareReport& report) {
+                         const CompareOptions& options, CompareReport& report, FileIdentities& seals) {
   const auto old_members = members(reference), new_members = members(candidate);
+  for (const auto* list : {&old_members, &new_members})
+    for (const auto& member : *list) note_seals({member.second}, seals);
   require_distinct(reference, old_members);
   require_distinct(candidate, new_members);
   const auto find = [](const auto& list, const std::string& name) {
@@ -296,9 +312,11 @@ bool CompareReport::refused() const {
   return std::any_of(pairs.begin(), pairs.end(), [](const PairReport& pair) { return !pair.refusal.empty(); });
 }
 
-CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
-                              const CompareOptions& options) {
-  using namespace compare;
+namespace compare {
+namespace {
+
+CompareReport compare_once(const fs::path& reference, const fs::path& candidate, const CompareOptions& options,
+                           FileIdentities& seals) {
   CompareReport report;
   report.reference = reference.string();
   report.candidate = candidate.string();
@@ -308,11 +326,36 @@ CompareReport compare_results(const std::filesystem::path& reference, const std:
   if (!options.mapping.empty()) mapping = read_mapping(options.mapping);
   const Mapping* given = mapping ? &*mapping : nullptr;
   if (kind_of(reference) == ComparandKind::collection && kind_of(candidate) == ComparandKind::collection)
-    compare_collections(reference, candidate, given, options, report);
-  else
+    compare_collections(reference, candidate, given, options, report, seals);
+  else {
+    note_seals({reference, candidate}, seals);
     report.pairs.push_back(compare_pair(reference, candidate, "", given, options));
+  }
   note_unused_tolerances(options.tolerances, report);
   return report;
+}
+
+}  // namespace
+}  // namespace compare
+
+CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
+                              const CompareOptions& options) {
+  using namespace compare;
+  constexpr int kAttempts = 4;
+  for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+    finish_update(reference);
+    finish_update(candidate);
+    FileIdentities seals;
+    try {
+      CompareReport report = compare_once(reference, candidate, options, seals);
+      if (are_current(seals)) return report;
+    } catch (const ScenarioError&) {
+      if (are_current(seals)) throw;
+    }
+  }
+  throw ScenarioError("",
+                      fmt::format("{} or {} is being written anew all the time; wait until that has ended, and compare again",
+                                  printable(reference.string()), printable(candidate.string())));
 }
 
 }  // namespace earthtop

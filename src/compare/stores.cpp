@@ -12,6 +12,7 @@
 #include "compare/tell.hpp"
 #include "compare/tolerances.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/file.hpp"
 #include "input/node.hpp"
 #include "study/store.hpp"
 
@@ -25,8 +26,8 @@ using study::Value;
 constexpr double kWithoutBounds = 1e-9;  // tolerance where no bounds were collected: part of a quantity's largest size
 
 Store open_store(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::path file = std::filesystem::is_directory(path, error) ? study_store(path) : path;
+  const bool is_directory = input::type_of(path.string()) == input::PathType::directory;
+  const std::filesystem::path file = is_directory ? study_store(path) : path;
   Store store = Store::open(file, study::sqlite::Connection::Mode::read);
   store.check_intact();
   return store;

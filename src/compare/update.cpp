@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Replaces references by new results, and keeps the reason for each change.
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "compare/compact_reference.hpp"
+#include "compare/replacement.hpp"
+#include "compare/snapshot.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
-#include "results/file_set.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {
 namespace compare {
 namespace {
 
+constexpr std::array<std::string_view, 5> kResultFiles = {"trajectory.csv", "torques.csv", "drift.svg", "timing.json",
+                                                          "summary.json"};
+constexpr std::array<std::string_view, 3> kStudyFiles = {"study.csv", "study.json", "study.svg"};
 constexpr std::string_view kNotes = "reference.json";  // beside the files of a reference that is a directory
 constexpr const char* kNotesSchema = "earthtop-reference-notes-1.json";
 
@@ -28,36 +40,10 @@ Json history_in(const fs::path& file) {
   return json.contains("history") && json.at("history").is_array() ? json.at("history") : Json::array();
 }
 
-std::string notes(Json history, const std::string& reason) {
-  const Json document = {{"$schema", kNotesSchema}, {"history", with_reason(std::move(history), reason)}};
-  return written_replacing(document, 2) + '\n';
-}
-
-/// Copies a file's bytes to the sink, a block at a time.
-void copy(const fs::path& file, const FileSet::Sink& sink) {
-  const input::Descriptor from = input::open_regular_file(file.string(), file.string(), {"result file", false});
-  std::string block(std::size_t{1} << 20, '\0');
-  while (const std::size_t got = input::read_some(from, file.string(), block.data(), block.size()))
-    sink(std::string_view(block).substr(0, got));
-}
-
-/// Copies files from the candidate's directory to the reference's, and writes the reason beside them.
-/// @param names  the files; the last one is the seal
-void replace_files(const fs::path& reference, const fs::path& candidate, std::vector<std::string_view> names,
-                   const std::string& reason) {
-  const Json history = history_in(reference / kNotes);
-  names.insert(names.begin(), kNotes);
-  FileSet files(reference, names);
-  files.add(kNotes, notes(history, reason));
-  for (const std::string_view name : names)
-    if (name != kNotes && is_there(candidate / name))
-      files.add(name, [&](const FileSet::Sink& sink) { copy(candidate / name, sink); });
-  files.commit();
-}
-
 /// Refuses results that cannot be a reference: those that do not agree with themselves, and incomplete ones.
-void require_sound(const fs::path& candidate) {
+void require_sound(const fs::path& candidate, const Watch& watch) {
   CompareOptions options;
+  options.watch = watch;
   options.tolerances.profile = Profile::bitwise;
   for (const PairReport& pair : compare_results(candidate, candidate, options).pairs) {
     if (!pair.refusal.empty()) refuse_path(candidate, pair.refusal);
@@ -80,66 +66,242 @@ void require_sound(const fs::path& candidate) {
   }
 }
 
-/// Refuses a place that cannot become a reference of this kind: it may be missing, empty, or a reference of the kind already.
-void require_kind(const fs::path& reference, ComparandKind kind) {
-  std::error_code error;
-  if (is_there(reference) && !fs::is_directory(reference, error)) refuse_path(reference, "is a file; give a directory");
-  const bool other = kind == ComparandKind::store ? is_there(reference / "summary.json") : is_there(study_store(reference));
-  if (other) refuse_path(reference, "is a reference of another kind; choose another place");
+std::string notes(Json history, const std::string& reason) {
+  const Json document = {{"$schema", kNotesSchema}, {"history", with_reason(std::move(history), reason)}};
+  return written_replacing(document, 2) + '\n';
 }
 
-std::string update_one(const fs::path& reference, const fs::path& candidate, const std::string& reason) {
-  const ComparandKind kind = kind_of(candidate);
+/// An update of one or several references within a root.
+struct Update {
+  Replacement& next;
+  const std::string& reason;
+  Watch watch;
+  FileIdentities read;  ///< the files of which the new references are made
+};
+
+/// Copies a file of a snapshot to the next version. @returns the checksum of its bytes
+std::string put_copy(Update& update, const fs::path& name, const Snapshot::File& file) {
+  const auto copy = [&](const FileSet::Sink& sink) {
+    std::string block(std::size_t{1} << 20, '\0');
+    while (const std::size_t got = input::read_some(*file.open, file.path.string(), block.data(), block.size()))
+      sink(std::string_view(block).substr(0, got));
+  };
+  return update.next.put(name, copy).second;
+}
+
+void put_notes(Update& update, const fs::path& root, const fs::path& place) {
+  const std::string text = notes(history_in(root / place / kNotes), update.reason);
+  update.next.put(place / kNotes, [&](const FileSet::Sink& sink) { sink(text); });
+}
+
+/// Holds the files that were copied against the checksums in the summary.
+/// @param copied  names and checksums   @throws ScenarioError if they are not those of one run
+void require_whole(const fs::path& candidate, const FileChecksums& copied, const std::string& summary) {
+  if (seal_of(summary) == Seal::absent) return;
+  const FileChecksums stated = checksums_in(summary);
+  for (const auto& [name, checksum] : stated) {
+    const auto found = std::find_if(copied.begin(), copied.end(), [&, its = name](const auto& c) { return c.first == its; });
+    if (found == copied.end())
+      refuse_path(candidate, fmt::format("has no {}, which its summary names; run the scenario again", printable(name)));
+    if (found->second != checksum) refuse_damaged(candidate / name);
+  }
+}
+
+/// Copies the results of a run. @param place  the reference's path below the root; may be empty
+void put_results(Update& update, const fs::path& root, const fs::path& place, const fs::path& candidate) {
+  const FileIdentities read = read_settled(candidate, kResultFiles, update.watch, [&](const Snapshot& snapshot) {
+    require_sound(candidate, update.watch);
+    FileChecksums copied;
+    for (const Snapshot::File& file : snapshot.files()) {
+      const fs::path name = file.path.filename();
+      if (file.open)
+        copied.emplace_back(name.string(), put_copy(update, place / name, file));
+      else
+        update.next.remove(place / name);
+    }
+    const std::string staged = update.next.staged(place / kResultFiles.back()).string();
+    require_whole(candidate, copied, input::read_regular_file(staged, staged, {"summary", false, 64}));
+  });
+  update.read.insert(update.read.end(), read.begin(), read.end());
+  put_notes(update, root, place);
+}
+
+/// @param text  gets the compact reference that is made of the results   @returns the files of which it is made
+FileIdentities make_compact(const fs::path& reference, const fs::path& candidate, const std::string& reason, const Watch& watch,
+                            std::string& text) {
+  const Json history = history_in(reference);
+  return read_settled(candidate, kResultFiles, watch, [&](const Snapshot&) {
+    require_sound(candidate, watch);
+    text = compact_reference(open_comparand(candidate, nullptr), history, reason);
+  });
+}
+
+/// Refuses a store to which a process writes, or whose last points are not in its file yet.
+void require_at_rest(const fs::path& directory) {
+  const fs::path store = study_store(directory);
+  for (const char* log : {"-wal", "-shm", "-journal"})
+    if (is_there(store.string() + log))
+      refuse_path(directory,
+                  fmt::format("{}{} in it says that its store is in use; wait for the end", store.filename().string(), log));
+  const int lock = ::open((store.string() + ".lock").c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  if (lock < 0) {
+    if (errno == ENOENT || errno == ENOTDIR || errno == EACCES) return;
+    throw ReadError(store.string() + ".lock", std::strerror(errno));
+  }
+  const bool in_use = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(lock);
+  if (in_use) refuse_path(directory, "a study is writing there; wait until it has ended, and give the command again");
+}
+
+/// Copies the store of a study, and writes its table, document and picture anew from the copy.
+void put_study(Update& update, const fs::path& root, const fs::path& place, const fs::path& candidate) {
+  const fs::path name = study_store({});
+  const std::array<std::string_view, 1> names = {name.native()};
+  const FileIdentities read = read_settled(candidate, names, update.watch, [&](const Snapshot& snapshot) {
+    require_at_rest(candidate);
+    require_sound(candidate, update.watch);
+    put_copy(update, place / name, snapshot.files().front());
+    require_at_rest(candidate);
+  });
+  update.read.insert(update.read.end(), read.begin(), read.end());
+  const fs::path staged = update.next.staged(place / name);
+  if (const StudyStoreCheck check = check_study_store(staged); !check.damage.empty())
+    throw ReadError(staged.string(), "is a copy that cannot be read back: " + check.damage);
+  for (const std::string_view file : kStudyFiles) update.next.take(place / file);
+  write_study_results(staged, update.watch);
+  for (const std::string_view file : kStudyFiles)
+    if (!is_there(update.next.staged(place / file))) update.next.remove(place / file);
+  put_notes(update, root, place);
+}
+
+/// Refuses a place that cannot become a reference of this kind: it may be missing, empty, or a reference of the kind already.
+void require_kind(const fs::path& reference, ComparandKind kind) {
+  const input::PathType type = input::type_of(reference.string());
+  if (type != input::PathType::nothing && type != input::PathType::directory)
+    refuse_path(reference, "is a file; give a directory");
+  const bool other = kind == ComparandKind::store ? is_there(reference / "summary.json") : is_there(study_store(reference));
+  if (other) refuse_path(reference, "is a reference of another kind; choose another place");
+  if (kind == ComparandKind::store) require_at_rest(reference);
+}
+
+[[noreturn]] void refuse_as_reference(const fs::path& candidate) {
+  refuse_path(candidate,
+              "cannot be a reference; give a directory that `earthtop run` has written, a study's, or one of several");
+}
+
+/// Stages one of several references, or the only one. @param place  its path below the root; empty for the root itself
+void put_one(Update& update, const fs::path& root, const fs::path& place, const fs::path& candidate, ComparandKind kind) {
+  if (kind == ComparandKind::store || place.extension() != ".json") require_kind(root / place, kind);
   if (kind == ComparandKind::store) {
-    std::error_code error;
-    const fs::path from = fs::is_directory(candidate, error) ? candidate : candidate.parent_path();
-    const fs::path to = reference.filename() == study_store({}).filename() ? reference.parent_path() : reference;
-    if (!fs::is_directory(candidate, error) && candidate.filename() != study_store({}).filename())
-      refuse_path(candidate, "give the study's directory, or its study.sqlite");
-    require_kind(to, kind);
-    for (const fs::path& side : {from, to})
-      for (const char* log : {"study.sqlite-wal", "study.sqlite-shm"})
-        if (is_there(side / log))
-          refuse_path(side, fmt::format("{} in it says that its store is in use; wait for the end", log));
-    replace_files(to, from, {"study.csv", "study.json", "study.svg", "study.sqlite"}, reason);
-    return to.string();
+    put_study(update, root, place, candidate);
+  } else if (place.extension() == ".json") {
+    std::string text;
+    const FileIdentities read = make_compact(root / place, candidate, update.reason, update.watch, text);
+    update.next.put(place, [&](const FileSet::Sink& sink) { sink(text); });
+    update.read.insert(update.read.end(), read.begin(), read.end());
+  } else {
+    put_results(update, root, place, candidate);
   }
-  if (kind != ComparandKind::results)
-    refuse_path(candidate,
-                "cannot be a reference; give a directory that `earthtop run` has written, a study's, or one of several");
-  if (reference.extension() == ".json") {
-    write_file(reference, compact_reference(open_comparand(candidate, nullptr), history_in(reference), reason));
-    return reference.string();
+}
+
+/// Replaces a compact reference, which is one file.
+void update_compact(const fs::path& reference, const fs::path& candidate, const std::string& reason, const Watch& watch) {
+  const FileIdentity before = identity_of(reference);
+  std::string next;
+  make_compact(reference, candidate, reason, watch, next);
+  write_file(reference, [&] {
+    if (identity_of(reference) != before) refuse_path(reference, "has been changed meanwhile; give the command again");
+    return next;
+  });
+}
+
+/// Replaces a directory that is one reference. @returns its path
+fs::path update_directory(const fs::path& reference, const fs::path& given, ComparandKind kind, const std::string& reason,
+                          const Watch& watch) {
+  fs::path root = reference, candidate = given;
+  if (kind == ComparandKind::store) {
+    const bool is_file = input::type_of(given.string()) != input::PathType::directory;
+    if (is_file && given.filename() != study_store({}).filename())
+      refuse_path(given, "give the study's directory, or its study.sqlite");
+    if (is_file) candidate = given.has_parent_path() ? given.parent_path() : fs::path(".");
+    if (reference.filename() == study_store({}).filename())
+      root = reference.has_parent_path() ? reference.parent_path() : fs::path(".");
   }
-  require_kind(reference, kind);
-  replace_files(reference, candidate, {"trajectory.csv", "torques.csv", "drift.svg", "timing.json", "summary.json"}, reason);
-  return reference.string();
+  require_kind(root, kind);
+  Replacement next(root, watch);
+  Update update{next, reason, watch, {}};
+  put_one(update, root, {}, candidate, kind);
+  next.commit();
+  return root;
+}
+
+/// Replaces all references of a directory for which there are new results, and adds those that it has not.
+std::vector<std::string> update_collection(const fs::path& reference, const fs::path& candidate, const std::string& reason,
+                                           const Watch& watch) {
+  const input::PathType type = input::type_of(reference.string());
+  const bool holds_many =
+      type == input::PathType::directory && !is_there(reference / "summary.json") && !is_there(study_store(reference));
+  if (type != input::PathType::nothing && !holds_many)
+    refuse_path(reference, "is one reference, where the new results are several; give a directory");
+  if (holds_many) members(reference);  // brings updates of single ones to their end
+  Replacement next(reference, watch);
+  struct Member {
+    fs::path place, candidate;
+    ComparandKind kind;
+    FileIdentities read = {};
+  };
+  std::vector<Member> all;
+  std::vector<std::string> written;
+  for (const auto& [name, path] : members(candidate)) {
+    const ComparandKind kind = kind_of(path);
+    if (kind != ComparandKind::results && kind != ComparandKind::store) refuse_as_reference(path);
+    fs::path place = name;
+    if (kind == ComparandKind::results && !is_there(reference / place)) place += ".json";
+    written.push_back((reference / place).string());
+    all.push_back({place, path, kind});
+  }
+  // What has been written anew since it was read is read again, until all of the results have been there together.
+  constexpr int kAttempts = 4;
+  bool has_changed = true;
+  for (int attempt = 1; has_changed && attempt <= kAttempts; ++attempt) {
+    has_changed = false;
+    for (Member& member : all) {
+      if (!member.read.empty() && are_current(member.read)) continue;
+      Update update{next, reason, watch, {}};
+      put_one(update, reference, member.place, member.candidate, member.kind);
+      member.read = std::move(update.read);
+      has_changed = true;
+    }
+  }
+  if (has_changed) refuse_path(candidate, "runs are writing there; wait until they have ended, and give the command again");
+  next.commit();
+  return written;
 }
 
 }  // namespace
 }  // namespace compare
 
 std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
-                                          const std::string& reason) {
+                                          const std::string& reason, const Watch& watch) {
   using namespace compare;
   if (reason.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ScenarioError("", "a new reference needs a reason; give one with --reason TEXT");
-  require_sound(candidate);
-  std::vector<std::string> written;
-  if (kind_of(candidate) != ComparandKind::collection) {
-    written.push_back(update_one(reference, candidate, reason));
-    return written;
+  finish_update(candidate);
+  finish_update(reference);
+  const ComparandKind kind = kind_of(candidate);
+  if (const FileIdentity there = identity_of(reference);
+      there.inode != 0 && there.inode == identity_of(candidate).inode && there.device == identity_of(candidate).device)
+    refuse_path(candidate, "is the reference itself; give new results");
+  if (kind == ComparandKind::collection) return update_collection(reference, candidate, reason, watch);
+  if (kind != ComparandKind::results && kind != ComparandKind::store) {
+    require_sound(candidate, watch);
+    refuse_as_reference(candidate);
   }
-  const bool holds_many =
-      std::filesystem::is_directory(reference) && !is_there(reference / "summary.json") && !is_there(study_store(reference));
-  if (is_there(reference) && !holds_many)
-    refuse_path(reference, "is one reference, where the new results are several; give a directory");
-  for (const auto& [name, path] : members(candidate)) {
-    fs::path there = reference / name;
-    if (!is_there(there) && kind_of(path) == ComparandKind::results) there += ".json";
-    written.push_back(update_one(there, path, reason));
+  if (kind == ComparandKind::results && reference.extension() == ".json") {
+    update_compact(reference, candidate, reason, watch);
+    return {reference.string()};
   }
-  return written;
+  return {update_directory(reference, candidate, kind, reason, watch).string()};
 }
 
 }  // namespace earthtop

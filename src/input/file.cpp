@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/file.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <utility>
 
 #include "earthtop/error.hpp"
@@ -31,6 +35,15 @@ void require_regular(const struct stat& status, const std::string& name, const F
   refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
 }
 
+/// @throws always, according to the errno value `error`: what the caller can mend is refused, the rest is the disk's fault
+[[noreturn]] void fail_to_look(const std::string& path, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  for (const int mendable : {EACCES, EPERM, ELOOP, ENAMETOOLONG, ENOENT, ENOTDIR})
+    if (error == mendable)
+      refuse_file(path, fmt::format("cannot be examined ({}); check path and permissions", std::strerror(error)));
+  throw ReadError(path, fmt::format("cannot be examined ({}); check the disk", std::strerror(error)));
+}
+
 std::string read_all(int descriptor, const std::string& name, const FileUse& use) {
   std::string text, chunk(std::size_t{1} << 16, '\0');
   for (;;) {
@@ -47,6 +60,35 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
 
 }  // namespace
 
+PathType type_of(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) == 0)
+    return S_ISDIR(status.st_mode) ? PathType::directory : S_ISREG(status.st_mode) ? PathType::file : PathType::other;
+  if (errno != ENOENT && errno != ENOTDIR) fail_to_look(path, errno);
+  if (::lstat(path.c_str(), &status) == 0) return PathType::other;
+  if (errno != ENOENT && errno != ENOTDIR) fail_to_look(path, errno);
+  return PathType::nothing;
+}
+
+std::vector<std::string> names_in(const std::string& directory) {
+  // libstdc++'s directory_iterator ends the program where it finds no memory.
+  struct Close {
+    void operator()(DIR* open) const { ::closedir(open); }
+  };
+  const std::unique_ptr<DIR, Close> open(::opendir(directory.c_str()));
+  if (!open) fail_to_look(directory, errno);
+  std::vector<std::string> names;
+  for (;;) {
+    errno = 0;
+    const dirent* entry = ::readdir(open.get());
+    if (!entry && errno != 0) fail_to_look(directory, errno);
+    if (!entry) break;
+    if (const std::string_view name = entry->d_name; name != "." && name != "..") names.emplace_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 Descriptor open_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) require_regular(status, name, use);
@@ -59,7 +101,7 @@ Descriptor open_regular_file(const std::string& path, const std::string& name, c
     refuse_file(name, fmt::format("cannot be opened ({}); check path and permissions", std::strerror(errno)));
   }
   if (::fstat(file.get(), &status) != 0)
-    refuse_file(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
+    throw ReadError(name, fmt::format("cannot be examined ({}); check the file", std::strerror(errno)));
   require_regular(status, name, use);
   return file;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace earthtop::input {
 
@@ -34,6 +35,14 @@ class Descriptor {
  private:
   int descriptor_;
 };
+
+/// What a path leads to, links followed. `other` is a FIFO, a device, or a link that leads nowhere.
+enum class PathType { nothing, file, directory, other };
+/// @throws ScenarioError where permissions or circular links forbid to look; ReadError where the disk does not tell
+PathType type_of(const std::string& path);
+
+/// The names in a directory, sorted, without "." and "..". @throws ScenarioError, ReadError as `type_of`
+std::vector<std::string> names_in(const std::string& directory);
 
 /// Opens a file for reading from its beginning. @param name  name of the file in error messages
 /// @throws ScenarioError, with one diagnostic, for a missing or unreadable file, a directory, a FIFO or a device

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/comparand.hpp"
+#include "compare/replacement.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "input/document.hpp"
@@ -54,6 +55,7 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
   using compare::ComparandKind;
   std::error_code error;
   if (report::is_document(what)) return report::document_page(what);
+  compare::finish_update(what);
   switch (compare::kind_of(what)) {
     case ComparandKind::results: return report::run_page(what, watch);
     case ComparandKind::store:

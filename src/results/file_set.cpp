@@ -4,7 +4,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,12 +11,10 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <new>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "earthtop/results/results.hpp"
@@ -31,6 +28,7 @@ namespace fs = std::filesystem;
 using Names = std::array<std::atomic<const char*>, 16>;
 Names names_on_disk{}, directories_made{};
 std::atomic<bool> committing = false;
+std::atomic<const TemporaryNames::Name*> last_name = nullptr;
 
 /// Enters a name. @returns where; null if all slots are taken
 std::atomic<const char*>* enter(const char* name, Names& names) {
@@ -102,15 +100,45 @@ TemporaryName::~TemporaryName() {
   if (slot_) *slot_ = nullptr;
 }
 
+void TemporaryNames::add(std::string name) {
+  const Name* before = names_.empty() ? nullptr : &names_.back();
+  names_.push_back({std::move(name), before});
+  last_name.compare_exchange_strong(before, &names_.back());
+}
+void TemporaryNames::forget() noexcept {
+  const Name* last = names_.empty() ? nullptr : &names_.back();
+  last_name.compare_exchange_strong(last, nullptr);
+}
+
 void fail_to_write(const fs::path& file, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
   throw WriteError(file.string(), std::strerror(error));
 }
 
+void write_durably(const fs::path& file, const fs::path& place, const std::function<void(const FileSet::Sink&)>& produce,
+                   const Watch& watch) {
+  const auto stop_if_asked = [&] {
+    if (watch.asks_to_stop()) throw Interrupted();
+  };
+  Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (descriptor.get() < 0) fail_to_write(place, errno);
+  produce([&](std::string_view content) {
+    if (const int error = write_all(descriptor.get(), content, stop_if_asked); error != 0) fail_to_write(place, error);
+  });
+  stop_if_asked();
+  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_to_write(place, errno);
+  if (descriptor.close() != 0) fail_to_write(place, errno);
+}
+
+CommitMoment::CommitMoment() { committing = true; }
+CommitMoment::~CommitMoment() { committing = false; }
+
 bool discard_temporaries() noexcept {
   if (committing) return false;
   for (const auto& slot : names_on_disk)
     if (const char* name = slot.load()) ::unlink(name);
+  for (const TemporaryNames::Name* name = last_name; name != nullptr; name = name->before)
+    if (::unlink(name->path.c_str()) != 0) ::rmdir(name->path.c_str());
   for (auto slot = directories_made.rbegin(); slot != directories_made.rend(); ++slot)  // the innermost one first
     if (const char* name = slot->load()) ::rmdir(name);                                 // rmdir removes it only if it is empty
   return true;
@@ -164,7 +192,6 @@ FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Wa
     }
   } catch (...) {
     for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());
-    if (directory_ >= 0) ::close(directory_);
     throw;
   }
 }
@@ -173,7 +200,6 @@ FileSet::~FileSet() {
   files_.clear();
   if (!committed_)
     for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
-  if (directory_ >= 0) ::close(directory_);
 }
 
 void FileSet::stop_if_asked() const {
@@ -192,26 +218,14 @@ void FileSet::make_directory() {
 /// Removes temporary files left for `name`. While this run holds the lock they belong to no running process; without a lock
 /// that is not known, and they stay.
 void FileSet::remove_left(std::string_view name) const {
-  if (!locked_) return;
+  if (!lock_->is_held()) return;
   for (const fs::path& left : temporaries(dir_, name)) ::unlink(left.c_str());
 }
 
 void FileSet::lock() {
-  directory_ = ::open(dir_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (directory_ < 0) {
-    if (errno == EACCES) return;  // a directory that may be written to, but not read
-    fail_to_write(dir_, errno);
-  }
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds kPatience{10};
-  for (const auto start = Clock::now(); ::flock(directory_, LOCK_EX | LOCK_NB) != 0;) {
-    if (errno != EWOULDBLOCK && errno != EINTR) return;  // cannot lock here
-    stop_if_asked();
-    if (Clock::now() - start > kPatience)
-      throw WriteError(dir_.string(), "another run has been writing there for 10 s; wait for it, or choose another --out");
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  locked_ = true;
+  lock_.emplace(dir_, DirectoryLock::Mode::exclusive, watch_);
+  if (lock_->is_busy())
+    throw WriteError(dir_.string(), "another run has been writing there for 10 s; wait for it, or choose another --out");
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {
@@ -237,16 +251,8 @@ void FileSet::add(std::string_view name, const std::function<void(const Sink&)>&
   File& file = this->file(name);
   // If a file of this name exists, a killed run with the same process number left it.
   if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail_to_write(file.place, errno);
-  Descriptor descriptor(::open(file.next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (descriptor.get() < 0) fail_to_write(file.place, errno);
   file.is_written = true;
-  produce([&](std::string_view content) {
-    if (const int error = write_all(descriptor.get(), content, [this] { stop_if_asked(); }); error != 0)
-      fail_to_write(file.place, error);
-  });
-  stop_if_asked();
-  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_to_write(file.place, errno);
-  if (descriptor.close() != 0) fail_to_write(file.place, errno);
+  write_durably(file.next, file.place, produce, watch_);
 }
 
 void FileSet::add(std::string_view name, std::string_view content) {
@@ -255,7 +261,7 @@ void FileSet::add(std::string_view name, std::string_view content) {
 
 /// Makes the changes of names in the directory durable. Some file systems cannot sync a directory (EINVAL); that is ignored.
 void FileSet::sync() const {
-  if (directory_ >= 0 && ::fsync(directory_) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
+  if (lock_->descriptor() >= 0 && ::fsync(lock_->descriptor()) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
 }
 
 void FileSet::replace() {
@@ -283,12 +289,11 @@ void FileSet::put_back() noexcept {
 
 void FileSet::commit() {
   stop_if_asked();
-  committing = true;
+  const CommitMoment moment;
   try {
     replace();
   } catch (...) {
     put_back();
-    committing = false;
     throw;
   }
   committed_ = true;
@@ -296,7 +301,6 @@ void FileSet::commit() {
     if (file->is_set_aside) ::unlink(file->last.c_str());
     file->is_set_aside = false;
   }
-  committing = false;
   remove_left(files_.back()->name);  // only now: till then an old seal says whose directory this is
 }
 

@@ -5,13 +5,16 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "earthtop/watch.hpp"
+#include "results/directory_lock.hpp"
 
 namespace earthtop {
 
@@ -30,6 +33,27 @@ class TemporaryName {
 
  private:
   std::atomic<const char*>* slot_;
+};
+
+/// Files and directories that `discard_temporaries` removes while this object lives, the last one first; of two objects at a time,
+/// the later one does nothing.
+class TemporaryNames {
+ public:
+  TemporaryNames() = default;
+  ~TemporaryNames() { forget(); }
+  TemporaryNames(const TemporaryNames&) = delete;
+  TemporaryNames& operator=(const TemporaryNames&) = delete;
+  /// @param name  of a file, or of a directory that is removed if it is empty
+  void add(std::string name);
+  void forget() noexcept;
+
+  struct Name {
+    std::string path;
+    const Name* before;
+  };
+
+ private:
+  std::list<Name> names_;
 };
 
 /// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
@@ -81,9 +105,23 @@ class FileSet {
   std::vector<std::filesystem::path> made_;   // directories that this set made, the outermost first
   std::vector<std::shared_ptr<void>> known_;  // keep the names of these directories known to `discard_temporaries`
   std::vector<std::unique_ptr<File>> files_;
-  int directory_ = -1;
-  bool locked_ = false;
+  std::optional<DirectoryLock> lock_;
   bool committed_ = false;
+};
+
+/// Writes a new file and waits until the disk has it.
+/// @param file  must not be there yet   @param place  what errors call it
+/// @throws WriteError; Interrupted if the watch asks to stop; all that `produce` throws
+void write_durably(const std::filesystem::path& file, const std::filesystem::path& place,
+                   const std::function<void(const FileSet::Sink&)>& produce, const Watch& watch = {});
+
+/// While it lives, signals do not end the program, since files are being put in place. There is only one at a time.
+class CommitMoment {
+ public:
+  CommitMoment();
+  ~CommitMoment();
+  CommitMoment(const CommitMoment&) = delete;
+  CommitMoment& operator=(const CommitMoment&) = delete;
 };
 
 }  // namespace earthtop

@@ -184,16 +184,20 @@ void check_output_directory(const fs::path& dir, const Scene& scene, bool force)
   if (fs::is_directory(dir, error)) check_present_files(dir, scene, force);
 }
 
-void write_file(const fs::path& file, std::string_view content) {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(file, error);
-  if (!file.has_filename() || (fs::exists(status) && !fs::is_regular_file(status)))
+void write_file(const fs::path& file, const std::function<std::string()>& content) {
+  struct stat status = {};
+  if (::lstat(file.c_str(), &status) != 0 && errno != ENOENT && errno != ENOTDIR) fail_to_write(file, errno);
+  if (!file.has_filename() || (status.st_mode != 0 && !S_ISREG(status.st_mode)))
     refuse(file, "is no file's name, or something else than a file is there; give a file");
   const std::string name = file.filename().string();
   const std::string_view names[] = {name};
   FileSet files(file.has_parent_path() ? file.parent_path() : fs::path("."), names);
-  files.add(name, content);
+  files.add(name, content());
   files.commit();
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+  write_file(file, [&] { return std::string(content); });
 }
 
 double writing_seconds(const Scenario& scenario) {

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "earthtop/results/provenance.hpp"
+#include "input/file.hpp"
 #include "text/checksum.hpp"
 
 namespace earthtop::study {
@@ -170,8 +171,7 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
 }
 
 Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mode) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse_store(file, "there is no such store");
+  if (input::type_of(file.string()) != input::PathType::file) refuse_store(file, "there is no such store");
   auto connection = std::make_unique<sqlite::Connection>(file.string(), mode);
   Facts facts;
   bool has_checksums = true;

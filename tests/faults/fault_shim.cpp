@@ -210,6 +210,7 @@ EARTHTOP_CALL(int, fflush, (std::FILE * file), (file), change_fails(write_call),
 EARTHTOP_CALL(int, fsync, (int file), (file), change_fails(sync_call), -1)
 EARTHTOP_CALL(int, fdatasync, (int file), (file), change_fails(sync_call), -1)
 EARTHTOP_CALL(int, rename, (const char* from, const char* to), (from, to), change_fails(rename_call), -1)
+EARTHTOP_CALL(int, link, (const char* from, const char* to), (from, to), change_fails(rename_call), -1)
 EARTHTOP_CALL(int, unlink, (const char* file), (file), change_fails(remove_call), -1)
 EARTHTOP_CALL(int, rmdir, (const char* directory), (directory), change_fails(remove_call), -1)
 EARTHTOP_CALL(int, mkdir, (const char* directory, mode_t mode), (directory, mode), change_fails(open_call), -1)

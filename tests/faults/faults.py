@@ -68,6 +68,7 @@ JOBS = [
     job("compare", "compare old reference"),
     job("compare --json", "compare old reference --json"),
     job("compare --update", "compare compact.json old --update --reason faults", WRITES),
+    job("update several", "compare references several --update --reason faults", WRITES),
     job("report", "report reference", WRITES),
     job("report a study", "report done", WRITES),
     job("plan", "plan top.json --measure drift_azimuth_rad --sigma 1e-6 --every 0.1 --svg plan.svg", WRITES),
@@ -93,7 +94,11 @@ class Bench:
         for line in (f"run top.json --out old {other} --quiet", "run top.json --out reference --quiet",
                      "study study.json --out done --quiet", "study study.json --out shards --shard 1/2 --quiet",
                      "study study.json --out shards --shard 2/2 --quiet",
-                     "compare compact.json reference --update --reason first --quiet"):
+                     "compare compact.json reference --update --reason first --quiet",
+                     "compare references/a reference --update --reason first --quiet",
+                     "compare references/b.json reference --update --reason first --quiet",
+                     f"run top.json --out several/a {other} --quiet", f"run top.json --out several/b {other} --quiet",
+                     "study study.json --out several/study --quiet"):
             made = self.run(line.split(), self.template)
             if made.returncode != 0:
                 sys.exit(f"earthtop {line}: {made.stderr}")

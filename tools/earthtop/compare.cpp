@@ -56,13 +56,17 @@ CompareOptions options_of(const CompareArguments& arguments) {
   return options;
 }
 
-int update_verb(const CompareArguments& arguments) {
-  const std::vector<std::string> written = update_reference(arguments.reference, arguments.candidate, arguments.reason);
+int update_verb(const CompareArguments& arguments) try {
+  const OrderlyEnd orderly;
+  const std::vector<std::string> written =
+      update_reference(arguments.reference, arguments.candidate, arguments.reason, Watch(stop_flag()));
   if (arguments.json)
     print_json(JsonObject().put("written", written).put("reason", arguments.reason));
   else if (!arguments.quiet)
     for (const std::string& path : written) print(fmt::format("new reference: {}\n", printable(path)));
   return kDone;
+} catch (const Interrupted&) {
+  return report_interruption(arguments.json);
 }
 
 /// Whether a path leads to a scenario, with which measurements are compared, and not to a compact reference.

@@ -140,10 +140,13 @@ std::string comparison_junit(const CompareReport& report);
 Figure comparison_figure(const CompareReport& report);
 
 /// Replaces `reference` by `candidate`: a results directory by its files, a study store by the store, a compact reference
-/// (FILE.json, or a directory of them) by figures and eleven rows of the new results. @param reason  kept in the reference
-/// @returns what was written   @throws ScenarioError for input that cannot be a reference; WriteError
+/// (FILE.json, or a directory of them) by figures and eleven rows of the new results. All references of a directory change
+/// together or not at all: what a killed update left is brought to its end, or removed if it had changed nothing, by the next
+/// one and by the next comparison with the reference. Runs that write new results meanwhile are waited for.
+/// @param reason  kept in the reference   @returns what was written
+/// @throws ScenarioError for input that cannot be a reference, or that goes on changing; ReadError, WriteError; Interrupted
 std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
-                                          const std::string& reason);
+                                          const std::string& reason, const Watch& watch = {});
 
 /// JSON Schema (draft 7) of a mapping file and of a tolerance file, and every key of them as a Markdown table.
 std::string mapping_schema();

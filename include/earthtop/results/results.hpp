@@ -88,6 +88,8 @@ double writing_seconds(const Scenario& scenario);
 /// Writes one file and creates its directory; an old file stays until the new one is complete.   @throws WriteError,
 /// Interrupted
 void write_file(const std::filesystem::path& file, std::string_view content);
+/// The same. @param content  is called while no other process can write files there
+void write_file(const std::filesystem::path& file, const std::function<std::string()>& content);
 
 /// Removes the temporary files of a `write_results` in progress, for a program that is about to end; safe in a signal handler.
 /// @returns false, without doing anything, at the moment when the files are put in place
