@@ -105,6 +105,12 @@ is_started() { [[ -n $(processes "$1") ]]; }
 same() {
   for file in study.csv study.json; do cmp "whole/$file" "$1/$file" || fault "$1: $file differs from that of a run without Slurm"; done
 }
+# requeue JOB: without the minutes that Slurm lets pass before it starts the job again.
+requeue() {
+  scontrol requeue "$1" || { fault "job $1 could not be requeued"; return; }
+  wait_until 60 is_pending "$1" && scontrol update jobid="$1" StartTime=now
+}
+is_pending() { [[ $(state "$1") == PENDING ]]; }
 submit_array() { sbatch --parsable --output="$1.log" --array=1-4 "$scripts/study-array.sbatch" study.json "$1"; }
 submit_merge() {
   sbatch --parsable --output="$2-merge.log" --dependency="afterok:$1" --kill-on-invalid-dep=yes "$scripts/study-merge.sbatch" "$2"
@@ -136,7 +142,7 @@ for k in 1 2 3 4; do
   before[k]=$(points "trouble/shard-$k-of-4.sqlite")
   if [[ $drained -eq 0 && $(node_of "${array}_$k") == n1 ]]; then
     drained=$k
-    scontrol requeue "${array}_$k" || fault "shard $k could not be requeued"
+    requeue "${array}_$k"
   elif [[ $killed -eq 0 ]]; then
     killed=$k
     # shellcheck disable=SC2046
@@ -177,7 +183,7 @@ else
   wait_until 60 is_started OMPI_COMM_WORLD_RANK=1
   sleep 1
   second=$(points mpi/study.sqlite)
-  scontrol requeue "$job" || fault "the job could not be requeued"
+  requeue "$job"
   sleep 1
   third=$(points mpi/study.sqlite)
   [[ $first -le $second && $second -le $third ]] || fault "points were lost: $first, $second, $third"
