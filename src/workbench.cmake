@@ -87,6 +87,7 @@ add_library(earthtop-workbench
   study/json_text.cpp
   study/launcher.cpp
   study/message.cpp
+  study/rank_search.cpp
   study/results.cpp
   study/run_study.cpp
   study/sqlite.cpp
@@ -120,7 +121,7 @@ target_link_libraries(earthtop-workbench
 # integrate, are compiled at -O3.
 target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
 set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp
-                            compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/statistics.cpp
+                            compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/rank_search.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 earthtop_unity_rooms(earthtop-workbench "bench;compare;measure;plan;report;study;verify")
 

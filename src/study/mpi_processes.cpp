@@ -18,6 +18,9 @@ namespace {
 
 enum Tag : int { kStudyText, kChunk, kResults, kStop };
 
+/// The exit status of a program that was told to stop: 128 + SIGTERM.
+constexpr int kStopped = 143;
+
 /// A received message.
 struct Message {
   int from, tag;
@@ -94,6 +97,7 @@ struct StudyProcesses::Session {
   bool initialized = false;
   Outbox outbox;              ///< used by the first process
   std::size_t under_way = 0;  ///< chunks given to the others and not yet answered
+  bool is_given_up = false;   ///< a worker did not answer when all were asked to stop
 };
 
 StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
@@ -107,6 +111,7 @@ StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
 StudyProcesses::~StudyProcesses() {
   if (!session_->initialized) return;
   if (!is_first() && std::uncaught_exceptions() > 0) MPI_Abort(MPI_COMM_WORLD, 1);  // the other processes would wait for ever
+  if (session_->is_given_up) MPI_Abort(MPI_COMM_WORLD, kStopped);
   if (is_first()) {
     while (session_->under_way > 0)  // after an error: receive what workers are still sending
       if (const auto message = next_message(); message && message->tag == kResults) --session_->under_way;
@@ -143,7 +148,8 @@ namespace {
 
 class Processes : public Workforce {
  public:
-  Processes(const Study& study, StudyProcesses& processes) : session_(processes.session()), in_hand_(processes.workers() + 1) {
+  Processes(const Study& study, StudyProcesses& processes, const Watch& watch)
+      : session_(processes.session()), watch_(watch), in_hand_(processes.workers() + 1) {
     for (std::size_t worker = 1; worker < in_hand_.size(); ++worker)
       session_.outbox.send(static_cast<int>(worker), kStudyText, study_message(study));
   }
@@ -170,6 +176,7 @@ class Processes : public Workforce {
       }
       if (results.empty() && session_.under_way > 0) nap();
     } while (results.empty() && session_.under_way > 0 && std::chrono::steady_clock::now() < until);
+    if (watch_.asks_to_stop()) give_up_silent_workers();
     return results;
   }
 
@@ -182,14 +189,27 @@ class Processes : public Workforce {
     return best;
   }
 
+  /// When one process is lost, the launcher tells the others to stop, and kills them a second later. Results of the lost one
+  /// will never come; what came from the others is to be stored, and the user told how to go on, within that second.
+  void give_up_silent_workers() {
+    constexpr auto kPatience = std::chrono::milliseconds(400);
+    const auto now = std::chrono::steady_clock::now();
+    if (!asked_to_stop_) asked_to_stop_ = now;
+    if (session_.under_way == 0 || now - *asked_to_stop_ < kPatience) return;
+    session_.under_way = 0;
+    session_.is_given_up = true;
+  }
+
   StudyProcesses::Session& session_;
+  Watch watch_;
+  std::optional<std::chrono::steady_clock::time_point> asked_to_stop_;
   std::vector<int> in_hand_;  // number of chunks that each process has; process 0 computes none
 };
 
 }  // namespace
 
-std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes) {
-  return std::make_unique<Processes>(study, processes);
+std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes, const Watch& watch) {
+  return std::make_unique<Processes>(study, processes, watch);
 }
 
 }  // namespace study

@@ -8,6 +8,7 @@
 namespace earthtop::study {
 
 /// @param processes has at least one worker; must outlive the workforce
-std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes);
+/// @param watch asks the workforce not to wait for workers any longer than a moment
+std::unique_ptr<Workforce> make_processes(const Study& study, StudyProcesses& processes, const Watch& watch);
 
 }  // namespace earthtop::study

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/results/provenance.hpp"
@@ -15,6 +16,7 @@
 #include "study/figure.hpp"
 #include "study/gathering.hpp"
 #include "study/json_text.hpp"
+#include "study/rank_search.hpp"
 #include "study/store.hpp"
 #include "text/checksum.hpp"
 #include "text/json.hpp"
@@ -81,7 +83,31 @@ Json axes_json(const Study& study) {
   return axes;
 }
 
-Json statistics_json(Store& store, const std::vector<Moments>& moments) {
+/// The 5 %, 50 % and 95 % quantiles of each quantity: the values at positions share * (count - 1), rounded, in ascending order.
+std::vector<std::vector<double>> quantiles_of(Store& store, const std::vector<Moments>& moments, const Watch& watch) {
+  std::vector<RankSearch> searches;
+  searches.reserve(moments.size());
+  for (const Moments& m : moments) {
+    std::vector<std::uint64_t> ranks;
+    for (const double share : {0.05, 0.5, 0.95})
+      ranks.push_back(m.count == 0 ? 0 : static_cast<std::uint64_t>(std::llround(share * static_cast<double>(m.count - 1))));
+    searches.emplace_back(ranks);
+  }
+  for (int pass = 0; pass < RankSearch::kPasses; ++pass) {
+    store.for_each_number([&](std::size_t quantity, double number) {
+      stop_if_asked(watch);
+      searches[quantity].include(number);
+    });
+    for (RankSearch& search : searches) search.end_pass();
+  }
+  std::vector<std::vector<double>> quantiles;
+  quantiles.reserve(searches.size());
+  for (const RankSearch& search : searches) quantiles.push_back(search.found());
+  return quantiles;
+}
+
+Json statistics_json(Store& store, const std::vector<Moments>& moments, const Watch& watch) {
+  const auto quantiles = quantiles_of(store, moments, watch);
   Json statistics = Json::object();
   for (std::size_t q = 0; q < moments.size(); ++q) {
     const Moments& m = moments[q];
@@ -91,9 +117,9 @@ Json statistics_json(Store& store, const std::vector<Moments>& moments) {
                         {"mean", m.mean},
                         {"standard_deviation", number_json(m.standard_deviation())},
                         {"min", m.least},
-                        {"quantile_05", number_json(store.quantile(name, 0.05, m.count))},
-                        {"median", number_json(store.quantile(name, 0.5, m.count))},
-                        {"quantile_95", number_json(store.quantile(name, 0.95, m.count))},
+                        {"quantile_05", number_json(quantiles[q][0])},
+                        {"median", number_json(quantiles[q][1])},
+                        {"quantile_95", number_json(quantiles[q][2])},
                         {"max", m.most}};
   }
   return statistics;
@@ -155,7 +181,7 @@ Json document_of(Store& store, const Watch& watch) {
   Json& quantities = document["quantities"] = Json::array();
   for (const StudyQuantity& quantity : study.quantities)
     quantities.push_back({{"name", quantity.name}, {"path", quantity.path}});
-  document["statistics"] = statistics_json(store, gathering.moments());
+  document["statistics"] = statistics_json(store, gathering.moments(), watch);
   document["marginals"] = gathering.marginals();
   document["fits"] = gathering.fits();
   if (study.design.indices) document["indices"] = sobol_indices(store, gathering.moments(), watch);

@@ -280,7 +280,8 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   const bool spread_out = options.processes && options.processes->workers() > 0;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned workers = spread_out ? options.processes->workers() : options.jobs > 0 ? options.jobs : cores;
-  const auto workforce = spread_out ? make_processes(study, *options.processes) : make_threads(study, workers, options.watch);
+  const auto workforce =
+      spread_out ? make_processes(study, *options.processes, options.watch) : make_threads(study, workers, options.watch);
   const double seconds_a_point = expected.core_seconds / static_cast<double>(expected.points);
   report.progress = run_points(study, options, store, *workforce, workers, seconds_a_point);
   report.failed = store.failed_count();

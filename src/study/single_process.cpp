@@ -26,7 +26,9 @@ void StudyProcesses::serve(const Watch&) {}
 
 namespace study {
 
-std::unique_ptr<Workforce> make_processes(const Study&, StudyProcesses&) { throw std::logic_error("built without MPI"); }
+std::unique_ptr<Workforce> make_processes(const Study&, StudyProcesses&, const Watch&) {
+  throw std::logic_error("built without MPI");
+}
 
 }  // namespace study
 }  // namespace earthtop

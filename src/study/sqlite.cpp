@@ -127,6 +127,12 @@ Value Statement::value(int column) const {
   }
 }
 
+std::optional<double> Statement::number(int column) const {
+  const int type = sqlite3_column_type(get(), column);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return std::nullopt;
+  return sqlite3_column_double(get(), column);
+}
+
 std::string quoted(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);

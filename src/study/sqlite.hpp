@@ -35,6 +35,7 @@ class Statement {
   std::int64_t integer(int column) const { return sqlite3_column_int64(get(), column); }
   std::string text(int column) const;
   Value value(int column) const;
+  std::optional<double> number(int column) const;  ///< none in a cell that holds none
 
  private:
   sqlite3_stmt* get() const { return statement_.get(); }

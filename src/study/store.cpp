@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "earthtop/results/provenance.hpp"
@@ -398,16 +397,14 @@ void Store::for_each(const std::function<void(const PointResult&)>& visit) {
   while (all.next(point)) visit(point);
 }
 
-std::optional<double> Store::quantile(const std::string& quantity, double share, std::uint64_t count) {
-  if (count == 0) return std::nullopt;
-  const std::string column = sqlite::quoted(quantity);
-  sqlite::Statement statement(
-      *connection_, fmt::format("SELECT {0} FROM point WHERE status = 'completed' AND typeof({0}) IN ('real', 'integer'){1} "
-                                "ORDER BY {0} LIMIT 1 OFFSET ?",
-                                column, passes_over_ ? " AND number NOT IN damaged" : ""));
-  statement.bind(1, std::int64_t{std::llround(share * static_cast<double>(count - 1))});
-  if (!statement.step()) return std::nullopt;
-  return std::get<double>(statement.value(0));
+void Store::for_each_number(const std::function<void(std::size_t quantity, double number)>& visit) {
+  std::string list;
+  for (const StudyQuantity& quantity : study_.quantities) list += (list.empty() ? "" : ", ") + sqlite::quoted(quantity.name);
+  sqlite::Statement statement(*connection_, fmt::format("SELECT {} FROM point WHERE status = 'completed'{}", list,
+                                                        passes_over_ ? " AND number NOT IN damaged" : ""));
+  while (statement.step())
+    for (std::size_t q = 0; q < study_.quantities.size(); ++q)
+      if (const auto number = statement.number(static_cast<int>(q))) visit(q, *number);
 }
 
 }  // namespace earthtop::study

@@ -86,10 +86,8 @@ class Store {
   Points points(std::uint64_t first = 0, std::optional<std::uint64_t> last = std::nullopt);
   void for_each(const std::function<void(const PointResult&)>& visit);
 
-  /// The quantile of a quantity over the completed points that have a number for it: the value at position share * (count - 1),
-  /// rounded, in ascending order.
-  /// @param count how many such points there are; nothing is returned if it is 0
-  std::optional<double> quantile(const std::string& quantity, double share, std::uint64_t count);
+  /// Passes the numbers of the completed points' quantities, each with the index of its quantity.
+  void for_each_number(const std::function<void(std::size_t quantity, double number)>& visit);
 
  private:
   /// How many points there are, and the sum of their checksums modulo 2^64: kept with every commit, so that lost points are

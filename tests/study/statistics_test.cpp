@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "study/design.hpp"
+#include "study/rank_search.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -20,6 +24,26 @@ TEST(MomentsOfPoints, KeepDigitsOfALargeMean) {
   EXPECT_NEAR(*m.standard_deviation(), std::sqrt(0.25 * 1000 / 999), 1e-9);
   EXPECT_EQ(m.least, 1e9);
   EXPECT_EQ(m.most, 1e9 + 1);
+}
+
+/// Signs, sizes and repetitions of all kinds: every number must be found where sorting puts it.
+TEST(RankSearches, FindWhatSortingFinds) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::mt19937_64 random(20261123);
+  std::normal_distribution<double> normal;
+  std::vector<double> numbers = {0.0, -kInfinity, kInfinity, 5e-324, -5e-324, 1.5, 1.5, 1.5, std::nextafter(1.5, 2)};
+  for (int i = 0; i < 300; ++i) numbers.push_back(normal(random));
+  for (int i = 0; i < 100; ++i) numbers.push_back(normal(random) * std::exp2(normal(random) * 300));
+  std::vector<std::uint64_t> ranks;
+  for (std::uint64_t rank = 0; rank < numbers.size(); ++rank) ranks.push_back(rank);
+  RankSearch search(ranks);
+  for (int pass = 0; pass < RankSearch::kPasses; ++pass) {
+    std::shuffle(numbers.begin(), numbers.end(), random);
+    for (const double x : numbers) search.include(x);
+    search.end_pass();
+  }
+  std::sort(numbers.begin(), numbers.end());
+  EXPECT_EQ(search.found(), numbers);
 }
 
 TEST(Lines, AreExactForPointsOnALine) {
