@@ -17,30 +17,88 @@ std::string summarize(const std::string& file, const std::vector<Diagnostic>& di
   return text;
 }
 
+std::vector<Diagnostic> all_shortened(std::vector<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) diagnostic = shortened(std::move(diagnostic));
+  return diagnostics;
+}
+
+/// Appends the printable form of a text's first character. @returns the character's length in the text (bytes)
+std::size_t append_printable(std::string_view text, std::string& shown) {
+  const auto [code, length] = first_character(text);
+  if (length == 0 || (length == 1 && is_unseen(code)))
+    shown += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
+  else if (is_unseen(code))
+    append_escape(code, shown);
+  else
+    shown += text.substr(0, length);
+  return length == 0 ? 1 : length;
+}
+
+/// The length of an escape at the beginning of a text, \xNN, \uNNNN, ~0 or ~1; 0 if there is none.
+std::size_t escape_length(std::string_view text) {
+  if (text.starts_with("~0") || text.starts_with("~1")) return 2;
+  const std::size_t length = text.starts_with("\\u") ? 6 : text.starts_with("\\x") ? 4 : 0;
+  if (length == 0 || text.size() < length) return 0;
+  const bool has_digits = text.substr(2, length - 2).find_first_not_of("0123456789abcdef") == text.npos;
+  return has_digits ? length : 0;
+}
+
+/// Appends the printable form of a text's first part: an escape, or a character. @returns the part's length in the text (bytes)
+std::size_t append_part(std::string_view text, std::string& shown) {
+  const std::size_t length = escape_length(text);
+  if (length == 0) return append_printable(text, shown);
+  shown += text.substr(0, length);
+  return length;
+}
+
+constexpr std::string_view kCut = "...";
+
+/// The end of a text whose printable form has at most `most` bytes, with "..." before it if something was cut.
+std::string end_of(std::string_view text, std::size_t most) {
+  std::size_t width = printable(text).size();
+  if (width <= most) return std::string(text);
+  for (std::string part; width + kCut.size() > most; part.clear()) {
+    text.remove_prefix(append_part(text, part));
+    width -= part.size();
+  }
+  return std::string(kCut).append(text);
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
   std::string shown;
-  while (!text.empty()) {
-    const auto [code, length] = first_character(text);
-    if (length == 0 || (length == 1 && is_unseen(code)))
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
-    else if (is_unseen(code))
-      append_escape(code, shown);
-    else
-      shown += text.substr(0, length);
-    text.remove_prefix(length == 0 ? 1 : length);
-  }
+  while (!text.empty()) text.remove_prefix(append_printable(text, shown));
   return shown;
 }
 
-ScenarioError::ScenarioError(std::vector<Diagnostic> diagnostics, std::string file)
-    : std::runtime_error(summarize(file, diagnostics)), diagnostics_(std::move(diagnostics)), file_(std::move(file)) {}
+std::string shortened(std::string_view text, std::size_t most) {
+  std::string shown;
+  std::size_t cut = 0;  // the end of the last part that leaves room for the dots
+  for (std::size_t at = 0; at < text.size();) {
+    at += append_part(text.substr(at), shown);
+    if (shown.size() > most) return std::string(text.substr(0, cut)).append(kCut);
+    if (shown.size() + kCut.size() <= most) cut = at;
+  }
+  return std::string(text);
+}
 
-std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity) {
+Diagnostic shortened(Diagnostic diagnostic) {
+  diagnostic.pointer = shortened(diagnostic.pointer, kLongestPointer);
+  diagnostic.message = shortened(diagnostic.message, kLongestMessage);
+  return diagnostic;
+}
+
+ScenarioError::ScenarioError(std::vector<Diagnostic> diagnostics, std::string file)
+    : std::runtime_error(summarize(file, diagnostics)),
+      diagnostics_(all_shortened(std::move(diagnostics))),
+      file_(std::move(file)) {}
+
+std::string format_diagnostic(std::string_view file, const Diagnostic& given, std::string_view severity) {
+  const Diagnostic diagnostic = shortened(given);
   std::string text;
   if (!file.empty()) {
-    text += file;
+    text += end_of(file, kLongestFileName);
     text += ':';
     if (diagnostic.line > 0) text += fmt::format("{}:{}:", diagnostic.line, diagnostic.column);
     text += ' ';

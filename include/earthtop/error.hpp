@@ -20,7 +20,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// Thrown for input that is refused; holds all its violations.
+/// Thrown for input that is refused; holds all its violations, each of them shortened.
 class ScenarioError : public std::runtime_error {
  public:
   explicit ScenarioError(std::vector<Diagnostic> diagnostics, std::string file = "");
@@ -57,11 +57,22 @@ class WriteError : public FileError {
   using FileError::FileError;
 };
 
+/// The longest pointer and message of a diagnostic, and the longest name of its file, in the form in which they are shown (bytes).
+/// Together with its place a diagnostic's line has less than 2 KiB.
+inline constexpr std::size_t kLongestPointer = 300, kLongestMessage = 1200, kLongestFileName = 400;
+
+/// The beginning of a text whose printable form has at most `most` bytes, with "..." at its end if something was cut. A cut is
+/// never inside a character, or inside an escape (\xNN, \uNNNN, ~0, ~1) that the text has already.
+std::string shortened(std::string_view text, std::size_t most = kLongestMessage);
+/// A diagnostic whose pointer and message are shortened.
+Diagnostic shortened(Diagnostic diagnostic);
+
 /// A text in a form that a terminal can safely show: valid UTF-8. Control characters, line ends, marks of writing direction and
 /// bytes that are not valid UTF-8 are written as `\xNN` or `\uNNNN`.
 std::string printable(std::string_view text);
 
-/// One printable line `file:line:col: error: /json/pointer: message`.   @param severity  "error" or "warning"
+/// One printable line `file:line:col: error: /json/pointer: message`, shortened to less than 2 KiB; of a long file name the end
+/// is shown.   @param severity  "error" or "warning"
 std::string format_diagnostic(std::string_view file, const Diagnostic& diagnostic, std::string_view severity = "error");
 
 /// How an integration ended.

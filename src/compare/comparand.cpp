@@ -10,9 +10,9 @@
 #include "compare/compact_reference.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/document.hpp"
 #include "input/file.hpp"
 #include "results/seal.hpp"
-#include "text/json.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -109,12 +109,8 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
 
 Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check) {
   const std::string text = input::read_regular_file(file.string(), file.string(), {noun, false});
-  if (text.empty()) refuse_path(file, "is empty");
   if (check) check(text);
-  Json json = json_or_discarded(text);
-  if (json.is_discarded() || !json.is_object())
-    refuse_path(file, fmt::format("is no JSON object, as a {} is: truncated or changed; write it anew", noun));
-  return json;
+  return input::read_document(text, file.string(), {noun});
 }
 
 Document::Document() : Document(Json()) {}

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "earthtop/error.hpp"
+#include "input/node.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -140,11 +141,9 @@ class MappedRows : public RowSource {
 
   void add(const std::string& column) {
     const std::size_t at = reader_.find(column);
-    if (at == reader_.header().size()) {
-      std::string there;
-      for (const std::string& name : reader_.header()) there += (there.empty() ? "" : ", ") + name;
-      refuse_at(reader_, fmt::format("no column \"{}\", which {} names; there are {}", column, mapping_.file, there));
-    }
+    if (at == reader_.header().size())
+      refuse_at(reader_, fmt::format("no column \"{}\", which {} names; there are {}", input::excerpt(column), mapping_.file,
+                                     input::listed(reader_.header())));
     wanted_.push_back(at);
   }
   template <std::size_t n>

@@ -12,6 +12,7 @@
 #include "compare/tell.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/real.hpp"
+#include "input/node.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -215,8 +216,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
       if (table_.measures[i].name == name) return known.largest[i];
     return 0.0;
   };
-  std::string foreign;
-  for (const std::string& column : candidate.other_columns()) foreign += (foreign.empty() ? "" : ", ") + printable(column);
+  const std::string foreign = printable(input::listed(candidate.other_columns()));
   std::string not_compared;
   for (std::size_t i = 0; i < table_.measures.size(); ++i) {
     const Measure& measure = table_.measures[i];

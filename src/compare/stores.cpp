@@ -12,6 +12,7 @@
 #include "compare/tell.hpp"
 #include "compare/tolerances.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/node.hpp"
 #include "study/store.hpp"
 
 namespace earthtop::compare {
@@ -31,10 +32,13 @@ Store open_store(const std::filesystem::path& path) {
   return store;
 }
 
+/// A value for messages, in which a word is shortened.
+std::string shown(const Value& value) { return input::excerpt(study::plain_text(value)); }
+
 std::string name_of(const PointResult& point, const Study& study) {
   std::string text = fmt::format("point {}", point.number);
   for (std::size_t i = 0; i < study.axes.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? " (" : ", ", study.axes[i].name, study::plain_text(point.axis_values[i]));
+    text += fmt::format("{}{} {}", i == 0 ? " (" : ", ", study.axes[i].name, shown(point.axis_values[i]));
   return study.axes.empty() ? text : text + ")";
 }
 
@@ -70,7 +74,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
                                               PairReport& report) {
   std::vector<SharedQuantity> shared;
   const bool same_study = reference.sha256() == candidate.sha256();
-  std::string not_compared;
+  std::vector<std::string> not_compared;
   for (std::size_t i = 0; i < reference.study().quantities.size(); ++i) {
     const StudyQuantity& quantity = reference.study().quantities[i];
     const auto there = find_path(candidate.study(), quantity.path);
@@ -83,7 +87,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
     const FigureKind kind = member && member->kind != FigureKind::not_compared ? member->kind : FigureKind::derived;
     const auto rule = is_compared(kind) ? rule_of(quantity.name, kind, options.tolerances, same_study) : std::nullopt;
     if (!rule) {
-      not_compared += (not_compared.empty() ? "" : ", ") + quantity.name;
+      not_compared.push_back(quantity.name);
       continue;
     }
     SharedQuantity one{i, *there, kind, *rule, std::nullopt, 0, -1, {}};
@@ -95,7 +99,7 @@ std::vector<SharedQuantity> shared_quantities(const Store& reference, const Stor
     one.verdict.name = quantity.name;
     shared.push_back(std::move(one));
   }
-  if (!not_compared.empty()) report.notes.push_back(fmt::format("not compared: {}", not_compared));
+  if (!not_compared.empty()) report.notes.push_back(fmt::format("not compared: {}", input::listed(not_compared)));
   return shared;
 }
 
@@ -133,8 +137,7 @@ void judge(SharedQuantity& quantity, const PointResult& a, const PointResult& b,
       verdict.change = !errors ? Change::unknown : found > *errors ? Change::above_errors : Change::within_errors;
   } else if (!passed) {
     if (verdict.change != Change::above_errors) verdict.change = Change::unknown;
-    if (verdict.reason.empty())
-      verdict.reason = fmt::format("\"{}\" in the reference, \"{}\" now", study::plain_text(before), study::plain_text(now));
+    if (verdict.reason.empty()) verdict.reason = fmt::format("\"{}\" in the reference, \"{}\" now", shown(before), shown(now));
   }
   if (!passed && verdict.violations++ == 0) verdict.first_violation = name_of(a, study);
 }
@@ -160,7 +163,8 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
       if (a.axis_values != b.axis_values && moved++ == 0) first_moved = name_of(b, candidate.study());
       if (same_study && a.scenario_sha256 != b.scenario_sha256 && other_scenarios++ == 0)
         first_other = name_of(b, candidate.study());
-      if (a.status != b.status) ++statuses[fmt::format("{} in the reference, {} now", a.status, b.status)];
+      if (a.status != b.status)
+        ++statuses[fmt::format("{} in the reference, {} now", input::excerpt(a.status), input::excerpt(b.status))];
       if (++report.rows % 1024 == 0) tell(options.watch, static_cast<double>(report.rows) / all);
       if (!a.failed() && !b.failed())
         for (SharedQuantity& quantity : quantities) judge(quantity, a, b, reference.study());

@@ -177,7 +177,7 @@ void check_structure(Node& root, Findings& findings, const FieldTable& table) {
 Node read_checked(std::string_view& text, const std::string& file, const FieldTable& table, Findings& findings) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Node root;
-  const ReadOutcome outcome = read_json(text, "", false, root, findings);
+  const ReadOutcome outcome = read_json(text, "", false, root, findings, {.noun = table.noun});
   if (outcome == ReadOutcome::not_json || outcome == ReadOutcome::refused) throw ScenarioError(findings.errors(text), file);
   check_structure(root, findings, table);
   return root;

@@ -15,6 +15,7 @@
 #include "input/csv_text.hpp"
 #include "input/fields.hpp"
 #include "input/node.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop::input {
 namespace {
@@ -77,10 +78,11 @@ CsvReader::CsvReader(std::string file, CsvFormat format, Descriptor descriptor, 
   if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
   if (!read_line(line)) refuse("is empty; a header line and rows of numbers are needed");
-  if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")) refuse("is UTF-16; save it as UTF-8");
-  if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   if (format_.or_tabs && line.find('\t') != line.npos && line.find(format_.delimiter) == line.npos) format_.delimiter = '\t';
-  split(line);
+  split(line, kMostColumns + 1);
+  if (cells_.size() > kMostColumns)
+    refuse(fmt::format("the header names more than {} columns, the most that a table may have; leave some out", kMostColumns),
+           static_cast<std::size_t>(cells_.back().data() - whole_.data()) + 1);
   for (const std::string_view cell : cells_) header_.emplace_back(cell);
   std::unordered_set<std::string_view> names;
   for (const std::string& name : header_)
@@ -104,10 +106,13 @@ void CsvReader::take_words(std::size_t wanted, std::string_view words) { words_[
 bool CsvReader::next() {
   std::string_view line;
   if (!read_line(line)) return false;
-  split(line);
+  const std::size_t most = 2 * header_.size();  // as many as decimal commas would make of it
+  split(line, most + 1);
   if (cells_.size() != header_.size())
-    refuse(fmt::format("{} cells, where the header names {} columns{}", cells_.size(), header_.size(),
-                       format_.delimiter == ',' && cells_.size() > header_.size() && cells_.size() <= 2 * header_.size()
+    refuse(fmt::format("{} cells, where the header names {} columns{}",
+                       cells_.size() > most ? fmt::format("more than {}", most) : fmt::format("{}", cells_.size()),
+                       header_.size(),
+                       format_.delimiter == ',' && cells_.size() > header_.size() && cells_.size() <= most
                            ? "; are there decimal commas? write 0.1, not 0,1"
                            : ""));
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
@@ -115,12 +120,13 @@ bool CsvReader::next() {
     if (!words_[i].empty() && !cell.empty()) {
       const auto word = std::find(words_[i].begin(), words_[i].end(), cell);
       if (word == words_[i].end())
-        refuse(fmt::format("column {}: \"{}\" is none of {}", header_[wanted_[i]], excerpt(cell), fmt::join(words_[i], ", ")),
+        refuse(fmt::format("column {}: \"{}\" is none of {}", excerpt(header_[wanted_[i]]), excerpt(cell),
+                           fmt::join(words_[i], ", ")),
                static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
       numbers_[i] = static_cast<double>(word - words_[i].begin());
       kinds_[i] = CellKind::number;
     } else if (!parse(cell, numbers_[i], kinds_[i]))
-      refuse(fmt::format("column {}: \"{}\" is no number{}", header_[wanted_[i]], excerpt(cell),
+      refuse(fmt::format("column {}: \"{}\" is no number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
                          has_decimal_comma(cell) ? kPointHint : ""),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
@@ -150,14 +156,26 @@ bool CsvReader::read_line(std::string_view& line) {
     ++line_;
     line = std::string_view(start, static_cast<std::size_t>(end - start));
     begin_ += line.size() + 1;
+    if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    require_text(line);
     const std::string_view content = trimmed(line);
     if (!content.empty() && content.front() != format_.comment) return true;
   }
 }
 
-void CsvReader::split(std::string_view line) {
+/// Refuses a line that is not UTF-8 text; comments are lines, too.
+void CsvReader::require_text(std::string_view line) const {
+  if (line_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF"))) refuse("is UTF-16; save it as UTF-8");
+  if (const auto nul = line.find('\0'); nul != line.npos) refuse("a NUL byte; remove it: a table is plain UTF-8 text", nul + 1);
+  if (const auto bad = first_invalid_utf8(line); bad != line.npos)
+    refuse(fmt::format("byte 0x{:02x} is not valid UTF-8; save the file as UTF-8",
+                       static_cast<unsigned>(static_cast<unsigned char>(line[bad]))),
+           bad + 1);
+}
+
+void CsvReader::split(std::string_view line, std::size_t most) {
   whole_ = line;
-  split_cells(line, format_.delimiter, cells_);
+  split_cells(line, format_.delimiter, cells_, most);
   for (std::string_view& cell : cells_) cell = trimmed(cell);
 }
 

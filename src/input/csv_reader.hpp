@@ -12,6 +12,8 @@
 
 namespace earthtop::input {
 
+inline constexpr std::size_t kMostColumns = 10'000;  ///< a header with more is refused
+
 struct CsvFormat {
   char delimiter = ',';
   char comment = '#';    ///< lines that begin with this character are skipped
@@ -23,7 +25,8 @@ enum class CellKind : char { number, empty, not_finite };
 class CsvReader {
  public:
   /// Opens the file and reads its header line.
-  /// @throws ScenarioError for a missing header, or where it is no regular file; ReadError where reading fails
+  /// @throws ScenarioError for a missing header, one with more than `kMostColumns` columns or one name twice, and a file that is not
+  /// regular; ReadError where reading fails
   explicit CsvReader(std::string file, CsvFormat format = {});
   /// Reads a text instead of a file.   @param name  what messages call it
   static CsvReader of_text(std::string name, std::string text, CsvFormat format = {});
@@ -41,7 +44,8 @@ class CsvReader {
 
   /// Reads the numbers of the next line. @returns false at the end of the file
   /// @throws ScenarioError, with line and column, for a cell that is no number, a line with another number of cells than the
-  /// header, and a last line without a line end, as an interrupted write leaves it; ReadError where reading fails
+  /// header, a NUL byte, a byte that is not UTF-8, and a last line without a line end, as an interrupted write leaves it;
+  /// ReadError where reading fails
   bool next();
   std::span<const double> numbers() const { return numbers_; }  ///< in the order of `want`; NaN for a cell without a number
   std::span<const CellKind> kinds() const { return kinds_; }
@@ -55,7 +59,8 @@ class CsvReader {
  private:
   CsvReader(std::string file, CsvFormat format, Descriptor descriptor, std::string text);
   bool read_line(std::string_view& line);
-  void split(std::string_view line);
+  void require_text(std::string_view line) const;
+  void split(std::string_view line, std::size_t most);
   [[noreturn]] void refuse(std::string message, std::size_t column = 1) const;
 
   std::string file_;

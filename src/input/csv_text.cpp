@@ -14,9 +14,9 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
+void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells, std::size_t most) {
   cells.clear();
-  for (std::size_t at = 0; at <= line.size();) {
+  for (std::size_t at = 0; at <= line.size() && cells.size() < most;) {
     const auto* end = static_cast<const char*>(std::memchr(line.data() + at, delimiter, line.size() - at));
     const std::size_t stop = end ? static_cast<std::size_t>(end - line.data()) : line.size();
     cells.push_back(line.substr(at, stop - at));

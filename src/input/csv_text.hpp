@@ -2,6 +2,8 @@
 /// Splits CSV text into lines and cells, and reads numbers from cells.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +13,9 @@ namespace earthtop::input {
 std::string_view take_line(std::string_view& text);
 
 /// Splits a line into its cells, spaces included; an empty line has one empty cell.
-void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
+/// @param most  the cells after this many are left out
+void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells,
+                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The result of reading a whole cell as a number.
 struct CellNumber {

@@ -58,7 +58,7 @@ std::vector<Diagnostic> Findings::report(std::vector<Finding> sorted, std::size_
                                  : fmt::format("duplicate key, given already at {}:{}; give it once", first.line, first.column);
     }
     if (from_set) finding.message += " (from --set)";
-    diagnostics.push_back({at.line, at.column, std::move(finding.pointer), std::move(finding.message)});
+    diagnostics.push_back(shortened({at.line, at.column, std::move(finding.pointer), std::move(finding.message)}));
   }
   return diagnostics;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/node.hpp"
 
+#include <fmt/core.h>
+
 namespace earthtop::input {
 
 std::string_view name_of(JsonKind kind) {
@@ -20,6 +22,16 @@ std::string excerpt(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return std::string(text);
   while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;  // do not cut inside a UTF-8 character
   return std::string(text.substr(0, limit)) + "...";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostListed = 100, kMostBytes = 600;
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i == kMostListed || text.size() > kMostBytes) return fmt::format("{} and {} more", text, names.size() - i);
+    text += (i > 0 ? ", " : "") + excerpt(names[i]);
+  }
+  return text;
 }
 
 std::string pointer_step(std::string_view key) {

@@ -46,6 +46,9 @@ std::string_view name_of(JsonKind kind);
 /// Returns at most `limit` bytes of a text for messages, cut between UTF-8 characters, with "..." if something was cut.
 std::string excerpt(std::string_view text, std::size_t limit = 40);
 
+/// Returns names for messages, separated by commas: excerpts of the first ones, and the number of the others.
+std::string listed(const std::vector<std::string>& names);
+
 /// Returns a key as a step of a JSON pointer ("/" in front, ~ and / escaped, cut to a printable length).
 std::string pointer_step(std::string_view key);
 

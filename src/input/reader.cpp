@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/reader.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
@@ -19,13 +19,15 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view pointer, bool from_set, Findings& findings)
-      : text_(text), pointer_(pointer), from_set_(from_set), findings_(findings) {}
+  Reader(std::string_view text, std::string_view pointer, bool from_set, Findings& findings, const TextKind& kind,
+         bool keeps_tree)
+      : text_(text), pointer_(pointer), from_set_(from_set), findings_(findings), kind_(kind), keeps_tree_(keeps_tree) {}
 
   ReadOutcome document(Node& root) {
     if (!encoding() || !value(root, 1)) return outcome_;
     skip_space();
-    if (at_ < text_.size()) stop(at_, "text after the end of the scenario: " + here() + "; one JSON object is allowed");
+    if (at_ < text_.size())
+      stop(at_, fmt::format("text after the end of the {}: {}; one JSON object is allowed", kind_.noun, here()));
     return outcome_;
   }
 
@@ -50,13 +52,14 @@ class Reader {
 
   // -- the text as a whole
   bool encoding() {
-    if (text_.size() > kLargestText)
-      return stop(0, fmt::format("the text has {} bytes; at most 16 MiB are allowed", text_.size()), ReadOutcome::refused);
+    if (text_.size() > kind_.most_bytes)
+      return stop(0, fmt::format("the text has {} bytes; at most {} MiB are allowed", text_.size(), kind_.most_bytes >> 20U),
+                  ReadOutcome::refused);
     if (const auto other = wide_encoding(); !other.empty())
       return stop(0, fmt::format("the text is in {}; save it as UTF-8, e.g. with iconv -f {} -t UTF-8", other, other),
                   ReadOutcome::refused);
     if (const auto nul = text_.find('\0'); nul != std::string_view::npos)
-      return stop(nul, "a NUL byte; remove it: a scenario is plain UTF-8 text", ReadOutcome::refused);
+      return stop(nul, fmt::format("a NUL byte; remove it: a {} is plain UTF-8 text", kind_.noun), ReadOutcome::refused);
     if (const auto bad = first_invalid_utf8(text_); bad != std::string_view::npos)
       return stop(bad,
                   fmt::format("byte 0x{:02x} is not valid UTF-8; save the text as UTF-8",
@@ -97,11 +100,13 @@ class Reader {
   bool value(Node& node, int depth) {
     skip_space();
     node.place = place(at_);
-    if (++values_ > kMostValues)
-      return stop(at_, fmt::format("more than {} values; a scenario has a few dozen", kMostValues), ReadOutcome::refused);
+    if (++values_ > kind_.most_values)
+      return stop(at_, fmt::format("more than {} values; a {} has far fewer", kind_.most_values, kind_.noun),
+                  ReadOutcome::refused);
     const char c = peek();
     if ((c == '{' || c == '[') && depth > kGreatestDepth)
-      return stop(at_, fmt::format("nested more than {} deep; a scenario needs 5", kGreatestDepth), ReadOutcome::refused);
+      return stop(at_, fmt::format("nested more than {} deep; a {} needs far less", kGreatestDepth, kind_.noun),
+                  ReadOutcome::refused);
     if (c == '{') return object(node, depth);
     if (c == '[') return array(node, depth);
     if (c == '"') return node.kind = JsonKind::string, string(node.text);
@@ -238,8 +243,10 @@ class Reader {
     if (take(']')) return true;
     const std::size_t parent = pointer_.size();
     for (std::size_t i = 0;; ++i) {
-      pointer_ += fmt::format("/{}", i);
-      if (!value(node.children.emplace_back(), depth + 1)) return false;
+      pointer_ += '/';
+      pointer_ += fmt::format_int(i).c_str();
+      Node passing;
+      if (!value(keeps_tree_ ? node.children.emplace_back() : passing, depth + 1)) return false;
       pointer_.resize(parent);
       if (take(']')) return true;
       const std::size_t comma = at_;
@@ -258,22 +265,33 @@ class Reader {
       skip_space();
       if (peek() != '"')
         return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; a key in double quotes must stand here");
+      if (++open_members_ > kMostValues)
+        return stop(at_, fmt::format("more than {} members in an object; a {} has far fewer", kMostValues, kind_.noun),
+                    ReadOutcome::refused);
       Node& member = node.children.emplace_back();
       member.key_place = place(at_);
       if (!string(member.key)) return false;
       pointer_ += pointer_step(member.key);
       if (!take(':')) return stop(at_, unexpected() + "; ':' must stand here");
-      const bool outer = std::exchange(in_comment_, in_comment_ || is_comment(member.key));
+      const bool outer = std::exchange(in_comment_, in_comment_ || is_comment_here(member.key));
       if (!value(member, depth + 1)) return false;
       in_comment_ = outer;
       pointer_.resize(parent);
-      if (take('}')) return in_comment_ || (refuse_duplicates(node), true);
+      if (!keeps_tree_) member.text = std::string();
+      if (take('}')) {
+        open_members_ -= node.children.size();
+        if (!in_comment_) refuse_duplicates(node);
+        if (!keeps_tree_) node.children = std::vector<Node>();
+        return true;
+      }
       const std::size_t comma = at_;
       if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or '}' must stand here");
       skip_space();
       if (peek() == '}') return stop(comma, "a comma after the last member; leave it out");
     }
   }
+
+  bool is_comment_here(std::string_view key) const { return kind_.has_comments && is_comment(key); }
 
   /// Reports duplicate keys and keeps the first one. It sorts instead of hashing, so that no input makes it slow. Comments may
   /// share a key.
@@ -286,7 +304,7 @@ class Reader {
     for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
       if (key(order[i]) != key(order[first]))
         first = i;
-      else if (i != first && !is_comment(key(order[i])))
+      else if (i != first && !is_comment_here(key(order[i])))
         repeated.emplace_back(order[i], order[first]);
     }
     std::sort(repeated.begin(), repeated.end());
@@ -302,16 +320,27 @@ class Reader {
   std::string pointer_;
   bool from_set_;
   Findings& findings_;
+  TextKind kind_;
+  bool keeps_tree_;
   std::size_t at_ = 0;
   std::size_t values_ = 0;
-  bool in_comment_ = false;  // inside the value of a comment, which must be JSON, but of any content
+  std::size_t open_members_ = 0;  // members read so far of the objects that are not closed
+  bool in_comment_ = false;       // inside the value of a comment, which must be JSON, but of any content
   ReadOutcome outcome_ = ReadOutcome::complete;
 };
 
 }  // namespace
 
-ReadOutcome read_json(std::string_view text, std::string_view pointer, bool from_set, Node& root, Findings& findings) {
-  return Reader(text, pointer, from_set, findings).document(root);
+ReadOutcome read_json(std::string_view text, std::string_view pointer, bool from_set, Node& root, Findings& findings,
+                      const TextKind& kind) {
+  return Reader(text, pointer, from_set, findings, kind, true).document(root);
+}
+
+ReadOutcome check_json(std::string_view text, Findings& findings, const TextKind& kind, JsonKind& outermost) {
+  Node root;
+  const ReadOutcome outcome = Reader(text, "", false, findings, kind, false).document(root);
+  outermost = root.kind;
+  return outcome;
 }
 
 }  // namespace earthtop::input

@@ -10,6 +10,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/pointers.hpp"
+#include "input/reader.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::input {
@@ -85,6 +86,15 @@ class Scanner {
   std::string_view text_;
 };
 
+/// Whether a value is JSON; otherwise it is a string. @throws ScenarioError for a value that an override may not have, either
+bool is_json(std::string_view value, std::string_view pointer) {
+  Findings findings;
+  JsonKind kind = JsonKind::null;
+  const ReadOutcome outcome = check_json(value, findings, {.noun = "value"}, kind);
+  if (outcome == ReadOutcome::refused) throw ScenarioError(std::string(pointer), findings.errors(value).front().message);
+  return outcome == ReadOutcome::complete;
+}
+
 std::string quoted(const std::string& word) { return written(nlohmann::ordered_json(word)); }
 
 /// A value that is reached by the remaining tokens from a place where nothing is: objects in one another.
@@ -143,8 +153,7 @@ std::string with_value(std::string_view text, std::string_view pointer, std::str
   };
   const auto tokens = tokens_of(pointer);
   if (!tokens || tokens->empty()) throw no_place();
-  const nlohmann::ordered_json json = json_or_discarded(given);
-  const std::string value = json.is_discarded() ? quoted(std::string(given)) : std::string(given);
+  const std::string value = is_json(given, pointer) ? std::string(given) : quoted(std::string(given));
   const Scanner scanner(text);
   std::size_t at = outermost(text);
   for (std::size_t k = 0; k < tokens->size(); ++k) {

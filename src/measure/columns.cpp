@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "input/findings.hpp"
 #include "input/node.hpp"
 #include "input/suggest.hpp"
 
@@ -67,6 +68,10 @@ class HeaderReader {
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     for (const std::string& name : header_) {
       if (name.starts_with('_') || std::find(names.begin(), names.end(), name) != names.end()) continue;
+      if (columns_.errors.size() >= input::kMostDiagnostics) {  // it is counted, and not shown
+        columns_.errors.emplace_back();
+        continue;
+      }
       const auto meant = input::suggest(name, candidates);
       columns_.errors.push_back(fmt::format("unknown column \"{}\"; {}{}", input::excerpt(name), kAllowedColumns,
                                             meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));

@@ -8,9 +8,9 @@
 #include "compare/comparand.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/document.hpp"
 #include "input/file.hpp"
 #include "report/pages.hpp"
-#include "text/json.hpp"
 
 namespace earthtop {
 namespace report {
@@ -35,10 +35,8 @@ Report document_page(const std::filesystem::path& file) {
   const input::FileUse use{"document", false, kMostDocument_MiB};
   const std::string text =
       file == kStandardInput ? input::read_standard_input(use) : input::read_regular_file(file.string(), file.string(), use);
-  if (text.empty()) compare::refuse_path(file, "is empty");
-  const Json document = json_or_discarded(text);
-  if (document.is_discarded() || !document.is_object())
-    compare::refuse_path(file, "is no JSON object, as a document is: truncated or changed; write it anew");
+  const std::string name = file == kStandardInput ? "<stdin>" : file.string();
+  const Json document = input::read_document(text, name, {use.noun, use.most_MiB});
   const Json schema = document.value("$schema", Json());
   if (schema == "earthtop-comparison-1.json") return comparison_page(document);
   if (schema == "earthtop-measurement-1.json") return measurement_page(document);

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "input/document.hpp"
 #include "input/file.hpp"
 #include "text/checksum.hpp"
-#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -73,13 +73,15 @@ Seal seal_of(std::string_view document) {
   return checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
 }
 
-FileChecksums checksums_in(std::string_view summary) {
+FileChecksums checksums_in(std::string_view summary, const std::filesystem::path& file) {
   FileChecksums checksums;
-  const nlohmann::ordered_json json = json_or_discarded(summary);
-  if (!json.is_object()) return checksums;
+  const nlohmann::ordered_json json = input::read_document(summary, file.string(), {"summary"});
   const nlohmann::ordered_json files = json.value("files", nlohmann::ordered_json::object());
-  for (const auto& [name, checksum] : files.items())
-    checksums.emplace_back(name, checksum.is_string() ? checksum.get<std::string>() : "");
+  if (!files.is_object()) refuse_damaged(file);
+  for (const auto& [name, checksum] : files.items()) {
+    if (!checksum.is_string() || name.empty() || std::filesystem::path(name).filename() != name) refuse_damaged(file);
+    checksums.emplace_back(name, checksum.get<std::string>());
+  }
   return checksums;
 }
 
@@ -87,7 +89,7 @@ bool check_result_files(const std::filesystem::path& directory, std::string_view
   const Seal seal = seal_of(summary);
   if (seal == Seal::absent) return false;
   if (seal == Seal::broken) refuse_damaged(directory / "summary.json");
-  for (const auto& [name, checksum] : checksums_in(summary)) {
+  for (const auto& [name, checksum] : checksums_in(summary, directory / "summary.json")) {
     const std::filesystem::path file = directory / name;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) continue;  // who needs it says that it is missing

@@ -13,12 +13,14 @@
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/results/row_arrays.hpp"
+#include "input/csv_reader.hpp"
+#include "input/document.hpp"
 #include "input/file.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
 #include "results/seal.hpp"
 #include "text/checksum.hpp"
-#include "text/json.hpp"
 
 namespace earthtop {
 namespace {
@@ -37,17 +39,14 @@ constexpr std::size_t kLargestText_MiB = 4096;
 
 /// The SHA-256 of the scenario whose results `summary` holds; empty if the file is not a summary that this program wrote.
 std::string scenario_of(const fs::path& summary) {
-  constexpr std::size_t kLargest_MiB = 64;
-  std::string text;
   try {
-    text = input::read_regular_file(summary.string(), summary.string(), {"summary", false, kLargest_MiB});
-  } catch (const ScenarioError&) {  // it is no file, cannot be opened or is too large
+    const std::string text = input::read_regular_file(summary.string(), summary.string(), {"summary"});
+    const nlohmann::ordered_json json = input::read_document(text, summary.string(), {"summary"});
+    const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
+    return json.contains(hash) && json.at(hash).is_string() ? json.at(hash).get<std::string>() : "";
+  } catch (const ScenarioError&) {  // it is no file, cannot be opened, or is no document
     return "";
   }
-  const nlohmann::ordered_json json = json_or_discarded(text);
-  const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
-  if (json.is_discarded() || !json.contains(hash) || !json.at(hash).is_string()) return "";
-  return json.at(hash).get<std::string>();
 }
 
 /// Whether something is at the path, a dangling link included. @throws WriteError where that cannot be known
@@ -127,10 +126,44 @@ void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
   for (const std::string_view name : {kSummary, kTiming})
     if (const auto found = texts.find(name); found != texts.end() && seal_of(found->second) == Seal::broken)
       refuse_damaged(dir / name);
-  const FileChecksums checksums = checksums_in(texts.find(kSummary)->second);
+  const FileChecksums checksums = checksums_in(texts.find(kSummary)->second, dir / kSummary);
   for (const auto& [name, checksum] : checksums)
     if (const auto found = texts.find(name); found == texts.end() || checksum_text(checksum_of(found->second)) != checksum)
       refuse_damaged(dir / name);
+}
+
+/// Reads a table to its end. @throws ScenarioError for a line with another number of cells than the header, and for a cell that
+/// is not of its column's kind   @param kinds  the columns that it may have; others are passed over
+void check_table(const fs::path& file, const std::string& text, const std::vector<RowArray>& kinds) {
+  constexpr input::CsvFormat kWithoutComments = {',', '\0', false};
+  input::CsvReader reader = input::CsvReader::of_text(file.string(), text, kWithoutComments);
+  std::vector<std::size_t> places;
+  std::vector<std::string_view> words;
+  for (const RowArray& kind : kinds) {
+    if (reader.find(kind.columns.front()) == reader.header().size() && kind.columns.front() != kTimeColumn) continue;
+    for (const std::string& column : kind.columns) {
+      places.push_back(reader.find(column));
+      words.push_back(kind.words);
+      if (places.back() == reader.header().size())
+        refuse(file, fmt::format("has no column {}; run the scenario again", column));
+    }
+  }
+  reader.want(places);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (!words[i].empty()) reader.take_words(i, words[i]);
+  while (reader.next()) {
+  }
+}
+
+/// Holds the texts of result files to their formats. @throws ScenarioError
+void check_formats(const fs::path& dir, const ResultTexts& texts) {
+  const auto text_of = [&](std::string_view name) -> const std::string* {
+    const auto found = texts.find(name);
+    return found == texts.end() ? nullptr : &found->second;
+  };
+  if (const std::string* timing = text_of(kTiming)) input::read_document(*timing, (dir / kTiming).string(), {"timing"});
+  check_table(dir / kRowTable, *text_of(kRowTable), row_array_kinds());
+  if (const std::string* torques = text_of(kTorqueTable)) check_table(dir / kTorqueTable, *torques, torque_array_kinds());
 }
 
 }  // namespace
@@ -202,7 +235,8 @@ ResultTexts read_result_texts(const fs::path& dir) {
   }
   for (const std::string_view name : {kSummary, kRowTable})
     if (!texts.contains(name)) refuse(dir, fmt::format("holds no results: it has no {}", name));
-  check_result_texts(dir, texts);
+  check_result_texts(dir, texts);  // which reads the summary
+  check_formats(dir, texts);
   for (const std::string_view name : {kSummary, kTiming})
     if (const auto found = texts.find(name); found != texts.end()) found->second = unsealed(found->second);
   return texts;

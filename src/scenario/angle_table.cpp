@@ -36,7 +36,7 @@ std::string no_number(std::string_view key, std::string_view field) {
 std::optional<std::string> read_row(std::string_view line, AngleTable& table) {
   if (line.empty()) return "is empty; must be a row \"t_s,angle_rad\", or leave it out";
   std::vector<std::string_view> cells;
-  input::split_cells(line, ',', cells);
+  input::split_cells(line, ',', cells, 3);
   if (cells.size() != 2) return fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line));
   const auto time = finite_number(cells[0]), angle = finite_number(cells[1]);
   if (!time) return no_number("t_s", cells[0]);

@@ -57,6 +57,19 @@ Facts facts_of(sqlite::Connection& connection) {
   return facts;
 }
 
+/// Reads the study whose text a store holds. @throws ScenarioError that names the store
+Study study_in(Facts& facts, const std::filesystem::path& file) {
+  const ScenarioSource base{facts["base_file"], facts["base"]};
+  try {
+    Study study = parse_study({facts["name"] + ".json", facts["study"]}, base);
+    study.name = facts["name"];
+    return study;
+  } catch (const ScenarioError& error) {
+    const Diagnostic& first = error.diagnostics().front();
+    refuse_store(file, fmt::format("holds a study that cannot be read: {}", format_diagnostic(facts["name"], first)));
+  }
+}
+
 /// The name of the column of checksums.
 constexpr const char* kRowChecksum = "row_checksum";
 
@@ -175,9 +188,7 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   if (facts["format"] != kFormat) refuse_store(file, "is no study's store of this version");
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
-  const ScenarioSource base{facts["base_file"], facts["base"]};
-  Study study = parse_study({facts["name"] + ".json", facts["study"]}, base);
-  study.name = facts["name"];
+  Study study = study_in(facts, file);
   Store store(std::move(connection), std::move(study), facts["sha256"],
               StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
   store.has_checksums_ = has_checksums;

@@ -25,6 +25,7 @@ using namespace input;
 
 constexpr std::size_t kMostAxes = 20;  // GSL's Sobol sequence has 40 dimensions; Sobol indices need two per axis
 constexpr std::size_t kMostQuantities = 200;
+constexpr std::size_t kLongestColumn = 200;  // bytes of a quantity's name
 
 /// A node of the study file, with its JSON pointer and the list to which errors are added.
 struct Given {
@@ -269,6 +270,8 @@ class Decoder {
     constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789_.-";
     if (quantity.name.empty() || quantity.name.find_first_not_of(kAllowed) != std::string::npos)
       return given.refuse(fmt::format("\"{}\" cannot name a column: a-z, 0-9, _, - and . only", excerpt(quantity.name)));
+    if (quantity.name.size() > kLongestColumn)
+      return given.refuse(fmt::format("\"{}\" has more than {} characters", excerpt(quantity.name), kLongestColumn));
     if (!columns_.insert(quantity.name).second)
       return given.refuse(fmt::format("a column \"{}\" is there already; give another name", excerpt(quantity.name)));
     study_.quantities.push_back(std::move(quantity));

@@ -8,7 +8,6 @@ namespace earthtop {
 using Json = nlohmann::ordered_json;
 
 Json json_of(std::string_view text) { return Json::parse(text); }
-Json json_or_discarded(std::string_view text) { return Json::parse(text, nullptr, false); }
 
 std::string written(const Json& json, int indent) { return json.dump(indent); }
 std::string written_replacing(const Json& json, int indent) {

@@ -10,10 +10,9 @@
 
 namespace earthtop {
 
-/// @throws nlohmann::ordered_json::parse_error for a text that is not JSON
+/// Parses JSON of the program's own making, or checked before: of a text from outside, nlohmann's parser accepts a NUL byte with
+/// anything behind it, duplicate keys and any depth. @throws nlohmann::ordered_json::parse_error for a text that is not JSON
 nlohmann::ordered_json json_of(std::string_view text);
-/// The same without exceptions: for a text that is not JSON the result is discarded (`is_discarded`).
-nlohmann::ordered_json json_or_discarded(std::string_view text);
 
 /// @param indent  spaces for each level; negative for a single line   @throws nlohmann::ordered_json::type_error for a string
 /// that is not UTF-8

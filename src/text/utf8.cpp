@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 
 namespace earthtop {
@@ -27,6 +29,12 @@ Utf8Character first_character(std::string_view text) {
 
 std::size_t first_invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
+    // Most texts are ASCII, of which eight bytes are seen at a glance.
+    for (std::uint64_t bytes = 0; i + sizeof bytes <= text.size(); i += sizeof bytes) {
+      std::memcpy(&bytes, text.data() + i, sizeof bytes);
+      if ((bytes & 0x8080808080808080U) != 0) break;
+    }
+    if (i == text.size()) break;
     const std::size_t length = first_character(text.substr(i)).length;
     if (length == 0) return i;
     i += length;

@@ -26,31 +26,36 @@ std::string_view change_words(Change change) {
   return "";
 }
 
+constexpr std::size_t kWidestName = 100;  // bytes
+
+/// A text of a report for a line of the terminal.
+std::string shown(std::string_view text, std::size_t most = kLongestMessage) { return printable(shortened(text, most)); }
+
 /// Where a tolerance comes from, without the profile, which the last line of the text names.
 std::string short_origin(const std::string& origin) { return origin.substr(0, origin.find(" (profile ")); }
 
 std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
   const char* verdict = quantity.passed ? "ok" : "FAILED";
-  if (!quantity.reason.empty())
-    return fmt::format("  {:6}  {:<{}}  {}\n", verdict, quantity.name, width, printable(quantity.reason));
-  std::string line = fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, quantity.name, width,
+  const std::string name = shown(quantity.name, kWidestName);
+  if (!quantity.reason.empty()) return fmt::format("  {:6}  {:<{}}  {}\n", verdict, name, width, shown(quantity.reason));
+  std::string line = fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, name, width,
                                  quantity.largest, quantity.tolerance, fmt::format("{:.2g}", quantity.share),
                                  change_words(quantity.change), short_origin(quantity.origin));
   if (!quantity.where.empty() && quantity.largest > 0) line += "; largest at " + quantity.where;
   if (!quantity.first_violation.empty())
     line += fmt::format("; beyond it from {} on, {} times", quantity.first_violation, quantity.violations);
-  return line + '\n';
+  return shown(line) + '\n';
 }
 
 std::string pair_text(const PairReport& pair, bool everything) {
   std::string text;
-  if (!pair.name.empty()) text += fmt::format("{}: {}\n", printable(pair.name), verdict_word(pair));
-  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", printable(pair.refusal));
+  if (!pair.name.empty()) text += fmt::format("{}: {}\n", shown(pair.name), verdict_word(pair));
+  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", shown(pair.refusal));
   for (const CompareFinding& finding : pair.findings)
-    text += fmt::format("  FAILED  {}: {}\n", finding.kind, printable(finding.text));
+    text += fmt::format("  FAILED  {}: {}\n", finding.kind, shown(finding.text));
   std::size_t width = 8;
   for (const QuantityVerdict& quantity : pair.quantities)
-    if (everything || !quantity.passed) width = std::max(width, quantity.name.size());
+    if (everything || !quantity.passed) width = std::max(width, std::min(quantity.name.size(), kWidestName));
   bool has_header = false;
   for (const QuantityVerdict& quantity : pair.quantities) {
     if (!everything && quantity.passed) continue;
@@ -60,9 +65,9 @@ std::string pair_text(const PairReport& pair, bool everything) {
     has_header = true;
     text += quantity_line(quantity, width);
   }
-  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", printable(hint));
+  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", shown(hint));
   if (everything || !pair.passed())
-    for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", printable(note));
+    for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", shown(note));
   if (everything || !pair.passed())
     for (const CostRatio& ratio : pair.cost) {
       text += fmt::format("  {}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED", ratio.name,
@@ -123,12 +128,13 @@ std::string compare_text(const CompareReport& report, bool everything) {
     rows += pair.rows;
   }
   const std::string_view profile = to_string(report.profile);
-  const std::string tolerances = report.tolerances_file.empty()
-                                     ? fmt::format("profile {}", profile)
-                                     : fmt::format("{} on profile {}", printable(report.tolerances_file), profile);
+  const std::string tolerances =
+      report.tolerances_file.empty()
+          ? fmt::format("profile {}", profile)
+          : fmt::format("{} on profile {}", shown(report.tolerances_file, kLongestFileName), profile);
   const std::string_view verdict = report.refused() ? "REFUSED" : report.passed() ? "same" : "DIFFERS";
-  text += fmt::format("{}: {} against {} ({}; {} rows compared", verdict, printable(report.candidate),
-                      printable(report.reference), tolerances, rows);
+  text += fmt::format("{}: {} against {} ({}; {} rows compared", verdict, shown(report.candidate, kLongestFileName),
+                      shown(report.reference, kLongestFileName), tolerances, rows);
   if (report.pairs.size() > 1)
     text += fmt::format("; {} results: {} same, {} differ, {} refused", report.pairs.size(), same,
                         report.pairs.size() - same - refused, refused);

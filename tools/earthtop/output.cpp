@@ -74,7 +74,8 @@ void report_warnings(const std::string& file, const std::vector<Diagnostic>& war
   for (const Diagnostic& warning : warnings) message(format_diagnostic(file, warning, "warning"));
 }
 
-JsonObject diagnostic_json(const std::string& file, const Diagnostic& diagnostic) {
+JsonObject diagnostic_json(const std::string& file, const Diagnostic& given) {
+  const Diagnostic diagnostic = shortened(given);
   const bool placed = diagnostic.line > 0;
   JsonObject object;
   object.put("file", file);

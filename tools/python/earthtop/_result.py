@@ -40,7 +40,7 @@ class _Files:
     def table(self, name: str) -> Dict[str, List[str]]:
         """The columns of a CSV file as text, by their names."""
         if name not in self._tables:
-            lines = (self[name] or "").splitlines()
+            lines = [line.rstrip("\r") for line in (self[name] or "").split("\n") if line.strip()]
             names = lines[0].split(",") if lines else []
             columns = list(zip(*(line.split(",") for line in lines[1:]))) or [()] * len(names)
             self._tables[name] = {column: list(values) for column, values in zip(names, columns)}
