@@ -14,16 +14,11 @@ namespace earthtop::fuzz {
 /// Separates the parts of an input where a door takes several; it occurs in no JSON or CSV text.
 inline constexpr char kBetweenParts = '\x01';
 
-
-/// Changes an input so that it stays of its kind. @returns nothing, an empty text, where it cannot
-using Mutation = std::string (*)(std::string_view input, std::uint32_t seed);
-
 struct Door {
   std::string_view name;
   /// Lets the bytes in. @throws Broken where a property does not hold; anything but the documented exceptions, which it catches
   void (*enter)(std::string_view input);
   std::vector<std::string> (*seeds)();
-  Mutation mutation;
 };
 
 std::span<const Door> doors();
@@ -39,10 +34,12 @@ void enter_tolerances(std::string_view input);
 void enter_measurement(std::string_view input);
 void enter_foreign_rows(std::string_view input);
 void enter_results(std::string_view input);
+void enter_run_page(std::string_view input);
 void enter_reference(std::string_view input);
 void enter_document(std::string_view input);
 void enter_page_text(std::string_view input);
 void enter_store(std::string_view input);
+void enter_repair(std::string_view input);
 
 // The seeds.
 std::vector<std::string> scenario_seeds();
@@ -60,11 +57,5 @@ std::vector<std::string> measurement_document_seeds();
 std::vector<std::string> plan_document_seeds();
 std::vector<std::string> page_text_seeds();
 std::vector<std::string> store_seeds();
-
-// The mutations.
-/// Of one part of an input: of a JSON document a value, member or key; of a CSV table a cell, row or column.
-std::string mutated_text(std::string_view input, std::uint32_t seed);
-/// Of an SQLite database: a cell, a fact, a row, a column, or the checksums, which may be made to fit again.
-std::string mutated_store(std::string_view input, std::uint32_t seed);
 
 }  // namespace earthtop::fuzz

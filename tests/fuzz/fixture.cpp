@@ -34,7 +34,8 @@ constexpr const char* kMoreOfTheStudy = R"(, "name": "few", "title": "A study", 
 
 std::string study_text() { return std::string(R"({"base": )") + kScenario + kMoreOfTheStudy; }
 
-constexpr const char* kMeasured = "t_s,azimuth_deg,azimuth_se_deg,tilt_deg,tilt_se_deg\n0.1,89.9,0.1,20.1,0.1\n0.3,89.5,0.1,,\n0.5,88.8,0.1,20.0,0.1\n";
+constexpr const char* kMeasured =
+    "t_s,azimuth_deg,azimuth_se_deg,tilt_deg,tilt_se_deg\n0.1,89.9,0.1,20.1,0.1\n0.3,89.5,0.1,,\n0.5,88.8,0.1,20.0,0.1\n";
 
 }  // namespace
 

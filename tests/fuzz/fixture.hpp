@@ -26,7 +26,7 @@ class Fixture {
   ScenarioSource scenario() const;
   Study study() const;
 
-  std::string reference() const;  ///< a compact reference of the results, without its checksum
+  std::string reference() const;   ///< a compact reference of the results, without its checksum
   std::string comparison() const;  ///< documents
   std::string bench() const;
   std::string measurement() const;

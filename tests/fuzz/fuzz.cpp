@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "fuzz/door.hpp"
+#include "fuzz/mutation.hpp"
 #include "fuzz/properties.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -73,9 +74,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 /// Half of the changes keep the kind of the input.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   using namespace earthtop::fuzz;
-  const bool of_its_kind = chosen->mutation && (seed & 1U) != 0;
+  const bool of_its_kind = (seed & 1U) != 0;
   if (!of_its_kind) return LLVMFuzzerMutate(data, size, most);
-  const std::string changed = chosen->mutation({reinterpret_cast<const char*>(data), size}, seed >> 1U);
+  const auto mutate = chosen->name.starts_with("store") ? mutated_store : mutated_text;
+  const std::string changed = mutate({reinterpret_cast<const char*>(data), size}, seed >> 1U);
   if (changed.empty() || changed.size() > most) return LLVMFuzzerMutate(data, size, most);
   std::memcpy(data, changed.data(), changed.size());
   return changed.size();

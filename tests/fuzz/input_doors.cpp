@@ -69,13 +69,14 @@ void enter_scenario(std::string_view input) {
   if (sets.empty() ? !accepts_text(parts[0], decode) : !accepts(decode)) return;
   check_json(canonical);
   std::string again;
-  const bool accepted =
-      accepts([&] { again = canonical_json(parse_scenario({"canonical.json", canonical, kMayNameFiles})); });
+  const bool accepted = accepts([&] { again = canonical_json(parse_scenario({"canonical.json", canonical, kMayNameFiles})); });
   demand(accepted && again == canonical, "a canonical form decodes to itself", canonical + "\n" + again);
 }
 
 std::vector<std::string> scenario_seeds() {
-  std::vector<std::string> seeds = {shipped("toy-top.json") + "\x01/site/latitude_deg\x01" + "12\x01/numerics/method\x01" "dopri5"};
+  std::vector<std::string> seeds = {shipped("toy-top.json") + "\x01/site/latitude_deg\x01" +
+                                    "12\x01/numerics/method\x01"
+                                    "dopri5"};
   for (const char* directory : {"", "hard"})
     for (const std::string& path : shipped_in(directory)) seeds.push_back(shipped(path));
   return with(std::move(seeds), hostile_texts());
@@ -219,8 +220,9 @@ std::vector<std::string> tolerances_seeds() {
 void enter_measurement(std::string_view input) {
   Measurement read;
   if (!accepts([&] { read = parse_measurement("fuzz.csv", std::string(input)); })) return;
-  std::string text = "t_s,azimuth_rad,azimuth_se_rad,tilt_rad,tilt_se_rad,drift_azimuth_rad,drift_azimuth_se_rad,drift_tilt_rad,"
-                     "drift_tilt_se_rad,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
+  std::string text =
+      "t_s,azimuth_rad,azimuth_se_rad,tilt_rad,tilt_se_rad,drift_azimuth_rad,drift_azimuth_se_rad,drift_tilt_rad,"
+      "drift_tilt_se_rad,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n";
   double latest_s = 0;
   for (const MeasuredValue& value : read.values) {
     demand(value.t_s >= latest_s && value.t_s <= 1e9, "times ascend", input);
@@ -281,7 +283,8 @@ void enter_foreign_rows(std::string_view input) {
   options.mapping = mapping;
   options.tolerances.profile = Profile::physics;
   std::string document;
-  if (accepts([&] { document = comparison_json(compare_results(Fixture::get().results(), file, options)); })) check_json(document);
+  if (accepts([&] { document = comparison_json(compare_results(Fixture::get().results(), file, options)); }))
+    check_json(document);
 }
 
 std::vector<std::string> foreign_rows_seeds() {

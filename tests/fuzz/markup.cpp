@@ -11,14 +11,18 @@ namespace {
 
 /// The names of elements, then of attributes, each between blanks.
 constexpr std::string_view kElements =
-    " a body button canvas caption circle clipPath code data dd defs desc details div dl dt figcaption figure footer g h1 h2 h3 head header "
+    " a body button canvas caption circle clipPath code data dd defs desc details div dl dt figcaption figure footer g h1 h2 "
+    "h3 head header "
     "html label li line link main meta nav ol p path polygon polyline pre rect script section select span strong style summary "
-    "svg table tbody td text th thead title tr tspan ul use marker linearGradient stop em small sub sup input option output ";
+    "svg table tbody td text th thead title tr tspan ul use marker linearGradient stop em small sub sup input option output "
+    "pattern ";
 constexpr std::string_view kEmptyElements = " meta link input ";
 constexpr std::string_view kAttributes =
-    " aria-hidden checked aria-label aria-labelledby aria-describedby aria-live charset class clip-path content cx cy d data-chart "
+    " aria-hidden checked patternUnits patternTransform aria-label aria-labelledby aria-describedby aria-live charset class "
+    "clip-path content cx cy d data-chart "
     "data-name dominant-baseline dx dy fill fill-opacity font-family font-size font-weight for height href http-equiv id lang "
-    "letter-spacing markerHeight markerWidth max min name offset opacity orient points preserveAspectRatio r refX refY rel role "
+    "letter-spacing markerHeight markerWidth max min name offset opacity orient points preserveAspectRatio r refX refY rel "
+    "role "
     "rx ry scope step stop-color stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width "
     "tabindex text-anchor transform type value viewBox width x x1 x2 xmlns y y1 y2 font-style hidden ";
 constexpr std::string_view kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};

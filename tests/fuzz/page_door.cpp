@@ -117,8 +117,15 @@ void enter_page_text(std::string_view input) {
 }
 
 std::vector<std::string> page_text_seeds() {
-  constexpr const char* kTexts[] = {"</title><script>alert(1)</script>\"'&\x07", "a \xE2\x80\xAE \xE2\x80\xA8 b", "]]><!-- -->",
-                                    "\" onload=\"x", "</script>", "=1+1", "\xC0\xAF\xFF", "'-x\n\r\t,\"", "\\u003c\\"};
+  constexpr const char* kTexts[] = {"</title><script>alert(1)</script>\"'&\x07",
+                                    "a \xE2\x80\xAE \xE2\x80\xA8 b",
+                                    "]]><!-- -->",
+                                    "\" onload=\"x",
+                                    "</script>",
+                                    "=1+1",
+                                    "\xC0\xAF\xFF",
+                                    "'-x\n\r\t,\"",
+                                    "\\u003c\\"};
   std::vector<std::string> seeds;
   for (char which = 0; which < 7; ++which)
     for (const char* text : kTexts)

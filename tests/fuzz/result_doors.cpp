@@ -52,10 +52,9 @@ void with_and_without_checksum(const std::string& document, const Enter& enter) 
   if (bare != document) enter(bare);
 }
 
-}  // namespace
-
-/// A summary, a trajectory and torques. What is accepted agrees with itself, makes a page, and can be copied.
-void enter_results(std::string_view input) {
+/// A summary, a trajectory and torques as a directory of results.
+template <class Enter>
+void with_results(std::string_view input, const Enter& enter) {
   auto parts = parts_of(input);
   parts.resize(3);
   with_and_without_checksum(parts[0], [&](const std::string& summary) {
@@ -63,14 +62,27 @@ void enter_results(std::string_view input) {
     Scratch::write("results/summary.json", summary);
     Scratch::write("results/trajectory.csv", parts[1]);
     if (!parts[2].empty()) Scratch::write("results/torques.csv", parts[2]);
+    enter(dir, parts[1]);
+  });
+}
+
+}  // namespace
+
+/// Results that can be compared either way, and copied.
+void enter_results(std::string_view input) {
+  with_results(input, [&](const fs::path& dir, const std::string& trajectory) {
     check_comparison(Fixture::get().results(), dir);
     check_comparison(dir, Fixture::get().results());
-    check_report(dir);
     accepts([&] {
       const ResultTexts texts = read_result_texts(dir);
-      demand(texts.find("trajectory.csv")->second == parts[1], "texts are those of the files", input);
+      demand(texts.find("trajectory.csv")->second == trajectory, "texts are those of the files", input);
     });
   });
+}
+
+/// The page of a run's results.
+void enter_run_page(std::string_view input) {
+  with_results(input, [](const fs::path& dir, const std::string&) { check_report(dir); });
 }
 
 std::vector<std::string> results_seeds() {
@@ -163,6 +175,28 @@ void enter_store(std::string_view input) {
   accepts([&] {
     merge_study_stores({store}, store.parent_path() / "merged", false);
     demand(export_table(study_store(store.parent_path() / "merged")) == table, "a merged store holds the same points", table);
+  });
+}
+
+/// A damaged store of a study: once it has been repaired it holds what a sound one does.
+void enter_repair(std::string_view input) {
+  const auto table_of = [](const fs::path& store) {
+    std::string text;
+    study_csv(store, [&](std::string_view piece) { text += piece; });
+    return text;
+  };
+  static const std::string kSound = table_of(Fixture::get().store());
+  StudyRunOptions options;
+  options.dir = Scratch::empty() / "study";
+  options.jobs = 1;
+  options.repair = true;
+  Scratch::write("study/study.sqlite", input);
+  accepts([&] {
+    const StudyRunReport report = run_study(Fixture::get().study(), options);
+    check_message("repaired: " + report.damage);
+    const std::string table = table_of(report.store);
+    check_csv(table);
+    if (report.has_checksums) demand(table == kSound, "a repaired store holds what a sound one does", table);
   });
 }
 

@@ -6,8 +6,9 @@
 #include <cstring>
 #include <memory>
 #include <random>
+#include <vector>
 
-#include "fuzz/door.hpp"
+#include "fuzz/mutation.hpp"
 
 namespace earthtop::fuzz {
 namespace {
@@ -53,10 +54,35 @@ std::string quoted(const std::string& name) {
 }
 
 std::string odd_value(Random& random) {
-  static const std::vector<std::string> kValues = {
-      "NULL", "0", "-1", "1e308", "-1e308", "9e999", "-9e999", "5e-324", "9223372036854775807", "-9223372036854775808", "''", "'x'", "'nan'",
-      "'completed'", "'refused'", "'accuracy_not_reached'", "x'00ff'", "x'6100620a'", "'<b>&''\"'", "'=1+1'", "char(10, 13, 34, 44)",
-      "char(8238, 7)", "replace(hex(zeroblob(2000)), '00', 'long ')", "cast(x'c0ff' AS TEXT)", "'{}'", "'['", "zeroblob(50)", "'1'", "1.5"};
+  static const std::vector<std::string> kValues = {"NULL",
+                                                   "0",
+                                                   "-1",
+                                                   "1e308",
+                                                   "-1e308",
+                                                   "9e999",
+                                                   "-9e999",
+                                                   "5e-324",
+                                                   "9223372036854775807",
+                                                   "-9223372036854775808",
+                                                   "''",
+                                                   "'x'",
+                                                   "'nan'",
+                                                   "'completed'",
+                                                   "'refused'",
+                                                   "'accuracy_not_reached'",
+                                                   "x'00ff'",
+                                                   "x'6100620a'",
+                                                   "'<b>&''\"'",
+                                                   "'=1+1'",
+                                                   "char(10, 13, 34, 44)",
+                                                   "char(8238, 7)",
+                                                   "replace(hex(zeroblob(2000)), '00', 'long ')",
+                                                   "cast(x'c0ff' AS TEXT)",
+                                                   "'{}'",
+                                                   "'['",
+                                                   "zeroblob(50)",
+                                                   "'1'",
+                                                   "1.5"};
   return kValues[below(random, kValues.size())];
 }
 
@@ -73,15 +99,18 @@ std::string change(sqlite3* database, Random& random) {
     case 1: {  // one character of a fact
       const std::string fact = one_of(facts);
       const std::size_t at = 1 + below(random, 1500);
-      return fmt::format("UPDATE study SET value = substr(value, 1, {0}) || char({1}) || substr(value, {0} + 2) WHERE key = '{2}'", at,
-                         32 + below(random, 95), fact);
+      return fmt::format(
+          "UPDATE study SET value = substr(value, 1, {0}) || char({1}) || substr(value, {0} + 2) WHERE key = '{2}'", at,
+          32 + below(random, 95), fact);
     }
     case 2: return fmt::format("DELETE FROM study WHERE key = '{}'", one_of(facts));
     case 3: return fmt::format("DELETE FROM point WHERE number = {}", number);
     case 4: return fmt::format("UPDATE point SET number = {} WHERE number = {}", odd_value(random), number);
     case 5: return fmt::format("ALTER TABLE point DROP COLUMN {}", column);
     case 6: return fmt::format("ALTER TABLE point RENAME COLUMN {} TO {}", column, quoted(one_of(columns) + "x"));
-    case 7: return fmt::format("ALTER TABLE point ADD COLUMN {} DEFAULT {}", quoted("c" + std::to_string(random() % 3)), odd_value(random));
+    case 7:
+      return fmt::format("ALTER TABLE point ADD COLUMN {} DEFAULT {}", quoted("c" + std::to_string(random() % 3)),
+                         odd_value(random));
     case 8:  // a store from before there were checksums, of which everything is believed
       return "ALTER TABLE point DROP COLUMN row_checksum; DELETE FROM study WHERE key IN ('facts_checksum', 'contents')";
     case 9: return fmt::format("CREATE VIEW v{} AS SELECT * FROM point; DROP TABLE study", random() % 3);
@@ -97,12 +126,14 @@ std::string mutated_store(std::string_view input, std::uint32_t seed) {
   if (!database) return "";
   // Most stores lose their checksums first: otherwise every change would only be noticed.
   if (below(random, 4) == 0)
-    sqlite3_exec(database.get(), "ALTER TABLE point DROP COLUMN row_checksum; DELETE FROM study WHERE key IN ('facts_checksum', 'contents')",
+    sqlite3_exec(database.get(),
+                 "ALTER TABLE point DROP COLUMN row_checksum; DELETE FROM study WHERE key IN ('facts_checksum', 'contents')",
                  nullptr, nullptr, nullptr);
   for (std::size_t times = 1 + below(random, 3); times > 0; --times)
     sqlite3_exec(database.get(), change(database.get(), random).c_str(), nullptr, nullptr, nullptr);
   sqlite3_int64 size = 0;
-  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(sqlite3_serialize(database.get(), "main", &size, 0), &sqlite3_free);
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(sqlite3_serialize(database.get(), "main", &size, 0),
+                                                                      &sqlite3_free);
   return bytes ? std::string(reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)) : "";
 }
 
