@@ -41,6 +41,7 @@ int initialize() {
     write_seeds(directory);
     std::exit(0);
   }
+  chosen->enter(chosen->seeds().front());  // makes what the door needs: not a part of any input's time
   return 0;
 }
 

@@ -46,11 +46,14 @@ void check_refusal(const ScenarioError& error) {
 }
 
 void check_json(std::string_view text) {
+  // A NUL in a word of a hostile file is written as JSON demands, though the program's own reader refuses it.
+  std::string without_nul(text);
+  for (std::size_t at = 0; (at = without_nul.find("\\u0000", at)) != std::string::npos;) without_nul[at + 5] = '1';
   input::Node root;
   input::Findings findings;
-  const input::ReadOutcome outcome = input::read_json(text, "", false, root, findings);
+  const input::ReadOutcome outcome = input::read_json(without_nul, "", false, root, findings);
   demand(outcome == input::ReadOutcome::complete && findings.empty(), "an output is strict JSON",
-         findings.empty() ? text : findings.errors(text).front().message + "\n" + std::string(text));
+         findings.empty() ? text : findings.errors(without_nul).front().message + "\n" + std::string(text));
 }
 
 std::size_t check_csv(std::string_view text) {
