@@ -2,8 +2,8 @@
 #include "compare/scenario_changes.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "earthtop/scenario/scenario.hpp"
 #include "input/node.hpp"
@@ -21,14 +21,12 @@ void collect(const Json* a, const Json* b, const std::string& pointer, std::vect
     changes.push_back({pointer, shown(a), shown(b)});
     return;
   }
-  std::set<std::string> keys;
-  for (const Json* json : {a, b})
-    if (json)
-      for (const auto& [key, value] : json->items()) keys.insert(key);
-  const auto member = [](const Json* json, const std::string& key) {
-    return json && json->contains(key) ? &json->at(key) : nullptr;
-  };
-  for (const std::string& key : keys) collect(member(a, key), member(b, key), pointer + input::pointer_step(key), changes);
+  std::map<std::string, std::pair<const Json*, const Json*>> members;
+  if (a)
+    for (const auto& [key, value] : a->items()) members[key].first = &value;
+  if (b)
+    for (const auto& [key, value] : b->items()) members[key].second = &value;
+  for (const auto& [key, both] : members) collect(both.first, both.second, pointer + input::pointer_step(key), changes);
 }
 
 }  // namespace

@@ -12,8 +12,6 @@
 namespace earthtop::input {
 namespace {
 
-// A measurement of 200,000 axes makes 4 million values; this many take half a gigabyte once they are read.
-constexpr std::size_t kMostDocumentValues = 20'000'000;
 constexpr bool kHasComments = false;
 
 }  // namespace
@@ -24,11 +22,11 @@ nlohmann::ordered_json read_document(std::string_view text, const std::string& f
   if (text.empty()) findings.add({}, "", fmt::format("is empty; a {} is an object {{...}}", kind.noun));
   JsonKind outermost = JsonKind::object;
   if (findings.empty())
-    check_json(text, findings, {kind.noun, kind.most_MiB << 20U, kMostDocumentValues, kHasComments}, outermost);
+    check_json(text, findings, {kind.noun, kind.most_MiB << 20U, kind.most_values, kMostMembers, kHasComments}, outermost);
   if (findings.empty() && outermost != JsonKind::object)
     findings.add({}, "", fmt::format("the text is {}; a {} is an object {{...}}", name_of(outermost), kind.noun));
   if (!findings.empty()) throw ScenarioError(findings.errors(text), file);
-  return json_of(text);
+  return json_of_checked(text);
 }
 
 }  // namespace earthtop::input

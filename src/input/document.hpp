@@ -7,12 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "input/reader.hpp"
+
 namespace earthtop::input {
+
+inline constexpr std::size_t kMostMembers = 10'000;  ///< a document with more members in one of its objects is refused
 
 /// A kind of document, as messages name it.
 struct DocumentKind {
-  std::string_view noun;      ///< e.g. "summary"
-  std::size_t most_MiB = 16;  ///< larger ones are refused
+  std::string_view noun;                  ///< e.g. "summary"
+  std::size_t most_MiB = 16;              ///< larger ones are refused
+  std::size_t most_values = kMostValues;  ///< as are those with more values
 };
 
 /// Reads a document: one JSON object in UTF-8, perhaps after a byte order mark, and nothing behind it. Limits of depth and size,

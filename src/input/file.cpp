@@ -27,6 +27,10 @@ void require_regular(const struct stat& status, const std::string& name, const F
   if (!S_ISREG(status.st_mode)) refuse_file(name, fmt::format("is no regular file; give a file{}", or_stdin));
 }
 
+[[noreturn]] void refuse_size(const std::string& name, const FileUse& use) {
+  refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
+}
+
 std::string read_all(int descriptor, const std::string& name, const FileUse& use) {
   std::string text, chunk(std::size_t{1} << 16, '\0');
   for (;;) {
@@ -37,8 +41,7 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
     if (got < 0) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
     if (got == 0) return text;
     text.append(chunk, 0, static_cast<std::size_t>(got));
-    if (text.size() > use.most_MiB << 20)
-      refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
+    if (text.size() > use.most_MiB << 20U) refuse_size(name, use);
   }
 }
 
@@ -70,7 +73,11 @@ std::size_t read_some(const Descriptor& file, const std::string& name, char* byt
 }
 
 std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use) {
-  return read_all(open_regular_file(path, name, use).get(), name, use);
+  const Descriptor file = open_regular_file(path, name, use);
+  struct stat status =
+      {};  // it tells a large file without reading it; the size may grow, or be 0 for a file that is made as it is read
+  if (::fstat(file.get(), &status) == 0 && status.st_size > static_cast<off_t>(use.most_MiB << 20U)) refuse_size(name, use);
+  return read_all(file.get(), name, use);
 }
 
 std::string read_standard_input(const FileUse& use) { return read_all(STDIN_FILENO, "<stdin>", use); }

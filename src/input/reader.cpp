@@ -265,8 +265,8 @@ class Reader {
       skip_space();
       if (peek() != '"')
         return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; a key in double quotes must stand here");
-      if (++open_members_ > kMostValues)
-        return stop(at_, fmt::format("more than {} members in an object; a {} has far fewer", kMostValues, kind_.noun),
+      if (node.children.size() == kind_.most_members)
+        return stop(at_, fmt::format("more than {} members in an object; a {} has far fewer", kind_.most_members, kind_.noun),
                     ReadOutcome::refused);
       Node& member = node.children.emplace_back();
       member.key_place = place(at_);
@@ -279,7 +279,6 @@ class Reader {
       pointer_.resize(parent);
       if (!keeps_tree_) member.text = std::string();
       if (take('}')) {
-        open_members_ -= node.children.size();
         if (!in_comment_) refuse_duplicates(node);
         if (!keeps_tree_) node.children = std::vector<Node>();
         return true;
@@ -324,8 +323,7 @@ class Reader {
   bool keeps_tree_;
   std::size_t at_ = 0;
   std::size_t values_ = 0;
-  std::size_t open_members_ = 0;  // members read so far of the objects that are not closed
-  bool in_comment_ = false;       // inside the value of a comment, which must be JSON, but of any content
+  bool in_comment_ = false;  // inside the value of a comment, which must be JSON, but of any content
   ReadOutcome outcome_ = ReadOutcome::complete;
 };
 

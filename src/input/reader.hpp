@@ -19,6 +19,7 @@ struct TextKind {
   std::string_view noun = "scenario";
   std::size_t most_bytes = kLargestText;
   std::size_t most_values = kMostValues;
+  std::size_t most_members = kMostValues;  ///< of one object
   bool has_comments = true;  ///< whether members whose keys begin with `_` or `//` are comments, which may share a key
 };
 

@@ -16,7 +16,8 @@ namespace earthtop {
 namespace report {
 namespace {
 
-constexpr std::size_t kMostDocument_MiB = 256;  // a measurement of 200,000 axes makes 150 MiB
+// A measurement of 200,000 axes makes 150 MiB with 4 million values.
+constexpr std::size_t kMostDocument_MiB = 256, kMostDocumentValues = 10'000'000;
 constexpr const char* kStandardInput = "-";
 
 /// Whether a file, or standard input, holds a document and not a store: its name, or its first character, tells.
@@ -36,7 +37,7 @@ Report document_page(const std::filesystem::path& file) {
   const std::string text =
       file == kStandardInput ? input::read_standard_input(use) : input::read_regular_file(file.string(), file.string(), use);
   const std::string name = file == kStandardInput ? "<stdin>" : file.string();
-  const Json document = input::read_document(text, name, {use.noun, use.most_MiB});
+  const Json document = input::read_document(text, name, {use.noun, use.most_MiB, kMostDocumentValues});
   const Json schema = document.value("$schema", Json());
   if (schema == "earthtop-comparison-1.json") return comparison_page(document);
   if (schema == "earthtop-measurement-1.json") return measurement_page(document);

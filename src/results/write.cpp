@@ -135,6 +135,7 @@ void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
 /// Reads a table to its end. @throws ScenarioError for a line with another number of cells than the header, and for a cell that
 /// is not of its column's kind   @param kinds  the columns that it may have; others are passed over
 void check_table(const fs::path& file, const std::string& text, const std::vector<RowArray>& kinds) {
+  if (text.find('"') != text.npos) refuse(file, "has quotation marks, which no table of results has; run the scenario again");
   constexpr input::CsvFormat kWithoutComments = {',', '\0', false};
   input::CsvReader reader = input::CsvReader::of_text(file.string(), text, kWithoutComments);
   std::vector<std::size_t> places;
@@ -237,6 +238,8 @@ ResultTexts read_result_texts(const fs::path& dir) {
     if (!texts.contains(name)) refuse(dir, fmt::format("holds no results: it has no {}", name));
   check_result_texts(dir, texts);  // which reads the summary
   check_formats(dir, texts);
+  for (auto& [name, text] : texts)
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   for (const std::string_view name : {kSummary, kTiming})
     if (const auto found = texts.find(name); found != texts.end()) found->second = unsealed(found->second);
   return texts;

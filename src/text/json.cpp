@@ -2,12 +2,73 @@
 #include "text/json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace earthtop {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+/// Builds a document from what nlohmann's parser finds.
+class Builder {
+ public:
+  Json take() { return std::move(root_); }
+
+  // NOLINTBEGIN: the names and types are nlohmann's.
+  bool null() { return put(nullptr); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(Json::number_integer_t value) { return put(value); }
+  bool number_unsigned(Json::number_unsigned_t value) { return put(value); }
+  bool number_float(Json::number_float_t value, const std::string&) { return put(value); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
+  bool key(std::string& key) {
+    key_ = std::move(key);
+    return true;
+  }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) { return false; }
+  // NOLINTEND
+
+ private:
+  Json& add(Json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    Json& parent = *open_.back();
+    if (parent.is_array()) return parent.emplace_back(std::move(value));
+    auto& members = static_cast<Json::object_t::Container&>(parent.get_ref<Json::object_t&>());
+    return members.emplace_back(std::move(key_), std::move(value)).second;
+  }
+  bool put(Json value) {
+    add(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    open_.push_back(&add(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  Json root_;
+  std::string key_;
+  std::vector<Json*> open_;  // the containers around the next value; none of them grows before those in it are closed
+};
+
+}  // namespace
+
 Json json_of(std::string_view text) { return Json::parse(text); }
+Json json_of_checked(std::string_view text) {
+  Builder builder;
+  Json::sax_parse(text, &builder);
+  return builder.take();
+}
 
 std::string written(const Json& json, int indent) { return json.dump(indent); }
 std::string written_replacing(const Json& json, int indent) {

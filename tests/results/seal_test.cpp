@@ -98,5 +98,49 @@ TEST_F(Damage, IsNotSoughtInResultsWithoutChecksums) {
   EXPECT_NO_THROW(make_report(dir_));
 }
 
+/// Files without checksums are read by `read_result_texts` as strictly as those with.
+TEST_F(Damage, IsSeenByTheFormatWhereThereAreNoChecksums) {
+  write_results(test::made_up_run_with_ledger(), dir_, false);
+  put(dir_ / "summary.json", summary_json(test::made_up_run_with_ledger()));
+  put(dir_ / "timing.json", timing_json(test::made_up_run_with_ledger()));
+  EXPECT_EQ(read_result_texts(dir_).size(), 5U);
+  const auto changed = [](std::string text, std::string_view old, std::string_view now) {
+    return text.replace(text.find(old), old.size(), now);
+  };
+  for (const char* name : {"summary.json", "timing.json", "trajectory.csv", "torques.csv"}) {
+    const fs::path file = dir_ / name;
+    const std::string good = read(file);
+    const bool is_table = file.extension() == ".csv";
+    std::vector<std::string> kinds = {"", good + std::string(1, '\0'), good + "more\n", good + good,
+                                      good.substr(0, good.size() / 2)};
+    if (is_table)
+      for (const std::string_view now : {"t_z", "t_s,t_s", "# note\nt_s", "\"t_s\""})
+        kinds.push_back(changed(good, "t_s", now));
+    if (is_table)
+      for (const std::string_view now : {"\nword,", "\n0x1,", "\n1 1,"}) kinds.push_back(changed(good, "\n0,", now));
+    if (!is_table) kinds.push_back(changed(good, "{", "{\"$schema\": 1,\"$schema\": 1,"));
+    for (const std::string& bad : kinds) {
+      put(file, bad);
+      try {
+        read_result_texts(dir_);
+        ADD_FAILURE() << name << " is accepted: " << bad.substr(0, 100);
+      } catch (const ScenarioError& error) {
+        EXPECT_NE(error.file().find(name), std::string::npos) << error.what();
+      }
+    }
+    put(file, "\xEF\xBB\xBF" + good);
+    EXPECT_NO_THROW(read_result_texts(dir_)) << name;
+    put(file, good);
+  }
+}
+
+TEST_F(Damage, OfTheListOfFilesReadsNoOthers) {
+  for (const char* files :
+       {R"({"/dev/zero": "0"})", R"({"../results/drift.svg": "0"})", R"({"": "0"})", R"({"drift.svg": 1})", "[]"})
+    EXPECT_THROW(checksums_in(std::string("{\"files\": ") + files + "}", "summary.json"), ScenarioError) << files;
+  EXPECT_EQ(checksums_in(R"({"files": {"drift.svg": "0"}})", "summary.json").size(), 1U);
+  EXPECT_TRUE(checksums_in("{}", "summary.json").empty());
+}
+
 }  // namespace
 }  // namespace earthtop
