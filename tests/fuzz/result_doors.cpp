@@ -158,7 +158,7 @@ void enter_store(std::string_view input) {
   accepts([&] {
     const StudyStoreCheck check = check_study_store(store);
     if (!check.damage.empty()) check_message(check.damage);
-    intact = check.damage.empty();
+    intact = check.damage.empty() && check.has_checksums;  // without them nothing is known
   });
   const bool has_table = accepts([&] { table = export_table(store); });
   if (has_table) {
