@@ -120,6 +120,9 @@ target_link_libraries(earthtop-workbench
 # Code that reads and writes documents takes a third less time to compile at -O1. Sources that process millions of rows, or
 # integrate, are compiled at -O3.
 target_compile_options(earthtop-workbench PRIVATE $<$<CONFIG:Release>:-O1>)
+if(EARTHTOP_BUILD_FUZZERS)
+  target_compile_options(earthtop-workbench PRIVATE -fsanitize=fuzzer-no-link)
+endif()
 set_source_files_properties(bench/exact_motion.cpp bench/gsl_peers.cpp bench/sundials_peers.cpp
                             compare/interpolate.cpp compare/row.cpp compare/rows.cpp study/rank_search.cpp study/statistics.cpp
                             PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

@@ -136,7 +136,7 @@ Comparand open_compact_reference(const fs::path& file) {
     if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_path(file, "its rows are not in order");
   }
   reference.stated_rows = rows->size();
-  if (rows->empty() || json.value("row_count", std::size_t{0}) != rows->size())
+  if (rows->empty() || json.value("row_count", Json()) != rows->size())
     refuse_path(file, "has other rows than it states (row_count); write the reference anew");
   reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
   return reference;

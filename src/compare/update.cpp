@@ -98,7 +98,7 @@ void put_notes(Update& update, const fs::path& root, const fs::path& place) {
 /// @param copied  names and checksums   @throws ScenarioError if they are not those of one run
 void require_whole(const fs::path& candidate, const FileChecksums& copied, const std::string& summary) {
   if (seal_of(summary) == Seal::absent) return;
-  const FileChecksums stated = checksums_in(summary);
+  const FileChecksums stated = checksums_in(summary, candidate / "summary.json");
   for (const auto& [name, checksum] : stated) {
     const auto found = std::find_if(copied.begin(), copied.end(), [&, its = name](const auto& c) { return c.first == its; });
     if (found == copied.end())

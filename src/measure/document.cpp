@@ -95,7 +95,7 @@ MeasurementReport measurement_of(const Json& document) {
   MeasurementReport report;
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
   report.file = document.at("file").get<std::string>();
-  report.rows = document.at("rows").get<std::uint64_t>();
+  report.rows = count_in(document.at("rows"));
   report.correlation_time_s = document.value("correlation_time_s", Json(0)).is_number()
                                   ? document.value("correlation_time_s", Json(0)).get<double>()
                                   : 0;
@@ -103,7 +103,7 @@ MeasurementReport measurement_of(const Json& document) {
   for (const Json& json : document.at("residuals")) {
     MeasurementResidual residual;
     residual.t_s = json.at("t_s").get<double>();
-    residual.line = json.at("line").get<std::uint64_t>();
+    residual.line = count_in(json.at("line"));
     residual.quantity = quantity_named(json.at("quantity").get<std::string>());
     residual.measured_rad = number_or_nan(json.at("measured_rad"));
     residual.predicted_rad = number_or_nan(json.at("predicted_rad"));

@@ -9,6 +9,7 @@
 #include "measure/document.hpp"
 #include "report/pages.hpp"
 #include "results/time_unit.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -25,7 +26,7 @@ std::string number_or_nothing(const Json& value, const std::string& unit, int di
 std::string chi_squared_html(const Json& chi_squared) {
   if (!chi_squared.is_object()) return "";
   std::string html = fmt::format("{} of {} degrees of freedom", number_html(chi_squared.at("value").get<double>(), "", 6),
-                                 chi_squared.at("degrees_of_freedom").get<std::int64_t>());
+                                 chi_squared.at("degrees_of_freedom").get<double>());
   if (const Json& chance = chi_squared.at("p_value"); chance.is_number())
     html += ", chance " + number_html(chance.get<double>(), "", 3);
   return html;
@@ -133,9 +134,9 @@ Report measurement_page(const Json& document) {
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
   Page page("measurement", "Measurement of " + scenario);
   const std::vector<std::string> told = sentences(document);
-  page.headline(fmt::format("{} rows of {} against the scenario {}: they <strong>{}</strong>.",
-                            document.at("rows").get<std::uint64_t>(), escaped(document.at("file").get<std::string>()),
-                            escaped(scenario), agrees ? "agree" : "do not agree"));
+  page.headline(fmt::format("{} rows of {} against the scenario {}: they <strong>{}</strong>.", count_in(document.at("rows")),
+                            escaped(document.at("file").get<std::string>()), escaped(scenario),
+                            agrees ? "agree" : "do not agree"));
   page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
   if (!document.at("estimates").empty())
     page.section("estimates", "Estimates",

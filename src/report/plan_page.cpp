@@ -4,6 +4,7 @@
 
 #include "earthtop/plan/plan.hpp"
 #include "report/pages.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -16,6 +17,7 @@ std::optional<double> number_in(const Json& value) {
 PlanReport pictured(const Json& document) {
   PlanReport report;
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
+  if (document.at("estimates").empty()) throw Json::type_error::create(302, "a plan has an estimate", nullptr);
   for (const Json& estimate : document.at("estimates"))
     report.estimates.push_back({estimate.at("name").get<std::string>(),
                                 estimate.at("unit").get<std::string>(),
@@ -89,7 +91,7 @@ Report plan_page(const Json& document) {
   Facts facts = {{"measured", measured},
                  {"every", number_cell(plan.at("every_s"), "s", 6)},
                  {"until", number_cell(plan.at("until_s"), "s", 6)},
-                 {"rows", fmt::format("{}", plan.at("rows").get<std::uint64_t>())}};
+                 {"rows", fmt::format("{}", count_in(plan.at("rows")))}};
   if (number_in(plan.at("correlation_time_s")).value_or(0) > 0)
     facts.emplace_back("errors are correlated over", number_cell(plan.at("correlation_time_s"), "s", 6));
   std::string notes;

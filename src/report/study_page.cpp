@@ -7,6 +7,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "report/pages.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -133,8 +134,8 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
   Page page("study", title);
   page.headline(escaped(study.value("finding", "")));
-  const auto failed = study.value("points_failed", 0), computed = study.value("points_computed", 0),
-             planned = study.value("points_planned", 0);
+  const std::uint64_t failed = count_in(study.at("points_failed")), computed = count_in(study.at("points_computed")),
+                      planned = count_in(study.at("points_planned"));
   page.verdict(failed == 0 && computed == planned ? "same" : "differs",
                fmt::format("{} of {} points computed, {} failed.", computed, planned, failed));
   add_points(study, page);

@@ -21,6 +21,8 @@ Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(
   if (code != SQLITE_OK) fail();
   sqlite3_extended_result_codes(opened, 1);
   sqlite3_busy_timeout(opened, 200);  // ms
+  // A quoted name that is no column's is an error, not a word: a table without a column would have its name in every row.
+  sqlite3_db_config(opened, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
 }
 
 void Connection::wait_for_locks() {

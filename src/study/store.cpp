@@ -192,7 +192,23 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
               StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
   store.has_checksums_ = has_checksums;
   store.file_ = file;
+  if (!store.has_its_table())
+    refuse_store(file, fmt::format("is damaged: its table of points is not that of its study{}", kRepairStore));
   return store;
+}
+
+bool Store::has_its_table() {
+  std::vector<std::string> expected = {"number", "status", "reason", "scenario_sha256"};
+  for (const StudyAxis& axis : study_.axes) expected.push_back(axis.name);
+  for (const StudyQuantity& quantity : study_.quantities) expected.push_back(quantity.name);
+  if (has_checksums_) expected.emplace_back(kRowChecksum);
+  sqlite::Statement columns(*connection_, "SELECT name, pk FROM pragma_table_info('point') ORDER BY cid");
+  std::vector<std::string> there;
+  while (columns.step()) {
+    there.push_back(columns.text(0));
+    if ((columns.integer(1) != 0) != (there.size() == 1)) return false;  // the number, and nothing else, is the key
+  }
+  return there == expected;
 }
 
 Store Store::open_damaged(const std::filesystem::path& file, const Study& study) {

@@ -100,6 +100,8 @@ class Store {
   };
 
   Store(std::unique_ptr<sqlite::Connection> connection, Study study, std::string sha256, StudyShard shard);
+  /// Whether the table of points has the study's columns.
+  bool has_its_table();
   std::uint64_t counted(const char* condition);
   std::string columns() const;
   std::uint64_t checksum_of_row(const PointResult& point) const;

@@ -75,6 +75,11 @@ std::string written_replacing(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+std::uint64_t count_in(const Json& json) {
+  if (!json.is_number_unsigned()) throw Json::type_error::create(302, "no whole number of at least 0", &json);
+  return json.get<std::uint64_t>();
+}
+
 Json or_nothing(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
 }  // namespace earthtop

@@ -3,6 +3,7 @@
 /// most of the files that use them.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -22,6 +23,10 @@ nlohmann::ordered_json json_of_checked(std::string_view text);
 std::string written(const nlohmann::ordered_json& json, int indent = -1);
 /// The same for strings that may hold anything: bytes that are not UTF-8 are replaced.
 std::string written_replacing(const nlohmann::ordered_json& json, int indent = -1);
+
+/// A whole number that is not negative. @throws nlohmann::ordered_json::type_error for anything else: nlohmann's conversion of a
+/// number that is too large for an integer is undefined
+std::uint64_t count_in(const nlohmann::ordered_json& json);
 
 /// The number; null where there is none.
 nlohmann::ordered_json or_nothing(const std::optional<double>& number);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Sound files of every kind, made once a process: what seeds are made of, and what hostile files are held against.
+#pragma once
+
+#include <string>
+
+#include "earthtop/scenario/scenario.hpp"
+#include "earthtop/study/study.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace earthtop::fuzz {
+
+/// The results of a top's run over six rows, with a ledger, as texts without their checksums.
+struct ResultFiles {
+  std::string summary, trajectory, torques;
+};
+
+class Fixture {
+ public:
+  static const Fixture& get();
+
+  std::filesystem::path results() const { return directory_.path() / "results"; }  ///< of a run, with checksums
+  std::filesystem::path store() const;  ///< of a study of four points, one of which is refused
+  std::string content(const std::filesystem::path& name) const;
+  ResultFiles result_files() const;
+  ScenarioSource scenario() const;
+  Study study() const;
+
+  std::string reference() const;   ///< a compact reference of the results, without its checksum
+  std::string comparison() const;  ///< documents
+  std::string bench() const;
+  std::string measurement() const;
+  std::string plan() const;
+
+ private:
+  Fixture();
+  testing::TemporaryDirectory directory_;
+};
+
+/// A shipped file, by its path below scenarios/.
+std::string shipped(const std::string& path);
+/// The paths below scenarios/ of the shipped files of a directory that end in .json.
+std::vector<std::string> shipped_in(const std::string& directory);
+/// The texts of JSONTestSuite's kinds (tests/hostile), whatever becomes of them.
+std::vector<std::string> hostile_texts();
+
+}  // namespace earthtop::fuzz

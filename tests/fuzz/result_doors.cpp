@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The doors of what the program wrote and reads again: results of a run, compact references, documents, stores of studies.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/compact_reference.hpp"
+#include "earthtop/compare/compare.hpp"
+#include "earthtop/report/report.hpp"
+#include "earthtop/results/results.hpp"
+#include "earthtop/study/run_study.hpp"
+#include "earthtop/study/study_columns.hpp"
+#include "fuzz/door.hpp"
+#include "fuzz/fixture.hpp"
+#include "fuzz/properties.hpp"
+#include "results/seal.hpp"
+#include "support/json.hpp"
+
+namespace earthtop::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_report(const fs::path& what) {
+  accepts([&] {
+    const Report report = make_report(what);
+    check_markup(report.html);
+    for (const auto& [name, picture] : report.pictures) check_markup(picture);
+  });
+}
+
+void check_comparison(const fs::path& reference, const fs::path& candidate) {
+  CompareOptions options;
+  options.with_curves = true;
+  accepts([&] {
+    const CompareReport report = compare_results(reference, candidate, options);
+    for (const PairReport& pair : report.pairs)
+      for (const QuantityVerdict& quantity : pair.quantities)
+        demand(!quantity.passed || !std::isnan(quantity.largest), "a difference that passes is a number", quantity.name);
+    check_json(comparison_json(report));
+    check_markup(svg(comparison_figure(report)));
+    const std::string xml = comparison_junit(report);
+    demand(printable(xml).find("\\x") == std::string::npos || xml.find('\0') == std::string::npos, "XML without NUL", xml);
+  });
+}
+
+/// Every text as it is, and once more without the checksum that most changes would contradict.
+template <class Enter>
+void with_and_without_checksum(const std::string& document, const Enter& enter) {
+  enter(document);
+  const std::string bare = unsealed(document);
+  if (bare != document) enter(bare);
+}
+
+/// A summary, a trajectory and torques as a directory of results.
+template <class Enter>
+void with_results(std::string_view input, const Enter& enter) {
+  auto parts = parts_of(input);
+  parts.resize(3);
+  with_and_without_checksum(parts[0], [&](const std::string& summary) {
+    const fs::path dir = Scratch::empty() / "results";
+    Scratch::write("results/summary.json", summary);
+    Scratch::write("results/trajectory.csv", parts[1]);
+    if (!parts[2].empty()) Scratch::write("results/torques.csv", parts[2]);
+    enter(dir, parts[1]);
+  });
+}
+
+}  // namespace
+
+/// Results that can be compared either way, and copied.
+void enter_results(std::string_view input) {
+  with_results(input, [&](const fs::path& dir, const std::string& trajectory) {
+    check_comparison(Fixture::get().results(), dir);
+    check_comparison(dir, Fixture::get().results());
+    accepts([&] {
+      const ResultTexts texts = read_result_texts(dir);
+      demand(texts.find("trajectory.csv")->second == trajectory, "texts are those of the files", input);
+    });
+  });
+}
+
+/// The page of a run's results.
+void enter_run_page(std::string_view input) {
+  with_results(input, [](const fs::path& dir, const std::string&) { check_report(dir); });
+}
+
+std::vector<std::string> results_seeds() {
+  const ResultFiles files = Fixture::get().result_files();
+  const std::string between(1, kBetweenParts);
+  return {files.summary + between + files.trajectory + between + files.torques, files.summary + between + files.trajectory,
+          Fixture::get().content("results/summary.json") + between + files.trajectory + between + files.torques};
+}
+
+/// What is accepted can be compared, and written again as a reference with the same rows.
+void enter_reference(std::string_view input) {
+  with_and_without_checksum(std::string(input), [&](const std::string& text) {
+    Scratch::empty();
+    const fs::path file = Scratch::write("reference.json", text);
+    check_comparison(file, Fixture::get().results());
+    check_report(file);
+    std::string written;
+    std::vector<compare::Row> rows;
+    const auto read_rows = [](const compare::Comparand& reference) {
+      std::vector<compare::Row> list;
+      const auto source = reference.open_rows();
+      for (compare::Row row; source->next(row);) list.push_back(row);
+      return list;
+    };
+    const bool accepted = accepts([&] {
+      try {
+        const compare::Comparand reference = compare::open_comparand(file, nullptr);
+        rows = read_rows(reference);
+        written = compare::compact_reference(reference, nlohmann::ordered_json::array(), "again");
+      } catch (const nlohmann::ordered_json::exception&) {  // what its callers make a refusal of
+      }
+    });
+    constexpr std::size_t kAllAreKept = 6;
+    if (!accepted || written.empty() || rows.size() > kAllAreKept) return;
+    check_json(written);
+    const fs::path again = Scratch::write("again.json", written);
+    std::vector<compare::Row> read;
+    demand(accepts([&] { read = read_rows(compare::open_comparand(again, nullptr)); }), "a reference written anew is accepted",
+           written);
+    const auto same = [](const compare::Row& a, const compare::Row& b) {
+      for (std::size_t i = 0; i < compare::trajectory_table().columns.size(); ++i)
+        if (a.kind[i] != b.kind[i] || (a.kind[i] == compare::CellKind::number && a.value[i] != b.value[i])) return false;
+      return a.t_s == b.t_s;
+    };
+    demand(std::equal(rows.begin(), rows.end(), read.begin(), read.end(), same), "a reference reads back", written);
+  });
+}
+
+std::vector<std::string> reference_seeds() { return {Fixture::get().reference()}; }
+
+/// A document, from which a page is made.
+void enter_document(std::string_view input) {
+  Scratch::empty();
+  check_report(Scratch::write("document.json", input));
+}
+
+std::vector<std::string> comparison_document_seeds() { return {Fixture::get().comparison()}; }
+std::vector<std::string> bench_document_seeds() { return {Fixture::get().bench()}; }
+std::vector<std::string> measurement_document_seeds() { return {Fixture::get().measurement()}; }
+std::vector<std::string> plan_document_seeds() { return {Fixture::get().plan()}; }
+
+/// The store of a study. What is found intact is shown, exported, compared and merged, and the copy holds the same points.
+void enter_store(std::string_view input) {
+  const fs::path store = study_store(Scratch::empty() / "study");
+  Scratch::write("study/study.sqlite", input);
+  std::string table;
+  const auto export_table = [](const fs::path& from) {
+    std::string text;
+    study_csv(from, [&](std::string_view piece) { text += piece; });
+    return text;
+  };
+  bool intact = false;
+  accepts([&] {
+    const StudyStoreCheck check = check_study_store(store);
+    if (!check.damage.empty()) check_message(check.damage);
+    intact = check.damage.empty() && check.has_checksums;  // without them nothing is known
+  });
+  const bool has_table = accepts([&] { table = export_table(store); });
+  if (has_table) {
+    const std::size_t rows = check_csv(table);
+    accepts([&] {
+      for (const StudyColumn& column : study_columns(store))
+        demand(column.numbers.size() == rows, "a column has the table's rows", column.name);
+    });
+  }
+  accepts([&] { check_json(study_json(store)); });
+  check_report(store);
+  check_comparison(Fixture::get().store(), store);
+  if (!intact || !has_table) return;
+  accepts([&] {
+    merge_study_stores({store}, store.parent_path() / "merged", false);
+    demand(export_table(study_store(store.parent_path() / "merged")) == table, "a merged store holds the same points", table);
+  });
+}
+
+/// A damaged store of a study: once it has been repaired it holds what a sound one does.
+void enter_repair(std::string_view input) {
+  const auto table_of = [](const fs::path& store) {
+    std::string text;
+    study_csv(store, [&](std::string_view piece) { text += piece; });
+    return text;
+  };
+  static const std::string kSound = table_of(Fixture::get().store());
+  StudyRunOptions options;
+  options.dir = Scratch::empty() / "study";
+  options.jobs = 1;
+  options.repair = true;
+  Scratch::write("study/study.sqlite", input);
+  accepts([&] {
+    const StudyRunReport report = run_study(Fixture::get().study(), options);
+    check_message("repaired: " + report.damage);
+    const std::string table = table_of(report.store);
+    check_csv(table);
+    if (report.has_checksums) demand(table == kSound, "a repaired store holds what a sound one does", table);
+  });
+}
+
+std::vector<std::string> store_seeds() { return {content_of(Fixture::get().store())}; }
+
+}  // namespace earthtop::fuzz
