@@ -62,7 +62,7 @@ class WriteError : public FileError {
 inline constexpr std::size_t kLongestPointer = 300, kLongestMessage = 1200, kLongestFileName = 400;
 
 /// The beginning of a text whose printable form has at most `most` bytes, with "..." at its end if something was cut. A cut is
-/// never inside a character, or inside an escape (\xNN, \uNNNN, ~0, ~1) that the text has already.
+/// never inside a character, or inside an escape (`\xNN`, `\uNNNN`, ~0, ~1) that the text has already.
 std::string shortened(std::string_view text, std::size_t most = kLongestMessage);
 /// A diagnostic whose pointer and message are shortened.
 Diagnostic shortened(Diagnostic diagnostic);
