@@ -172,7 +172,8 @@ hash_of() {
 import json, pathlib, re, sys
 work = pathlib.Path(sys.argv[1])
 TIMES = {"cpu_s", "seconds", "wall_seconds", "computed_utc"}  # numbers and dates that no two runs share
-BUILT = {"version", "commit", "compiler", "flags", "libraries", "program", "earthtop"}
+# What built it, and a document's own checksum, which covers that, too.
+BUILT = {"version", "commit", "compiler", "flags", "libraries", "program", "earthtop", "checksum"}
 COMPARED = ("drift.", "motion.", "invariants.", "growth_of_disturbances.")  # beside the measures of rows, without a point
 def is_number(value):
     """Whether an entry of a list states what another run of the same program would state, too."""
@@ -191,6 +192,7 @@ for path in work.glob("results/*/*.*"):
     if path.name == "summary.json":
         summary = json.loads(text)
         summary["provenance"] = summary["provenance"]["constants"]
+        del summary["checksum"]
         text = json.dumps(summary, indent=1)
     elif path.suffix == ".json" and path.name != "timing.json":
         text = json.dumps(numbers(json.loads(text)), indent=1)

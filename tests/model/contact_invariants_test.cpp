@@ -86,9 +86,9 @@ void expect_ledger_is_complete(const ContactCase<T>& c) {
   for (int i = 0; i < 3; ++i) expect_equal(L_O[i].diff, sum[i], T(1e3), "momentum about the tip");
 }
 
-class ContactBalances : public ::testing::TestWithParam<ContactLaw> {};
+class ContactBalancesOfLaws : public ::testing::TestWithParam<ContactLaw> {};
 
-TEST_P(ContactBalances, HoldOnTheRotatingEarth) {
+TEST_P(ContactBalancesOfLaws, HoldOnTheRotatingEarth) {
   ContactCases cases(7);
   for (ContactVariety variety : testing::varieties(GetParam())) {
     if (variety.weights || variety.gradient) continue;  // they belong to no conserved quantity
@@ -96,14 +96,14 @@ TEST_P(ContactBalances, HoldOnTheRotatingEarth) {
     expect_balances(cases.make<float128>(variety), variety);
   }
 }
-TEST_P(ContactBalances, OfTheLedgerIsComplete) {
+TEST_P(ContactBalancesOfLaws, OfTheLedgerIsComplete) {
   ContactCases cases(8);
   for (const ContactVariety& variety : testing::varieties(GetParam())) {
     for (int i = 0; i < 5; ++i) expect_ledger_is_complete(cases.make<double>(variety));
     expect_ledger_is_complete(cases.make<float128>(variety));
   }
 }
-INSTANTIATE_TEST_SUITE_P(Laws, ContactBalances, ::testing::ValuesIn(testing::kLaws));
+INSTANTIATE_TEST_SUITE_P(Laws, ContactBalancesOfLaws, ::testing::ValuesIn(testing::kLaws));
 
 /// Jellett's rate has a part from the Earth and one from friction's moment: each is seen.
 TEST(ContactInvariants, JellettMovesByTheEarthAndByMomentsOnly) {

@@ -27,7 +27,7 @@ constexpr double kLatitudes[] = {50, -90, 0, 90, -35};
 
 /// A body of particles, its state, and a platform that turns unevenly, with the pivot off its centre.
 template <class T>
-struct Scene {
+struct LedgerScene {
   Particles<T> particles;  ///< in body axes
   Platform<T> platform;
   Site site;
@@ -36,7 +36,7 @@ struct Scene {
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
 
-  Scene(Random& random, double earth_rate, const TorqueWeights<T>& weights = {}, bool on_platform = true)
+  LedgerScene(Random& random, double earth_rate, const TorqueWeights<T>& weights = {}, bool on_platform = true)
       : particles(test::exact_particles<T>(random)) {
     platform.turn = test::random_motion<T>(random);
     platform.pivot_offset_P = random.vector<T>(0.5);
@@ -65,7 +65,7 @@ TEST(Ledger, ResidualIsRoundOff) {
     for (const double rate : {kEarthRateWgs84, 1.0, -3.0, 0.0})
       for (int mask = 0; mask < 8; ++mask)
         for (int k = 0; k < 8; ++k) {
-          const Scene<T> s(random, rate, weights_of<T>(mask), k % 4 != 0);
+          const LedgerScene<T> s(random, rate, weights_of<T>(mask), k % 4 != 0);
           for (const LedgerObserver observer : kLedgerObservers) {
             const LedgerEntry<T> entry = s.entry(observer);
             EXPECT_TRUE(close<T>(entry.residual_A, Vec3<T>::Zero(), s.bound(observer)))
@@ -86,7 +86,7 @@ struct Seen {
   Vec3<T> field_A;  ///< apparent gravity less the pivot's acceleration
 };
 template <class T>
-Seen<T> seen_from(const Scene<T>& s, char A, const Vec3<T>& alpha_LB_L) {
+Seen<T> seen_from(const LedgerScene<T>& s, char A, const Vec3<T>& alpha_LB_L) {
   FrameStack<T> stack = earth_laboratory_stack<T>(s.site, s.model.W_IL_L.dot(celestial_axis_L<T>(s.site)), &s.platform.turn);
   const Mat3<T> R_LB = rotation_matrix(s.q_LB);
   const FrameKinematics<T> LB{Rotation<T>(s.q_LB), R_LB * s.w_LB_B, alpha_LB_L};
@@ -106,7 +106,7 @@ TEST(Ledger, TorquesAreSumsOverParticles) {
     using T = decltype(scalar);
     Random random(602);
     for (int k = 0; k < 20; ++k) {
-      const Scene<T> s(random, k % 2 == 0 ? 1.0 : -1.0);
+      const LedgerScene<T> s(random, k % 2 == 0 ? 1.0 : -1.0);
       for (const LedgerObserver observer : {LedgerObserver::laboratory, LedgerObserver::platform, LedgerObserver::body}) {
         const LedgerEntry<T> entry = s.entry(observer);
         const char A = observer == LedgerObserver::laboratory ? 'L' : observer == LedgerObserver::platform ? 'P' : 'B';
@@ -188,7 +188,7 @@ TEST(Ledger, WhatAnObserverDoesNotCountIsZero) {
     Random random(603);
     const Vec3<T> zero = Vec3<T>::Zero();
     for (int k = 0; k < 10; ++k) {
-      const Scene<T> s(random, 1.0);
+      const LedgerScene<T> s(random, 1.0);
       const LedgerEntry<T> inertial = s.entry(LedgerObserver::inertial);
       EXPECT_TRUE(identical(inertial.tau_cor_A, zero));
       EXPECT_TRUE(identical(inertial.tau_trans_A, zero));
@@ -200,7 +200,7 @@ TEST(Ledger, WhatAnObserverDoesNotCountIsZero) {
     }
   });
   Random random(604);
-  const Scene<double> s(random, 1.0);
+  const LedgerScene<double> s(random, 1.0);
   for (const LedgerObserver observer : kLedgerObservers) {
     const LedgerEntry<double> entry = s.entry(observer);
     for (const Vec3<double>& column : {entry.tau_phys_A, entry.tau_cor_A, entry.tau_trans_A, entry.tau_cent_A, entry.dL_dt_A})
@@ -221,7 +221,7 @@ void expect_same(const LedgerEntry<T>& a, const LedgerEntry<T>& b) {
 TEST(Ledger, WithoutAPlatformItsObserverIsTheLaboratorys) {
   Random random(605);
   for (int mask = 0; mask < 8; ++mask) {
-    const Scene<double> s(random, 1.0, weights_of<double>(mask), false);
+    const LedgerScene<double> s(random, 1.0, weights_of<double>(mask), false);
     expect_same(s.entry(LedgerObserver::platform), s.entry(LedgerObserver::laboratory));
   }
 }
@@ -231,9 +231,9 @@ TEST(Ledger, SwitchedOffTorqueIsAppliedWithTheOtherSign) {
     using T = decltype(scalar);
     Random random(606);
     for (int mask = 0; mask < 8; ++mask) {
-      Scene<T> s(random, 1.0);
+      LedgerScene<T> s(random, 1.0);
       const LedgerEntry<T> whole_L = s.entry(LedgerObserver::laboratory);
-      Scene<T> part = s;
+      LedgerScene<T> part = s;
       part.model = make_model<T>(make_body<T>(test::body_spec(s.particles)), s.site, 1.0, weights_of<T>(mask), &s.platform);
       const LedgerEntry<T> entry_L = part.entry(LedgerObserver::laboratory);
       const bool coriolis = (mask & 1) != 0, centrifugal = (mask & 4) != 0;
@@ -286,7 +286,7 @@ TEST(Ledger, NothingTurnsNothingIsCounted) {
 TEST(Ledger, ASlowEarthsTorquesKeepTheirDigits) {
   // 1e-300 rad/s: the Coriolis torque is that of 1 rad/s times 1e-300; the centrifugal one is below every number.
   Random random(607);
-  Scene<double> s(random, 1.0, {}, false);
+  LedgerScene<double> s(random, 1.0, {}, false);
   const LedgerEntry<double> fast = s.entry(LedgerObserver::laboratory);
   s.model = make_model<double>(make_body<double>(test::body_spec(s.particles)), s.site, 1e-300, {}, nullptr);
   const LedgerEntry<double> slow = s.entry(LedgerObserver::laboratory);
