@@ -26,8 +26,10 @@ void check_message(std::string_view message);
 void check_refusal(const ScenarioError& error);
 /// A strict JSON document without NaN, Infinity or duplicate keys.
 void check_json(std::string_view text);
-/// Lines of as many cells as the header has (RFC 4180), none of which is NaN or Infinity. @returns the number of rows
-std::size_t check_csv(std::string_view text);
+/// Lines of as many cells as the header has (RFC 4180), none of which is NaN or Infinity.
+/// @param has_any_words  whether its words come from a hostile file: one of them may be "nan"
+/// @returns the number of rows
+std::size_t check_csv(std::string_view text, bool has_any_words = false);
 /// A page, or a picture in XML: elements and attributes that the program writes and no others, each closed in order; `<`, `&` and
 /// `"` only where they mean markup; nothing that runs but the page's own script; its data are JSON.
 void check_markup(std::string_view text);

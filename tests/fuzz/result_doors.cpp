@@ -162,7 +162,7 @@ void enter_store(std::string_view input) {
   });
   const bool has_table = accepts([&] { table = export_table(store); });
   if (has_table) {
-    const std::size_t rows = check_csv(table);
+    const std::size_t rows = check_csv(table, true);
     accepts([&] {
       for (const StudyColumn& column : study_columns(store))
         demand(column.numbers.size() == rows, "a column has the table's rows", column.name);
@@ -195,7 +195,7 @@ void enter_repair(std::string_view input) {
     const StudyRunReport report = run_study(Fixture::get().study(), options);
     check_message("repaired: " + report.damage);
     const std::string table = table_of(report.store);
-    check_csv(table);
+    check_csv(table, true);
     if (report.has_checksums) demand(table == kSound, "a repaired store holds what a sound one does", table);
   });
 }
