@@ -249,7 +249,13 @@ StoreCheck Store::check() {
   StoreCheck check;
   check.has_checksums = has_checksums_;
   if (!has_checksums_) {
-    check.intact = count();
+    try {
+      sqlite::Statement pages(*connection_, "PRAGMA quick_check(1)");
+      if (pages.step() && pages.text(0) != "ok") check.fault = "its pages are not in order";
+      check.intact = count();
+    } catch (const FileError& error) {
+      check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
+    }
     return check;
   }
   Contents seen;
