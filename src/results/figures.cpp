@@ -68,6 +68,12 @@ Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
 
+Json numbers_of(const WhySentence& sentence) {
+  Json numbers = Json::object();
+  for (const auto& [name, value] : sentence.numbers) numbers[std::string(name)] = value;
+  return numbers;
+}
+
 Json libraries() {
   Json versions = Json::object();
   for (const auto& [name, version] : build_info().libraries) versions[name] = version;
@@ -233,6 +239,13 @@ constexpr auto kSolutionMembers = [] {
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
       compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
       compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
+      // Why the drift is what it is, in sentences; left out where theory has none to say.
+      list(
+          "why", [](R r) { return r.why.empty() ? std::nullopt : std::optional(r.why.size()); }, true),
+      told("why.*.name", kFromRows, kLabel, [](R r, I i) { return r.why[i].name; }),
+      told("why.*.text", kFromRows, kWords, [](R r, I i) { return r.why[i].text; }),
+      told(
+          "why.*.numbers", kFromRows, kWords, [](R r, I i) { return numbers_of(r.why[i]); }, MemberForm::document),
   };
 }();
 
