@@ -68,9 +68,11 @@ Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
 
-Json numbers_of(const WhySentence& sentence) {
+/// The numbers of a sentence; none for a result that lacks it, from which the forms of all members are told.
+Json numbers_of(R r, I sentence) {
   Json numbers = Json::object();
-  for (const auto& [name, value] : sentence.numbers) numbers[std::string(name)] = value;
+  if (sentence >= r.why.size()) return numbers;
+  for (const auto& [name, value] : r.why[sentence].numbers) numbers[std::string(name)] = value;
   return numbers;
 }
 
@@ -245,7 +247,7 @@ constexpr auto kSolutionMembers = [] {
       told("why.*.name", kFromRows, kLabel, [](R r, I i) { return r.why[i].name; }),
       told("why.*.text", kFromRows, kWords, [](R r, I i) { return r.why[i].text; }),
       told(
-          "why.*.numbers", kFromRows, kWords, [](R r, I i) { return numbers_of(r.why[i]); }, MemberForm::document),
+          "why.*.numbers", kFromRows, kWords, [](R r, I i) { return numbers_of(r, i); }, MemberForm::document),
   };
 }();
 
