@@ -68,7 +68,9 @@ add_library(earthtop-workbench
   report/contact_section.cpp
   report/content_policy.cpp
   report/document_pages.cpp
+  report/drift_section.cpp
   report/html.cpp
+  report/known_html.cpp
   report/measurement_page.cpp
   report/path_picture.cpp
   report/plan_page.cpp

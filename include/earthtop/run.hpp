@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "earthtop/budget/budget.hpp"
@@ -48,6 +50,14 @@ struct TheoryReport {
   double predicted_error = 0;            ///< size of the terms that the theory leaves out
   bool applies = true;                   ///< whether these terms are small
   std::optional<double> computed_error;  ///< bound on the error of `computed`
+};
+
+/// A sentence that says why the drift is what it is, with the numbers that it states (SI units, in their names). It is there only
+/// where theory applies to the scene and agrees with the run.
+struct WhySentence {
+  std::string_view name;  ///< e.g. "laboratory_turns"
+  std::string text;
+  std::vector<std::pair<std::string_view, double>> numbers;
 };
 
 /// The torques on the motion on the rotating Earth, as seen by the observer that the scenario names.
@@ -169,6 +179,7 @@ struct RunResult {
   double attitude_bound_rad = 0;         ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;
+  std::vector<WhySentence> why;                    ///< in the order in which they are read
   std::optional<SensitivityReport> sensitivities;  ///< present if the scenario requests them
   std::optional<LedgerReport> ledger;              ///< present if the scenario requests one
   std::vector<std::string> notes;                  ///< e.g. that a scene is non-physical

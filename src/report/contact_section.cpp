@@ -10,6 +10,8 @@
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/results/compass_point.hpp"
+#include "report/drift_section.hpp"
+#include "report/known_html.hpp"
 #include "report/path_picture.hpp"
 
 namespace earthtop::report {
@@ -21,7 +23,6 @@ constexpr double kShownTipDrift = 0.15;  // part of the path's extent to which t
 constexpr double kDiscHeight = 0.58;     // of the top drawn, in stems: where its disc is
 constexpr double kShownPath = 1.5;       // largest extent of the path in the animation, in stems
 constexpr std::size_t kMostRows = 200;   // of a table
-constexpr double kMicrometres = 1e6;     // in a metre
 
 bool is_level(const Run& run) { return run.number("/scenario/contact/table/tilt_deg").value_or(0) == 0; }
 
@@ -36,12 +37,6 @@ double extent(const std::vector<double>& x, const std::vector<double>& y) {
     }
     most = std::fmax(most, high - low);
   }
-  return most;
-}
-
-double largest(const std::vector<double>& list) {
-  double most = 0;
-  for (const double number : list) most = std::fmax(most, std::abs(number));
   return most;
 }
 
@@ -67,7 +62,7 @@ std::string path_html(const Run& run, Page& page) {
   picture.title = "Path of the contact point";
   picture.reference = {"prediction", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m")};
   const std::vector<double> x = values(run, "drift_tip_x_m"), y = values(run, "drift_tip_y_m"), t = times(run);
-  const double path_m = extent(picture.reference.x, picture.reference.y), drift_m = std::fmax(largest(x), largest(y));
+  const double path_m = extent(picture.reference.x, picture.reference.y), drift_m = std::fmax(largest_size(x), largest_size(y));
   const double factor = tip_magnification(path_m, drift_m);
   picture.rotating = {factor == 1 ? "with Earth rotation" : fmt::format("with Earth rotation, drift ×{}", times_text(factor)),
                       picture.reference.x, picture.reference.y};
@@ -96,14 +91,31 @@ std::string path_html(const Run& run, Page& page) {
                                  rows));
 }
 
+/// The distance of the two contact points and its parts, in one unit.
 Figure tip_figure(const Run& run) {
-  return {"Distance of the two contact points",
+  const std::vector<double> t = times(run);
+  const ReadableUnit unit = length_unit(largest_size(values(run, "drift_tip_m")));
+  const auto part = [&](const char* name) { return values(run, name, unit.per_si); };
+  const bool level = is_level(run);
+  Panel panel{{"Drift of the contact point", std::string(unit.name)}, {}};
+  panel.lines.push_back({"distance", t, part("drift_tip_m")});
+  panel.lines.push_back(
+      {level ? "to the East" : "along axis 1", t, part("drift_tip_x_m"), LineColor::green, LineStyle::dotted});
+  panel.lines.push_back(
+      {level ? "to the North" : "along axis 2", t, part("drift_tip_y_m"), LineColor::orange, LineStyle::dashed});
+  return {
+      "Distance of the two contact points", "Rotating minus non-rotating Earth", {"Time", run.time.name}, {std::move(panel)}};
+}
+
+Figure tip_bound_figure(const Run& run) {
+  const ReadableUnit unit = length_unit(largest_size(values(run, "drift_tip_m")));
+  return {"Distance of the two contact points, and the bound on its error",
           "Rotating against non-rotating Earth",
           {"Time", run.time.name},
-          {{{"Tip drift", "µm", AxisScale::logarithmic},
-            {{"bound on its error", times(run), values(run, "drift_tip_bound_m", kMicrometres), LineColor::vermillion,
+          {{{"Tip drift", std::string(unit.name), AxisScale::logarithmic},
+            {{"bound on its error", times(run), values(run, "drift_tip_bound_m", unit.per_si), LineColor::vermillion,
               LineStyle::filled},
-             {"drift", times(run), values(run, "drift_tip_m", kMicrometres)}}}}};
+             {"drift", times(run), values(run, "drift_tip_m", unit.per_si)}}}}};
 }
 
 Figure force_figure(const Run& run) {
@@ -167,9 +179,9 @@ std::string events_html(const Run& run) {
   for (std::size_t i = 0; const auto t_s = run.number(fmt::format("/contact/events/{}/t_s", i)); ++i) {
     const std::string at = fmt::format("/contact/events/{}/", i);
     const auto bound = run.number(at + "bound_s"), apart = run.number(at + "time_difference_s");
-    html += fmt::format(
-        "<p>At {}{}, in the {} prediction: {}.", number_html(*t_s, "s", 16), bound ? " ± " + number_html(*bound, "s", 2) : "",
-        run.word(at + "prediction") == "rotating" ? "rotating" : "non-rotating", escaped(event_words(run.word(at + "event"))));
+    html += fmt::format("<p>At {}, in the {} prediction: {}.", known_html(*t_s, bound.value_or(kNoNumber), "s"),
+                        run.word(at + "prediction") == "rotating" ? "rotating" : "non-rotating",
+                        escaped(event_words(run.word(at + "event"))));
     if (apart)
       html += fmt::format(" The Earth's rotation makes it {} {}.", number_html(std::abs(*apart), "s", 10),
                           *apart < 0 ? "earlier" : "later");
@@ -224,9 +236,17 @@ std::string balances_html(const Run& run) {
 
 }  // namespace
 
+std::string tip_drift_html(const Run& run, Page& page) {
+  const double drift = ends(values(run, "drift_tip_m")).last, bound = ends(values(run, "drift_tip_bound_m")).last;
+  std::string html =
+      seen_html(run) + page.chart("tip", tip_figure(run), "The distance of the two contact points and its parts.");
+  if (std::isfinite(drift) && std::isfinite(bound))
+    html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
+  return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run));
+}
+
 std::string contact_section(const Run& run, Page& page) {
-  return seen_html(run) + path_html(run, page) +
-         page.chart("tip", tip_figure(run), "The distance of the two contact points, and the bound on its error.") +
+  return path_html(run, page) +
          page.chart("force", force_figure(run), "Slip of the contact point over the table, and the force of the table on it.") +
          events_html(run) + balances_html(run) + changes_html(run);
 }

@@ -7,6 +7,9 @@
 
 namespace earthtop::report {
 
+/// The drift of the contact point over time, with the bound on its error, and sentences that say what can be seen.
+std::string tip_drift_html(const Run& run, Page& page);
+
 /// Path of the contact point, slip, normal force, events, and how far the prediction itself moves with its inputs.
 std::string contact_section(const Run& run, Page& page);
 

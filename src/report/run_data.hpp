@@ -2,6 +2,8 @@
 /// The data of a run that its page is made of.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -41,6 +43,14 @@ inline std::vector<double> values(const Run& run, std::string_view name, double 
   const std::size_t at = column(name);
   for (const compare::Row& row : run.rows) list.push_back(value(row, at) * factor);
   return list;
+}
+
+/// The size of the number that is farthest from 0; 0 where none is finite.
+inline double largest_size(const std::vector<double>& list) {
+  double most = 0;
+  for (const double number : list)
+    if (std::isfinite(number)) most = std::max(most, std::abs(number));
+  return most;
 }
 
 /// The rows' times, in the run's unit.

@@ -2,18 +2,17 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/model/ledger.hpp"
-#include "earthtop/results/azimuth_trend.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
+#include "report/drift_section.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
 #include "report/run_data.hpp"
@@ -24,128 +23,19 @@ namespace {
 
 using compare::Row;
 
-constexpr double kArcseconds = 648000 / std::numbers::pi;
 constexpr double kShownDrift = 0.3;       // size (rad) to which the drift is magnified on the sphere
 constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
 
-/// A sentence about the last drift that can be trusted.
-std::string headline_of(const Run& run) {
-  const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
-             at = run.number("/drift/reliable/at_s");
-  if (!drift || !bound || !at) return "No row of this run can be trusted.";
-  return fmt::format(
-      "After {} the axis stands <strong>{}</strong> ({:.6g}″) from where the non-rotating prediction puts it; the error "
-      "of that number is at most {}. Verdict: {}. Both predictions: {}.",
-      number_html(*at, "s"), number_html(*drift, "rad", 10), *drift * kArcseconds, number_html(*bound, "rad", 2),
-      escaped(run.word("/drift/verdict")), escaped(run.word("/matching_rule/statement")));
-}
-
 std::string verdict_of(const Run& run) {
   std::string text =
-      fmt::format("<strong>{}</strong>: {}", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
+      fmt::format("<strong>{}</strong>: {}.", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
   if (const auto from = run.number("/drift/verdict_from_s"))
     text += fmt::format(" From {} on the drift is not to be trusted.", number_html(*from, "s"));
   if (run.word("/outcome/status") != "completed")
     text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
                         number_html(run.number("/outcome/reached_s").value_or(0), "s"));
   return text;
-}
-
-/// When the drift passes the requested threshold, and when motions come to rest.
-std::string events_of(const Run& run) {
-  const auto time = [](double t_s, const std::optional<double>& bound_s) {
-    return number_html(t_s, "s", 16) + (bound_s ? " ± " + number_html(*bound_s, "s", 2) : "");
-  };
-  std::string html;
-  if (const std::string crossing = run.word("/drift/threshold_crossing"); !crossing.empty()) {
-    html += fmt::format("<p>Threshold of {}: {}", number_html(run.number("/drift/threshold_rad").value_or(0), "rad"),
-                        escaped(crossing));
-    if (const auto passed = run.number("/drift/threshold_time_s"))
-      html += ", passed at " + time(*passed, run.number("/drift/threshold_time_bound_s"));
-    html += ".</p>\n";
-  }
-  for (std::size_t i = 0; const auto stop = run.number(fmt::format("/stops/{}/t_s", i)); ++i)
-    html += fmt::format("<p>The {} prediction comes to rest at {}.</p>\n",
-                        run.word(fmt::format("/stops/{}/prediction", i)) == "rotating" ? "rotating" : "non-rotating",
-                        time(*stop, run.number(fmt::format("/stops/{}/bound_s", i))));
-  return html;
-}
-
-/// The trend of the azimuth with its bound, and what theory says of it; all azimuths clockwise from above.
-std::string trend_of(const Run& run) {
-  const auto word_of = [&](const char* pointer) { return escaped(run.word(pointer)); };
-  std::string html;
-  const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
-  const auto bound = run.number("/drift/secular/azimuth_rate_bound_95_rad_s");
-  if (rate && bound) {
-    html = fmt::format("<p>Trend: the azimuth drifts by {} ± {}, clockwise from above", number_html(*rate, "rad/s"),
-                       number_html(*bound, "rad/s", 2));
-    if (const auto turns = run.number("/drift/secular/turns_seen"))
-      html += fmt::format(", from {} turns of precession; ± contains 95 %", number_html(*turns, "", 3));
-    else
-      html += ": the mean of the run and no more, as " + word_of("/drift/secular/reason");
-    html += ".</p>\n";
-  } else if (const std::string reason = word_of("/drift/secular/reason"); !reason.empty()) {
-    html = "<p>Trend: not determined: " + reason + ".</p>\n";
-  }
-  const auto predicted = run.number("/theory/0/predicted"), error = run.number("/theory/0/predicted_error");
-  if (predicted && error && run.word("/theory/0/name") == "precession_rate_change")
-    html += fmt::format("<p>First-order theory: {} ± {}{}.</p>\n", number_html(0.0 - *predicted, "rad/s"),
-                        number_html(*error, "rad/s", 2),
-                        run.results.summary->value(Json::json_pointer("/theory/0/applies"), true) ? "" : ": it does not apply");
-  return html;
-}
-
-Figure axis_figure(const Run& run) {
-  return {"Angle between the two spin axes",
-          "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
-          {"Time", run.time.name},
-          {{{"Axis drift", "arcseconds", AxisScale::logarithmic},
-            {{"bound on its error", times(run), values(run, "drift_axis_bound_rad", kArcseconds), LineColor::vermillion,
-              LineStyle::filled},
-             {"drift", times(run), values(run, "drift_axis_rad", kArcseconds)}}}}};
-}
-
-Figure parts_figure(const Run& run) {
-  Figure figure{"Drift in azimuth and in tilt",
-                "Rotating minus non-rotating Earth; azimuth clockwise from above",
-                {"Time", run.time.name},
-                {}};
-  const std::vector<double> t = times(run), azimuth = values(run, "drift_azimuth_rad", kArcseconds);
-  // One part after the other: of a list that is begun when memory ends, g++ 12 destroys parts twice.
-  Line azimuth_line{"azimuth", t, azimuth};
-  Line tilt_line{"tilt", t, values(run, "drift_tilt_rad", kArcseconds), LineColor::orange, LineStyle::dashed};
-  Panel parts{{"Drift", "arcseconds"}, {}};
-  parts.lines.push_back(std::move(azimuth_line));
-  parts.lines.push_back(std::move(tilt_line));
-  const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
-  const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
-  const bool has_azimuth = std::all_of(run.rows.begin(), run.rows.end(), [&](const Row& row) {
-    return azimuths_are_meaningful(&row.value[axis], &row.value[ref_axis], row.value[apart]);
-  });
-  if (rate && has_azimuth && std::all_of(azimuth.begin(), azimuth.end(), [](double a) { return std::isfinite(a); })) {
-    double offset = 0, count = 0;
-    for (std::size_t i = 0; i < t.size(); ++i)
-      if (std::isfinite(azimuth[i])) {
-        offset += azimuth[i] - *rate * kArcseconds * run.rows[i].t_s;
-        ++count;
-      }
-    offset /= std::max(count, 1.0);
-    std::vector<double> line, residual;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      line.push_back(offset + *rate * kArcseconds * run.rows[i].t_s);
-      residual.push_back(azimuth[i] - line.back());
-    }
-    parts.lines.push_back({"secular part of the azimuth", t, std::move(line), LineColor::grey, LineStyle::broad});
-    Panel rest{{"Azimuth less its secular part", "arcseconds"}, {}, 120};
-    rest.lines.push_back({"residual", t, std::move(residual)});
-    figure.panels.push_back(std::move(parts));
-    figure.panels.push_back(std::move(rest));
-  } else {
-    figure.panels.push_back(std::move(parts));
-  }
-  return figure;
 }
 
 /// Three numbers for each row, the direction of an axis; the page subtracts the two axes.
@@ -334,7 +224,7 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   const Run run = read_run(directory, watch);
   const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
   Page page("run", title.empty() ? "A run" : title);
-  page.headline(headline_of(run));
+  page.headline(headline_html(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page);
   if (run.scene) page.section("your-top", "Your top", top_section(run));
@@ -342,11 +232,8 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
       run.results.stated_rows.value_or(0) > run.rows.size()
           ? fmt::format(" Drawn: {} of {} rows, {}.", run.rows.size(), *run.results.stated_rows, kThinningRule)
           : "";
-  page.section(
-      "drift", "Drift",
-      page.chart("axis", axis_figure(run), "The angle between the two axes, and the bound on its error." + thinned) +
-          page.chart("parts", parts_figure(run), "Its parts, and what is left of the azimuth beside a straight line.") +
-          trend_of(run) + events_of(run));
+  page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page, thinned));
+  if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
   page.section("sphere", "Path of the axis", kSphere);
   page.section("motion", "The top in motion", kAnimation);

@@ -68,6 +68,14 @@ Json trouble(const IntegrationReport& report) {
   return report.status != RunStatus::completed ? Json(to_string(report.status)) : kLeftOut;
 }
 
+/// The numbers of a sentence; none for a result that lacks it, from which the forms of all members are told.
+Json numbers_of(R r, I sentence) {
+  Json numbers = Json::object();
+  if (sentence >= r.why.size()) return numbers;
+  for (const auto& [name, value] : r.why[sentence].numbers) numbers[std::string(name)] = value;
+  return numbers;
+}
+
 Json libraries() {
   Json versions = Json::object();
   for (const auto& [name, version] : build_info().libraries) versions[name] = version;
@@ -233,6 +241,13 @@ constexpr auto kSolutionMembers = [] {
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
       compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
       compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
+      // Why the drift is what it is, in sentences; left out where theory has none to say.
+      list(
+          "why", [](R r) { return r.why.empty() ? std::nullopt : std::optional(r.why.size()); }, true),
+      told("why.*.name", kFromRows, kLabel, [](R r, I i) { return r.why[i].name; }),
+      told("why.*.text", kFromRows, kWords, [](R r, I i) { return r.why[i].text; }),
+      told(
+          "why.*.numbers", kFromRows, kWords, [](R r, I i) { return numbers_of(r, i); }, MemberForm::document),
   };
 }();
 

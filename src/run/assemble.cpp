@@ -17,6 +17,7 @@
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
 #include "run/verdict.hpp"
+#include "run/why.hpp"
 
 namespace earthtop {
 namespace {
@@ -240,6 +241,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.drift.secular = assess_trend(result, made.trend, made.first.azimuths, made.options, made.first.kick_steps, rows);
     if (stop()) return stopped(scene, made, partial);
     result.theory = assess_theory(scene, result.rows, result.drift);
+    result.why = why_sentences(result);
     if (stop()) return stopped(scene, made, partial);
   }
   const Watch ledger = parts.next(seconds.ledger, "ledger");

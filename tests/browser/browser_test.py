@@ -370,9 +370,9 @@ class Examination:
                 .filter(e => !stops.includes(e) && !e.closest('figure.chart'));
             const buttons = [...document.querySelectorAll('figure.chart button')].filter(usable)
                 .filter(e => !stops.includes(e));
-            // The summary of a chart's table is no way to the chart.
+            // The summary of a chart's table is no way to the chart. (The chart itself may stand in details.)
             const charts = [...{CURVES}]
-                .filter(c => !stops.some(e => c.contains(e) && !e.closest('details, button')));
+                .filter(c => !stops.some(e => c.contains(e) && !c.contains(e.closest('details, button'))));
             return [...controls, ...buttons, ...charts].map(e => e.cloneNode().outerHTML.slice(0, 100));
         }})()""")
         self.expect(5, not missed, f"not reached by Tab: {missed}")

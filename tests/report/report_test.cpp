@@ -16,6 +16,7 @@
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/results/results.hpp"
 #include "report/bars.hpp"
+#include "report/known_html.hpp"
 #include "report/path_picture.hpp"
 #include "report/thinning.hpp"
 #include "results/made_up_run.hpp"
@@ -57,6 +58,88 @@ TEST(Report, TheHeadlineIsTheSummarysNumberToItsLastBit) {
   double value = 0;
   std::from_chars(number.data(), number.data() + number.size(), value);
   EXPECT_EQ(value, result.drift.axis_final_rad) << headline;
+}
+
+// The number and its error stand in one unit, the number to the last digit that its error leaves; their elements have both in rad.
+TEST(Report, TheHeadlineHasOneUnitForANumberAndItsError) {
+  const TemporaryDirectory dir;
+  RunResult result = test::made_up_run();
+  result.rows.back().drift_axis_rad = result.drift.axis_final_rad = 1.1402e-3;
+  result.rows.back().drift_axis_bound_rad = result.drift.axis_bound_rad = 6e-8;
+  write_results(result, dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run"), headline = between(html, "<p class=\"headline\">", "</p>");
+  EXPECT_NE(headline.find("<strong><data value=\"0.0011402\">235.183</data>″</strong> ± <data value=\"6e-08\">0.012</data>″"),
+            headline.npos)
+      << headline;
+}
+
+/// The place of an element in a page; a failure where it is missing.
+std::size_t place_of(const std::string& html, const std::string& element) {
+  const std::size_t place = html.find(element);
+  EXPECT_NE(place, html.npos) << element;
+  return place;
+}
+
+// The drift comes first, in a linear chart; the logarithmic one is there for whoever opens it.
+TEST(Report, TheDriftComesBeforeItsBound) {
+  const TemporaryDirectory dir;
+  write_results(run(short_top("A top")), dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run");
+  const std::size_t drift = place_of(html, "<figure class=\"chart\" data-chart=\"parts\">"),
+                    details = place_of(html, "<details><summary>The error's bound beside the drift"),
+                    bound = place_of(html, "<figure class=\"chart\" data-chart=\"axis\">");
+  EXPECT_LT(place_of(html, "id=\"section-your-top\""), drift);
+  EXPECT_LT(drift, details);
+  EXPECT_LT(details, bound);
+  EXPECT_EQ(html.find("</details>", details), html.find("</details>", html.find("<table>", bound)))
+      << "the first to end is the table of the chart within";
+  EXPECT_LT(bound, place_of(html, "id=\"section-why\""));
+  EXPECT_LT(place_of(html, "id=\"section-why\""), place_of(html, "id=\"section-sphere\""));
+  // One unit for what one panel draws, of the size of what it draws.
+  const auto series = data_of(html).at("charts").at("parts").at("series");
+  for (const auto& [label, unit] : std::vector<std::pair<std::string, std::string>>{
+           {"angle", "arcseconds"}, {"its part in tilt", "arcseconds"}, {"azimuth", "arcseconds"}})
+    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [&](const auto& s) {
+      return s.at("label") == label && s.at("unit") == unit;
+    })) << label;
+  EXPECT_NEAR(series.at(0).at("y").back().get<double>(),
+              run(short_top("A top")).drift.axis_final_rad * 648000 / 3.141592653589793, 1e-5);
+}
+
+TEST(Report, AnglesHaveTheUnitOfTheirSize) {
+  const TemporaryDirectory dir;
+  for (const auto& [factor, unit] :
+       std::vector<std::pair<double, std::string>>{{100, "degrees"}, {1, "arcseconds"}, {1e-4, "milliarcseconds"}}) {
+    RunResult result = test::made_up_run();
+    for (DriftRow& row : result.rows) {
+      row.drift_axis_rad *= factor;
+      row.drift_tilt_rad *= factor;
+      row.axis_L = row.ref_axis_L = {std::sqrt(0.5), 0, std::sqrt(0.5)};
+    }
+    write_results(result, dir.path() / "run", true);
+    const std::string html = page_of(dir.path() / "run");
+    EXPECT_EQ(data_of(html).at("charts").at("parts").at("series").at(0).at("unit"), unit);
+    EXPECT_NE(html.find("Angle between the two spin axes (" + unit + ")"), html.npos);
+  }
+}
+
+// Sentences stand as the summary has them, as text; results without any, as old ones are, make a page, too.
+TEST(Report, SaysWhyWhereTheSummaryDoes) {
+  const TemporaryDirectory dir;
+  RunResult result = test::made_up_run();
+  write_results(result, dir.path() / "run", false);
+  const std::string html = page_of(dir.path() / "run"), why = between(html, "<ol class=\"why\">", "</ol>");
+  EXPECT_NE(why.find("<li>In the 60 s of this run the Earth turns by 902.46″.</li>"), why.npos) << why;
+  EXPECT_NE(why.find("<li>About &lt;its&gt; vertical &amp; so on.</li>"), why.npos) << why;
+  result.why.clear();
+  write_results(result, dir.path() / "run", true);
+  const std::string without = page_of(dir.path() / "run");
+  EXPECT_EQ(without.find("section-why"), without.npos);
+  EXPECT_NE(without.find("section-drift"), without.npos);
+}
+
+TEST(Report, PowersOfTenAreWrittenAsSuch) {
+  EXPECT_EQ(report::powers_html("6.0e-09 of 1e+2, e-9 and 3em"), "6.0×10<sup>−9</sup> of 1×10<sup>2</sup>, e-9 and 3em");
 }
 
 TEST(Report, ForeignTextStaysText) {

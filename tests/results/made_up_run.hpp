@@ -58,6 +58,8 @@ inline RunResult made_up_run(std::size_t rows = 201) {
   result.attitude_bound_rad = 1e-9;
   result.invariants = {{"jacobi_integral", "J", 0.8, 1e-14, 0.83}};
   result.theory = {{"precession_rate_change", "-Omega sin(latitude)", "rad/s", -5.156e-5, -5.15e-5, 4e-8, true, 3e-7}};
+  result.why = {{"earth_turns", "In the 60 s of this run the Earth turns by 902.46″.", {{"earth_angle_rad", 4.375269e-3}}},
+                {"laboratory_turns", "About <its> vertical & so on.", {}}};
   result.notes = {"made up"};
   return result;
 }

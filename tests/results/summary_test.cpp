@@ -72,6 +72,16 @@ TEST(Summary, HoldsTheRestOfTheResult) {
   EXPECT_EQ(summary.at("/notes/0"_json_pointer), "made up");
 }
 
+TEST(Summary, SaysWhyWhereThereIsSomethingToSay) {
+  RunResult result = made_up_run();
+  EXPECT_EQ(summary_of(result).at("why"), json::parse(R"([
+    {"name": "earth_turns", "text": "In the 60 s of this run the Earth turns by 902.46″.",
+     "numbers": {"earth_angle_rad": 0.004375269}},
+    {"name": "laboratory_turns", "text": "About <its> vertical & so on.", "numbers": {}}])"));
+  result.why.clear();
+  EXPECT_FALSE(summary_of(result).contains("why"));
+}
+
 TEST(Summary, TimesOfEventsHaveTheirBounds) {
   RunResult result = made_up_run();
   result.scene = testing::changed(result.scene, [&](Scenario& s) { s.threshold_rad = 1e-3; });

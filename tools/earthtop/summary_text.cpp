@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "contact_text.hpp"
 #include "earthtop/results/headline.hpp"
@@ -210,6 +211,24 @@ std::string theory_line(const TheoryReport& report, double sign) {
                      report.unit);
 }
 
+/// Why the drift is what it is; broken into lines as long as the others.
+void write_why(Page& page, const RunResult& result) {
+  constexpr std::size_t kColumns = 100;
+  const char* label = "Why";
+  for (const WhySentence& sentence : result.why) {
+    std::string_view rest = sentence.text;
+    while (!rest.empty()) {
+      std::size_t end = rest.size();
+      for (std::size_t at = 0, columns = 0; at < rest.size() && columns <= kColumns; ++at) {
+        if (rest[at] == ' ' || at + 1 == rest.size()) end = rest[at] == ' ' ? at : rest.size();
+        columns += (static_cast<unsigned char>(rest[at]) & 0xC0) != 0x80;  // bytes that go on with a character take no column
+      }
+      page.entry(std::exchange(label, ""), rest.substr(0, end));
+      rest.remove_prefix(std::min(rest.size(), end + 1));
+    }
+  }
+}
+
 void write_trend(Page& page, const RunResult& result) {
   if (const auto& secular = result.drift.secular) {
     if (secular->azimuth_rate_rad_s) {
@@ -323,6 +342,7 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_lines(page, contact_event_lines(result));
   write_choice(page, result);
   write_trend(page, result);
+  write_why(page, result);
   write_lines(page, contact_balance_lines(result));
   write_lines(page, prediction_change_lines(result));
   if (result.sensitivities) write_sensitivities(page, result);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/number_words.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "earthtop/elementary.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi, kArcseconds = 3600 * kDegrees;  // in a radian
+constexpr ReadableUnit kAngles[] = {{"degrees", "°", kDegrees},
+                                    {"arcseconds", "″", kArcseconds},
+                                    {"milliarcseconds", " milliarcsec", 1e3 * kArcseconds},
+                                    {"microarcseconds", " microarcsec", 1e6 * kArcseconds}};
+constexpr double kLeastAngles[] = {1 / kDegrees, 0.1 / kArcseconds, 1e-4 / kArcseconds};  // of each but the last
+constexpr ReadableUnit kLengths[] = {
+    {"km", " km", 1e-3}, {"m", " m", 1}, {"mm", " mm", 1e3}, {"µm", " µm", 1e6}, {"nm", " nm", 1e9}};
+
+/// The decade of a positive number as it is written with so many digits: 0.0996 with two digits is 0.10.
+int decade_of(double number, int digits) {
+  const std::string text = fmt::format("{:.{}e}", number, digits - 1);
+  return std::stoi(text.substr(text.find('e') + 1));
+}
+
+}  // namespace
+
+ReadableUnit angle_unit(double size_rad) {
+  const double size = std::abs(size_rad);
+  if (size == 0 || !std::isfinite(size)) return kAngles[1];
+  std::size_t i = 0;
+  while (i < std::size(kLeastAngles) && size < kLeastAngles[i]) ++i;
+  return kAngles[i];
+}
+
+ReadableUnit length_unit(double size_m) {
+  constexpr double kAlmost = 0.999;
+  const double size = std::abs(size_m);
+  if (size == 0 || !std::isfinite(size)) return kLengths[1];
+  std::size_t i = 0;
+  while (i + 1 < std::size(kLengths) && size * kLengths[i].per_si < kAlmost) ++i;
+  return kLengths[i];
+}
+
+std::string angle_text(double rad, int digits) {
+  const ReadableUnit unit = angle_unit(rad);
+  const double number = rad * unit.per_si;
+  if (number == 0 || !std::isfinite(number)) return fmt::format("{:g}{}", number, unit.symbol);
+  return fmt::format("{:.{}f}{}", number, std::clamp(digits - 1 - decade_of(std::abs(number), digits), 0, digits), unit.symbol);
+}
+
+KnownNumber known_number(double value, double error, int digits) {
+  constexpr int kErrorDigits = 2, kMostDigits = 16, kPlain = 7, kLarge = 15;
+  if (!(error > 0)) return {fmt::format("{:.{}g}", value, digits), "0"};
+  const int last = decade_of(error, kErrorDigits) - (kErrorDigits - 1);  // decade of the last digit
+  const int first = value == 0 ? last : decade_of(std::abs(value), kMostDigits);
+  const int decimals = std::max(0, -std::max(last, first - (kMostDigits - 1)));
+  // A number far from 1 has an exponent, and its error the same one.
+  if (std::max(first, last) < -4 || std::max(first, last) > kLarge) {
+    const int shown = std::clamp(first - last, 1, kMostDigits - 1);
+    const std::string text = fmt::format("{:.{}e}", value, shown);
+    return {text, fmt::format("{:.{}e}", error, kErrorDigits - 1)};
+  }
+  return {fmt::format("{:.{}f}", value, decimals),
+          -last > kPlain ? fmt::format("{:.{}e}", error, kErrorDigits - 1) : fmt::format("{:.{}f}", error, std::max(0, -last))};
+}
+
+}  // namespace earthtop

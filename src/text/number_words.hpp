@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Numbers as people read them: in a unit of their size, and a number with its error in one unit.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace earthtop {
+
+/// A unit in which a quantity is told.
+struct ReadableUnit {
+  std::string_view name;    ///< of an axis: "arcseconds"
+  std::string_view symbol;  ///< behind a number, with a space where one belongs: "″", " mm"
+  double per_si;            ///< how many of it make a radian or a metre
+};
+
+/// The unit for an angle of this size: degrees from one degree on, then arcseconds, milliarcseconds and microarcseconds.
+/// @param size_rad  (rad); arcseconds for 0 and for what is not finite
+ReadableUnit angle_unit(double size_rad);
+/// The unit for a length of this size: kilometres to nanometres.
+ReadableUnit length_unit(double size_m);
+
+/// An angle in the unit of its size, with at least so many digits and never an exponent: "235.19″".
+std::string angle_text(double rad, int digits = 5);
+
+/// A number that is known to within an error: to the second digit of that error, as far as a double goes.
+struct KnownNumber {
+  std::string value, error;  ///< in the same unit
+};
+/// @param value, error  finite, error >= 0, in any common unit   @param digits  of the value where the error is 0
+KnownNumber known_number(double value, double error, int digits = 7);
+
+}  // namespace earthtop

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/number_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace earthtop {
+namespace {
+
+constexpr double kArcsecond = std::numbers::pi / 648000;
+
+TEST(NumberWords, AnAngleIsToldInTheUnitOfItsSize) {
+  EXPECT_EQ(angle_text(235.19 * kArcsecond), "235.19″");
+  EXPECT_EQ(angle_text(-235.19 * kArcsecond), "-235.19″");
+  EXPECT_EQ(angle_text(3600 * kArcsecond), "1.0000°");
+  EXPECT_EQ(angle_text(3599 * kArcsecond), "3599.0″");
+  EXPECT_EQ(angle_text(12345.6 * kArcsecond, 3), "3.43°");
+  EXPECT_EQ(angle_text(231.4 * kArcsecond, 2), "231″") << "no exponent";
+  EXPECT_EQ(angle_text(0.05 * kArcsecond, 3), "50.0 milliarcsec");
+  EXPECT_EQ(angle_text(5e-6 * kArcsecond, 3), "5.00 microarcsec");
+  EXPECT_EQ(angle_text(0), "0″");
+  EXPECT_EQ(angle_unit(std::numeric_limits<double>::quiet_NaN()).name, "arcseconds");
+}
+
+TEST(NumberWords, ALengthIsToldInTheUnitOfItsSize) {
+  EXPECT_EQ(length_unit(2e3).name, "km");
+  EXPECT_EQ(length_unit(1).name, "m");
+  EXPECT_EQ(length_unit(-2e-3).name, "mm");
+  EXPECT_EQ(length_unit(2e-6).name, "µm");
+  EXPECT_EQ(length_unit(2e-12).name, "nm");
+  EXPECT_EQ(length_unit(0).name, "m");
+}
+
+struct Case {
+  double value, error;
+  const char *shown, *shown_error;
+};
+
+TEST(NumberWords, ANumberEndsWhereItsErrorDoes) {
+  for (const Case& c :
+       {Case{235.189123456789, 0.0123, "235.189", "0.012"}, Case{235.189123456789, 12.3, "235", "12"},
+        Case{235.189123456789, 1230, "235", "1230"}, Case{235.189123456789, 6.01e-9, "235.1891234568", "6.0e-09"},
+        Case{450.1234561, 1.96e-6, "450.1234561", "0.0000020"}, Case{1.5, 0.0996, "1.50", "0.10"},
+        Case{5.2533929e-5, 4.2e-9, "5.25339e-05", "4.2e-09"}, Case{-5.2533929e-5, 4.2e-9, "-5.25339e-05", "4.2e-09"},
+        Case{0, 0.0123, "0.000", "0.012"}, Case{1e-9, 0.0123, "0.000", "0.012"}, Case{2.5, 0, "2.5", "0"},
+        Case{1.0 / 3, 1e-30, "0.3333333333333333", "1.0e-30"}}) {
+    const KnownNumber known = known_number(c.value, c.error);
+    EXPECT_EQ(known.value, c.shown);
+    EXPECT_EQ(known.error, c.shown_error);
+  }
+}
+
+}  // namespace
+}  // namespace earthtop

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sentences that say why a drift is what it is: each number, and each word of a direction, against the motion itself.
+#include "run/why.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "closed_form/top_constants.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/ledger.hpp"
+#include "earthtop/model/release.hpp"
+#include "support/changed_scene.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180, kArcsecond = kDegree / 3600;
+
+Scenario toy_top(double latitude_deg, double spin_rad_s) {
+  Scenario s;
+  s.site = {latitude_deg, 0, 0, 9.80665};
+  s.body.mass_kg = 0.1;
+  s.body.center_of_mass_m = {0, 0, 0.03};
+  s.body.inertia_kg_m2 = {{{1.2e-4, 0, 0}, {0, 1.2e-4, 0}, {0, 0, 4e-5}}};
+  s.release.tilt_deg = 20;
+  s.release.azimuth_deg = 70;
+  s.release.spin_rad_s = spin_rad_s;
+  s.duration_s = 16;
+  s.output_step_s = 0.013;
+  return s;
+}
+
+const WhySentence* find(const RunResult& result, std::string_view name) {
+  for (const WhySentence& sentence : result.why)
+    if (sentence.name == name) return &sentence;
+  return nullptr;
+}
+bool says(const WhySentence& sentence, std::string_view words) { return sentence.text.find(words) != std::string::npos; }
+double number(const RunResult& result, std::string_view sentence, std::string_view name) {
+  if (const WhySentence* found = find(result, sentence))
+    for (const auto& [what, value] : found->numbers)
+      if (what == name) return value;
+  return NAN;
+}
+
+/// The mean rate at which an axis goes round (rad/s, counterclockwise about Up): the slope of its azimuth's line.
+double seen_precession(const RunResult& result, std::array<double, 3> DriftRow::*axis) {
+  double before = 0, turned = 0, t = 0, tt = 0, a = 0, ta = 0, n = 0;
+  for (const DriftRow& row : result.rows) {
+    const double angle = std::atan2((row.*axis)[1], (row.*axis)[0]);
+    turned = n == 0 ? angle : turned + std::remainder(angle - before, 2 * std::numbers::pi);
+    before = angle;
+    t += row.t_s, tt += row.t_s * row.t_s, a += turned, ta += turned * row.t_s, ++n;
+  }
+  return (n * ta - t * a) / (n * tt - t * t);
+}
+
+/// How much lower the axis stands above South than above North, halved, because of the Earth (rad).
+double seen_lean(const RunResult& result) {
+  double south = 0, weight = 0;
+  for (const DriftRow& row : result.rows) {
+    const double to_south = -row.axis_L[1] / std::hypot(row.axis_L[0], row.axis_L[1]);
+    south += row.drift_tilt_rad * to_south, weight += to_south * to_south;
+  }
+  return south / weight;
+}
+
+struct Precessing {
+  const char* name;
+  Scenario scenario;
+};
+void PrintTo(const Precessing& top, std::ostream* out) { *out << top.name; }
+
+std::vector<Precessing> precessing_tops() {
+  std::vector<Precessing> tops;
+  const auto add = [&](const char* name, Scenario scenario, const auto& change) {
+    change(scenario);
+    tops.push_back({name, std::move(scenario)});
+  };
+  for (const double latitude : {-50.0, 35.0})
+    for (const double spin : {-200.0, 200.0})
+      for (const RatesRelativeTo frame : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial})
+        add("a toy top", toy_top(latitude, spin), [&](Scenario& s) { s.release.rates_relative_to = frame; });
+  const auto steady = [](double tilt_deg) {
+    return [tilt_deg](Scenario& s) { s.release.precession = Precession::steady_slow, s.release.tilt_deg = tilt_deg; };
+  };
+  add("small tilt", toy_top(35, 200), steady(3));
+  add("large tilt", toy_top(-50, -200), steady(80));
+  add("hanging", toy_top(35, 200), steady(130));
+  add("fast precession", toy_top(35, -300), [](Scenario& s) {
+    s.release.precession = Precession::steady_fast, s.release.tilt_deg = 20;
+    s.output_step_s = 0.007;
+  });
+  add("slow top", toy_top(-50, 110), steady(40));
+  add("an Earth that turns the other way, faster", toy_top(35, 200), [](Scenario& s) { s.rotation_rate_rad_s *= -30; });
+  return tops;
+}
+
+class WhyPrecessing : public ::testing::TestWithParam<Precessing> {};
+INSTANTIATE_TEST_SUITE_P(Tops, WhyPrecessing, ::testing::ValuesIn(precessing_tops()));
+
+TEST_P(WhyPrecessing, TheEarthAndItsTorqueHaveTheirSizes) {
+  const RunResult result = run(GetParam().scenario);
+  const Scenario& s = result.scene.scenario();
+  EXPECT_DOUBLE_EQ(number(result, "earth_turns", "earth_angle_rad"), std::abs(s.rotation_rate_rad_s) * s.duration_s);
+  double coriolis = 0, gravity = 0;
+  for (const DriftRow& row : result.rows) {
+    const Quaternion<double> q{row.q_LB[0], Vec3<double>(row.q_LB[1], row.q_LB[2], row.q_LB[3])};
+    const auto entry = ledger_entry(LedgerObserver::laboratory, result.modelled.model<double>(), row.t_s, q,
+                                    Vec3<double>(0, 0, row.w_LB_B[2]));
+    coriolis = std::max(coriolis, entry.tau_cor_A.norm());
+    gravity = std::max(gravity, entry.tau_phys_A.norm());
+  }
+  EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), coriolis, 1e-12 * coriolis);
+  EXPECT_NEAR(number(result, "coriolis_torque", "gravity_torque_N_m"), gravity, 1e-12 * gravity);
+  EXPECT_NEAR(number(result, "coriolis_torque", "ratio"), coriolis / gravity, 1e-12 * coriolis / gravity);
+}
+
+TEST_P(WhyPrecessing, LooksSlowerOrFasterAsItIsSeen) {
+  const RunResult result = run(GetParam().scenario);
+  const Scenario& s = result.scene.scenario();
+  const double there = seen_precession(result, &DriftRow::axis_L), without = seen_precession(result, &DriftRow::ref_axis_L);
+  const double Omega_up = s.rotation_rate_rad_s * std::sin(s.site.latitude_deg * kDegree);
+  const WhySentence *turns = find(result, "laboratory_turns"), *left = find(result, "what_is_left");
+  ASSERT_TRUE(turns && left);
+  EXPECT_NEAR(number(result, "laboratory_turns", "laboratory_rate_rad_s"), Omega_up, 1e-12 * std::abs(Omega_up));
+  EXPECT_NEAR(number(result, "laboratory_turns", "precession_rad_s"), without, 2e-3 * std::abs(without));
+  EXPECT_TRUE(says(*turns, Omega_up > 0 ? "rad/s counterclockwise from above" : "rad/s clockwise from above")) << turns->text;
+  EXPECT_TRUE(says(*turns, without > 0 ? "rad/s counterclockwise, therefore" : "rad/s clockwise, therefore")) << turns->text;
+  // The laboratory runs after the axis, or against it.
+  const double faster = Omega_up * without > 0 ? -std::abs(Omega_up) : std::abs(Omega_up);
+  EXPECT_NEAR(number(result, "laboratory_turns", "faster_by_rad_s"), faster, 1e-12 * std::abs(faster));
+  EXPECT_TRUE(says(*turns, faster > 0 ? "looks faster" : "looks slower")) << turns->text;
+  // The whole change, from the azimuths of the rows.
+  const double change = std::abs(there) - std::abs(without), told = number(result, "what_is_left", "computed_faster_by_rad_s");
+  EXPECT_NEAR(told, change, 0.05 * std::abs(change) + 1e-9) << left->text;
+  const std::string word = told > 0 ? "faster" : "slower", other = told > 0 ? "slower" : "faster";
+  const std::string all = left->text.substr(left->text.find("In all"));
+  EXPECT_NE(all.find("the precession is " + word + " by"), all.npos) << all;
+  EXPECT_NE(all.find("theory and " + word + " by"), all.npos) << all;
+  EXPECT_EQ(all.find(other), all.npos) << all;
+  EXPECT_LE(std::abs(told - number(result, "what_is_left", "predicted_faster_by_rad_s")),
+            number(result, "what_is_left", "predicted_error_rad_s") + number(result, "what_is_left", "computed_error_rad_s"));
+}
+
+TEST_P(WhyPrecessing, TheConeLeansAsTheTiltsShow) {
+  const RunResult result = run(GetParam().scenario);
+  const WhySentence* leans = find(result, "cone_leans");
+  ASSERT_TRUE(leans);
+  const double seen = seen_lean(result), told = number(result, "cone_leans", "lean_south_rad");
+  EXPECT_NEAR(told, seen, 0.12 * std::abs(seen)) << leans->text;
+  EXPECT_TRUE(says(*leans, seen > 0 ? "to the South." : "to the North.")) << leans->text;
+}
+
+TEST_P(WhyPrecessing, WhatIsLeftIsTheSwingBesideTheLine) {
+  const RunResult result = run(GetParam().scenario);
+  const double rate = *result.drift.secular->azimuth_rate_rad_s;
+  double least = 0, most = 0;
+  for (const DriftRow& row : result.rows) {
+    least = std::min(least, *row.drift_azimuth_rad - rate * row.t_s);
+    most = std::max(most, *row.drift_azimuth_rad - rate * row.t_s);
+  }
+  EXPECT_NEAR(number(result, "what_is_left", "azimuth_swing_rad"), (most - least) / 2, 0.03 * (most - least));
+}
+
+// At a pole, with the same rates in space, the laboratory's turning is all there is: the motion is the same one.
+TEST(Why, AtAPoleTheLaboratorysTurningIsAll) {
+  for (const double latitude : {-90.0, 90.0})
+    for (const double spin : {-200.0, 200.0}) {
+      Scenario s = toy_top(latitude, spin);
+      s.release.rates_relative_to = RatesRelativeTo::inertial;
+      const RunResult result = run(s);
+      const double faster = latitude * spin > 0 ? -kEarthRateWgs84 : kEarthRateWgs84;
+      EXPECT_NEAR(number(result, "laboratory_turns", "faster_by_rad_s"), faster, 1e-9 * kEarthRateWgs84);
+      EXPECT_NEAR(number(result, "what_is_left", "computed_faster_by_rad_s"), faster, 1e-7 * kEarthRateWgs84);
+      EXPECT_NEAR(number(result, "what_is_left", "of_release_faster_by_rad_s"), 0, 1e-6 * kEarthRateWgs84);
+      EXPECT_FALSE(says(*find(result, "what_is_left"), "With this release"));
+      EXPECT_FALSE(find(result, "cone_leans")) << "there is no North";
+    }
+}
+
+// With the same rates in the laboratory, the top at a pole is another one in space: it has the Earth's rate besides.
+TEST(Why, AtAPoleTheReleaseCountsAsTheRatesInSpaceSay) {
+  for (const double latitude : {-90.0, 90.0})
+    for (const double spin : {-200.0, 200.0}) {
+      const RunResult result = run(toy_top(latitude, spin));
+      const Scene& scene = result.modelled;
+      const Release<double>& release = scene.release<double>();
+      const auto precession = [&](const Vec3<double>& w_B) {
+        return mean_rates(top_constants(scene.body<double>(), scene.axial_gravity_torque_N_m(), release.q_LB, w_B))
+            ->precession_rad_s;
+      };
+      const Vec3<double> W_L(0, 0, latitude > 0 ? kEarthRateWgs84 : -kEarthRateWgs84);
+      const Vec3<double> W_B = transposed_times(rotation_matrix(release.q_LB), W_L);
+      const double faster = std::abs(precession(release.w_XB_B + W_B)) - std::abs(precession(release.w_XB_B));
+      EXPECT_NEAR(number(result, "what_is_left", "of_release_faster_by_rad_s"), faster, 1e-3 * std::abs(faster));
+      EXPECT_TRUE(
+          says(*find(result, "what_is_left"), faster > 0 ? "makes the precession faster" : "makes the precession slower"));
+    }
+}
+
+TEST(Why, AtTheEquatorTheLaboratoryDoesNotTurnAboutItsVertical) {
+  Scenario s = toy_top(0, 200);
+  s.release.azimuth_deg = 90;  // nothing of the Earth's rate along the axis
+  const RunResult result = run(s);
+  EXPECT_TRUE(find(result, "earth_turns"));
+  EXPECT_FALSE(find(result, "laboratory_turns"));
+  ASSERT_TRUE(find(result, "what_is_left"));
+  EXPECT_TRUE(says(*find(result, "what_is_left"), "In all, the precession is neither slower nor faster within"));
+  EXPECT_TRUE(says(*find(result, "cone_leans"), "to the South"));
+}
+
+// The lean of steady precession, slow and rather fast, standing and hanging, to first order in the Earth's rate.
+TEST(Why, TheLeanOfSteadyPrecessionIsThatOfTheMotion) {
+  for (const double tilt_deg : {10.0, 60.0, 90.0, 150.0})
+    for (const double spin : {-120.0, 400.0}) {
+      Scenario s = toy_top(20, spin);
+      s.rotation_rate_rad_s = 1e-9;
+      s.release.precession = Precession::steady_slow;
+      s.release.tilt_deg = tilt_deg;
+      s.release.rates_relative_to = RatesRelativeTo::inertial;
+      const RunResult result = run(testing::changed(s, [](Scenario& x) { x.duration_s = 40; }));
+      ASSERT_TRUE(find(result, "cone_leans")) << tilt_deg << ' ' << spin;
+      EXPECT_NEAR(number(result, "cone_leans", "lean_south_rad"), seen_lean(result), 0.02 * std::abs(seen_lean(result)))
+          << tilt_deg << ' ' << spin;
+    }
+}
+
+TEST(Why, AFreeGyroscopeTurnsWithTheStars) {
+  for (const double latitude : {-30.0, 50.0})
+    for (const double rate : {kEarthRateWgs84, -0.02}) {
+      Scenario s = toy_top(latitude, 200);
+      s.body.center_of_mass_m = {0, 0, 0};
+      s.release.rates_relative_to = RatesRelativeTo::inertial;
+      s.rotation_rate_rad_s = rate;
+      const RunResult result = run(s);
+      const WhySentence* stars = find(result, "turns_with_the_stars");
+      ASSERT_TRUE(stars && find(result, "no_torque") && find(result, "what_is_left"));
+      // The pole of the sky is due North at the height of the latitude; seen from there, the axis moves as the sentence says.
+      const Vec3<double> pole(0, std::cos(latitude * kDegree), std::sin(latitude * kDegree));
+      const auto& first = result.rows.front().axis_L;
+      const auto& last = result.rows.back().axis_L;
+      const Vec3<double> from(first[0], first[1], first[2]), to(last[0], last[1], last[2]);
+      EXPECT_NEAR(number(result, "turns_with_the_stars", "angle_from_celestial_pole_rad"), std::acos(pole.dot(from)), 1e-9);
+      const Vec3<double> across = from - pole.dot(from) * pole, after = to - pole.dot(to) * pole;
+      const double turned = std::atan2(pole.dot(across.cross(after)), across.dot(after));  // counterclockwise about the pole
+      EXPECT_NEAR(turned, -rate * s.duration_s, 1e-9);
+      EXPECT_TRUE(says(*stars, turned > 0 ? ", counterclockwise seen" : ", clockwise seen")) << stars->text;
+      EXPECT_NEAR(number(result, "what_is_left", "predicted_rad"), std::acos(from.dot(to)), 1e-9);
+    }
+}
+
+TEST(Why, ASleepingTopLeansWhereTheTorquesBalance) {
+  for (const double latitude : {-30.0, 50.0})
+    for (const double spin : {-300.0, 300.0}) {
+      Scenario s = toy_top(latitude, spin);
+      s.release.tilt_deg = 0;
+      s.duration_s = 30;
+      const RunResult result = run(s);
+      const WhySentence *rest = find(result, "rest_leans"), *left = find(result, "what_is_left");
+      ASSERT_TRUE(rest && left) << latitude << ' ' << spin;
+      double south = 0;
+      for (const DriftRow& row : result.rows) south -= row.axis_L[1] / static_cast<double>(result.rows.size());
+      EXPECT_GT(south * spin, 0);
+      EXPECT_NEAR(number(result, "rest_leans", "lean_south_rad"), south, 0.1 * std::abs(south));
+      EXPECT_TRUE(says(*rest, south > 0 ? "to the South" : "to the North")) << rest->text;
+      EXPECT_TRUE(says(*left, south > 0 ? "to the South" : "to the North")) << left->text;
+      const double coriolis = 4e-5 * 300 * kEarthRateWgs84 * std::cos(latitude * kDegree);
+      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), coriolis, 1e-9 * coriolis);
+      EXPECT_NEAR(number(result, "rest_leans", "gravity_torque_N_m"), coriolis, 1e-9 * coriolis);
+    }
+}
+
+TEST(Why, NothingIsSaidWhereTheoryDoesNotApply) {
+  const auto sentences = [](const auto& change) { return run(testing::changed(toy_top(45, 200), change)).why.size(); };
+  EXPECT_GT(sentences([](Scenario&) {}), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.platform.emplace().axis = {0, 0, 1}; }), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-9; }), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.effects.coriolis = false; }), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.rotation_rate_rad_s = 0; }), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.rotation_rate_rad_s = 1; }), 0u);
+  EXPECT_EQ(sentences([](Scenario& s) { s.duration_s = 1; }), 0u) << "no turn of precession";
+  EXPECT_EQ(sentences([](Scenario& s) { s.body.inertia_kg_m2[0][0] = 1.3e-4; }), 0u);
+}
+
+TEST(Why, NothingIsSaidWhereTheRunSaysOtherwise) {
+  const RunResult good = run(toy_top(45, 200));
+  EXPECT_EQ(why_sentences(good).size(), 5u);
+  RunResult result = good;
+  *result.theory[0].computed += result.theory[0].predicted_error + 2 * *result.theory[0].computed_error;
+  EXPECT_TRUE(why_sentences(result).empty()) << "another trend";
+  result = good;
+  result.theory[0].applies = false;
+  EXPECT_TRUE(why_sentences(result).empty());
+  result = good;
+  result.verdict.verdict = Verdict::unstable;
+  EXPECT_TRUE(why_sentences(result).empty());
+  result = good;
+  result.verdict.from_s = 10;
+  EXPECT_TRUE(why_sentences(result).empty());
+  result = good;
+  result.status = RunStatus::step_limit;
+  EXPECT_TRUE(why_sentences(result).empty());
+  result = good;
+  for (DriftRow& row : result.rows) row.drift_tilt_rad = -row.drift_tilt_rad;
+  result.why = why_sentences(result);
+  EXPECT_TRUE(find(result, "what_is_left"));
+  EXPECT_FALSE(find(result, "cone_leans")) << "the tilts lean the other way";
+}
+
+}  // namespace
+}  // namespace earthtop
