@@ -206,6 +206,11 @@ function startSphere(data) {
     ref = makeTrack(data.t_s, data.ref_axis_L);
     kScene.suits = suitableMagnification(axis, ref);
     for (const change of kScene.changes) change();
+    if (data.keeps_view) return;
+    // A small cone about the vertical is looked at from higher up, so that a circle is seen as one.
+    kHome.elevation_deg = !extent.whole && Math.abs(extent.centre[2]) > 0.9 ? 50 : 25;
+    Object.assign(kView, kHome);
+    turn(0, 0);
   };
 
   const controls = controlsOf(canvas), button = element("button", "", "Whole sphere");
@@ -221,8 +226,5 @@ function startSphere(data) {
   kScene.followers.push(draw);
   kScene.shows.push(show);
   show(data);
-  // A small cone about the vertical is looked at from higher up, so that a circle is seen as one.
-  kHome.elevation_deg = !extent.whole && Math.abs(extent.centre[2]) > 0.9 ? 50 : 25;
-  Object.assign(kView, kHome);
   watch(canvas, view);
 }

@@ -202,7 +202,8 @@ function startTop(data) {
     const offered = speedsFor(span, motion.suits);
     // A speed that was chosen for other data is kept if this motion offers it.
     if (!offered.includes(chosen)) chosen = null;
-    speeds.replaceChildren(...offered.map((value) => new Option(speedText(value), value)));
+    if (offered.length !== speeds.length || offered.some((value, i) => Number(speeds[i].value) !== value))
+      speeds.replaceChildren(...offered.map((value) => new Option(speedText(value), value)));
     speeds.value = speed();
     if (playing && !(span > 0)) toggle(false);
     tellChoices();
