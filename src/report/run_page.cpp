@@ -23,7 +23,6 @@ namespace {
 
 using compare::Row;
 
-constexpr double kShownDrift = 0.3;       // size (rad) to which the drift is magnified on the sphere
 constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
 
@@ -45,12 +44,6 @@ Json directions(const std::vector<Row>& rows, std::string_view first) {
   for (const Row& row : rows)
     for (std::size_t i = at; i < at + 3; ++i) list.push_back(std::isfinite(row.value[i]) ? Json(row.value[i]) : Json());
   return list;
-}
-
-double magnification(const Run& run) {
-  const double largest = run.number("/drift/axis_max_rad").value_or(0);
-  if (!(largest > 0) || largest >= kShownDrift) return 1;
-  return round_down(kShownDrift / largest);
 }
 
 void append(Json& list, const Vec3<double>& vector) {
@@ -80,6 +73,21 @@ Json torques_of(const Run& run, const Model<double>& model) {
   return json;
 }
 
+/// How a body turns that is no symmetric top about its axis 3, and the largest rate at which it does: it is drawn as a body.
+void add_attitude(const Run& run, Json& data) {
+  for (const auto& [name, first] : {std::pair{"attitude_LB", column("q_LB_w")}, {"ref_attitude_LB", column("ref_q_LB_w")}}) {
+    data[name] = Json::array();
+    for (const Row& row : run.rows)
+      for (std::size_t i = first; i < first + 4; ++i)
+        data[name].push_back(std::isfinite(row.value[i]) ? Json::parse(fmt::format("{:.6g}", row.value[i])) : Json());
+  }
+  double largest = 0;
+  for (const char* first : {"w_LB_B_x_rad_s", "ref_w_LB_B_x_rad_s"})
+    for (const Row& row : run.rows)
+      largest = std::fmax(largest, Eigen::Map<const Vec3<double>>(&row.value[column(first)]).norm());
+  data["rate_rad_s"] = largest;
+}
+
 void add_motion(const Run& run, Page& page) {
   Json& data = page.data();
   data["t_s"] = Json::array();
@@ -87,12 +95,16 @@ void add_motion(const Run& run, Page& page) {
   data["axis_L"] = directions(run.rows, "axis_L_x");
   data["ref_axis_L"] = directions(run.rows, "ref_axis_L_x");
   data["spin_rad_s"] = run.rows.empty() ? 0.0 : run.rows.front().value[column("w_LB_B_z_rad_s")];
-  data["magnification"] = magnification(run);
   data["earth_rate_L"] = {0, 0, 0};
   data["precession_axis_L"] = {0, 0, 1};
   data["torques"] = nullptr;
   if (run.has_contact) add_tip_motion(run, page);
   if (!run.scene) return;
+  const TopFigures top = run.scene->top();
+  data["top"] = {{"mass_kg", top.mass_kg},
+                 {"center_of_mass_m", top.center_of_mass_m},
+                 {"moments_about_center_kg_m2", top.moments_about_center_kg_m2}};
+  if (run.scene->symmetry_axis() != 2) add_attitude(run, data);
   const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
   // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.

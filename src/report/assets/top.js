@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The animated top, the axis of the prediction next to it, and the vectors that act. The unit of length is the stem.
+// The animation: both tops, the vectors that act, the clock, and the reader's choices of speed and magnification.
 
-const kDisc = { height: 0.58, radius: 0.4, thickness: 0.09 };
 const kTorques = { gravity: "gravity", coriolis: "Coriolis", transverse: "transverse", centrifugal: "centrifugal" };
-
-/** East and North, rotated by the smallest rotation that takes Up to the axis: unlike the line of nodes, they do not
- *  whirl when the axis passes the vertical. */
-function across(axis) {
-  const [x, y, z] = axis;
-  if (z < -0.999999) return [[1, 0, 0], [0, -1, 0]];
-  const f = 1 / (1 + z);
-  return [[1 - x * x * f, -x * y * f, -x], [-x * y * f, 1 - y * y * f, -y]];
-}
 
 /** The torques over time, each with the power of ten that makes it comparable with the largest one. */
 function readTorques(torques) {
@@ -66,107 +56,68 @@ function torqueLabel({ name, largest, decade }) {
   return `${kTorques[name]} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
 }
 
-function paintTop(pen, project, eye, scene) {
-  const origin = [0, 0, 0];
-  let place = origin;  // of what is drawn: the tip of a top on a table moves
-  const put = (p) => project(combine(1, place, 1, p));
-  const line = (from, to, name, width) => {
-    pen.strokeStyle = kPalette[name];
-    pen.lineWidth = width;
-    pen.setLineDash(kDashes[name] ?? []);
-    trace(pen, [put(from), put(to)]);
-    pen.stroke();
-    pen.setLineDash([]);
-  };
-  const write = (text, x, y) => {
-    pen.strokeStyle = kPalette.bg;
-    pen.lineWidth = 3;
-    pen.strokeText(text, x, y + 4);
-    pen.fillStyle = kPalette.text;
-    pen.fillText(text, x, y + 4);
-  };
-  const arrow = (from, vector, name, text) => {
-    const to = combine(1, from, 1, vector), [x0, y0] = put(from), [x, y] = put(to);
-    const length = Math.hypot(x - x0, y - y0);
-    if (length < 1) return;
-    line(from, to, name, 2.5);
-    const ux = (x - x0) / length, uy = (y - y0) / length, head = Math.min(10, length);
-    pen.fillStyle = kPalette[name];
-    const barb = (side) => [x - head * (ux - side * uy), y - head * (uy + side * ux)];
-    trace(pen, [[x + 2 * ux, y + 2 * uy], barb(0.45), barb(-0.45)]);
-    pen.fill();
-    // Labels stand beyond the tip, on the side to which the arrow points, so that they seldom overlap; those of steep arrows
-    // stand to the left, because "Up" stands to the right.
-    pen.textAlign = ux < 0.2 ? "right" : "left";
-    write(text, x + 7 * ux + (ux < 0.2 ? -5 : 5), y + 14 * uy);
-    pen.textAlign = "left";
-  };
-  const ring = (centre, p, q, radius) => {
-    const [x, y] = put(centre), [px, py] = put(combine(1, centre, radius, p)), [qx, qy] = put(combine(1, centre, radius, q));
-    pen.beginPath();
-    for (let k = 0; k < 48; ++k) {
-      const c = Math.cos((k * Math.PI) / 24), s = Math.sin((k * Math.PI) / 24);
-      pen.lineTo(x + c * (px - x) + s * (qx - x), y + c * (py - y) + s * (qy - y));
-    }
-    pen.closePath();
-  };
+/** The speeds to choose from: those at which the animation takes about a second to about ten minutes, by 1, 2 and 5. */
+function speedsFor(span, suits) {
+  const list = [suits];
+  for (let decade = -6; decade <= 7; ++decade) for (const lead of [1, 2, 5]) {
+    const speed = Number(`${lead}e${decade}`);
+    if (span / speed >= 1 && span / speed <= 600) list.push(speed);
+  }
+  return list.sort((a, b) => a - b).filter((speed, i) => i === 0 || speed > 1.01 * list[i - 1]);
+}
 
-  ring(origin, [1, 0, 0], [0, 1, 0], 0.75);
-  pen.strokeStyle = kPalette.line;
-  pen.lineWidth = 1;
-  pen.stroke();
-  for (const [name, tip] of [["East", [0.75, 0, 0]], ["North", [0, 0.75, 0]], ["Up", [0, 0, 1.25]]]) {
-    line(origin, tip, "line", 1);
-    const [x, y] = put(tip);
-    write(name, x + 4, y);
-  }
-  if (scene.earth) arrow(origin, scene.earth, "earth", "Earth's rate");
-  if (scene.precession) arrow(origin, times(1.1, scene.precession), "precession", "precession axis");
-  const { axis, ref } = scene;
-  if (scene.path.length > 1) {
-    pen.strokeStyle = kPalette.axis;
-    pen.lineWidth = 1;
-    trace(pen, scene.path.map(put));
-    pen.stroke();
-  }
-  place = scene.refTip;
-  if (ref) line(origin, ref, "ref", 2);
-  place = scene.tip;
-  if (axis) {
-    const [p, q] = across(axis), faceUp = dot(axis, eye) >= 0;
-    const low = times(kDisc.height - kDisc.thickness / 2, axis);
-    const high = times(kDisc.height + kDisc.thickness / 2, axis);
-    const stem = (from, to) => line(from, to, "metal-dark", 6);
-    const [near, far] = faceUp ? [high, low] : [low, high];
-    if (faceUp) stem(origin, low); else stem(high, axis);
-    // The rim of the disc: the far face, and the band between the outermost visible points of both faces.
-    const edge = times(kDisc.radius, normalise(cross(axis, eye)) ?? origin);
-    pen.fillStyle = kPalette["metal-dark"];
-    ring(far, p, q, kDisc.radius);
-    pen.fill();
-    trace(pen, [[low, 1], [low, -1], [high, -1], [high, 1]].map(([face, side]) => put(combine(1, face, side, edge))));
-    pen.fill();
-    ring(near, p, q, kDisc.radius);
-    pen.fillStyle = kPalette.metal;
-    pen.fill();
-    pen.strokeStyle = kPalette.fg;
-    pen.lineWidth = 1;
-    pen.stroke();
-    pen.fillStyle = kPalette.axis;
-    const spoke = (k) => {
-      const angle = scene.turned + k * 0.12;
-      return put(combine(1, near, 0.95 * kDisc.radius, combine(Math.cos(angle), p, Math.sin(angle), q)));
-    };
-    trace(pen, [put(near), ...[-3, -2, -1, 0, 1, 2, 3].map(spoke)]);
-    pen.fill();
-    if (faceUp) stem(high, axis); else stem(origin, low);
-    spot(pen, put(axis), 4.5, kPalette.axis);
-  }
-  place = scene.refTip;
-  if (ref) spot(pen, put(ref), 8, kPalette.ref, 2);
-  place = scene.tip;
-  const centre = times(kDisc.height, axis ?? ref ?? origin);
-  for (const { name, vector } of scene.torques) arrow(centre, times(0.6, vector), name, kTorques[name]);
+/** The speed at which the animation takes at most a minute and at least ten seconds; between these it runs in real time. A
+ *  body that is drawn as it turns is shown no faster than the eye can follow. */
+function suitableSpeed(span, rate_rad_s) {
+  const speed = span > 60 ? 1 / roundDown(60 / span) : span > 0 && span < 10 ? roundDown(span / 10) : 1;
+  return rate_rad_s * speed > 4 ? Math.min(speed, roundDown(4 / rate_rad_s)) : speed;
+}
+
+function speedText(speed) {
+  if (Math.abs(speed - 1) < 1e-9) return "in real time";
+  return `${Number(Math.max(speed, 1 / speed).toPrecision(3)).toLocaleString("en")} times ${speed > 1 ? "faster" : "slower"} than it happens`;
+}
+
+/** What is drawn of a run's data. */
+function readMotion(data) {
+  const axis = makeTrack(data.t_s, data.axis_L), ref = makeTrack(data.t_s, data.ref_axis_L);
+  const tip = makePlace(data.t_s, data.tip), refTip = makePlace(data.t_s, data.ref_tip);
+  const attitude = makeAttitude(data.t_s, data.attitude_LB), refAttitude = makeAttitude(data.t_s, data.ref_attitude_LB);
+  const rate = isNumber(data.rate_rad_s) ? data.rate_rad_s : 0;
+  let step = 0;
+  for (let i = 1; i < axis.count; ++i) step = Math.max(step, data.t_s[i] - data.t_s[i - 1]);
+  // Between rows that are more than a radian apart it is unknown how the body turned.
+  const dense = rate * step < 1, asBody = attitude.count > 0 && dense, shape = shapeOf(data.top, asBody, tip.count > 0);
+  const spin = isNumber(data.spin_rad_s) ? data.spin_rad_s : 0, span = axis.last - axis.first;
+  // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
+  const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
+  return {
+    axis, ref, tip, refTip, attitude, refAttitude, shape, spin, span, first: axis.first, last: axis.last,
+    torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
+    precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
+    sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
+  };
+}
+
+function motionLegend(motion) {
+  const entries = [["axis", "with Earth rotation (solid)"], ["ref", "prediction, without Earth rotation (outline)"],
+    ...motion.torques.map((t) => [t.name, torqueLabel(t)])];
+  if (motion.earth) entries.push(["earth", `Earth's rate, its direction (${format(size(motion.earthRate), 4)} rad/s)`]);
+  if (motion.precession) entries.push(["precession", "precession axis"]);
+  return legend(entries);
+}
+
+/** In words: the speed, the magnification, and what is not drawn as it is. */
+function motionText(motion, speed, slowed) {
+  const parts = [`Shown ${speedText(speed)}.`, magnificationText(motion.axis, motion.ref)];
+  const { shape, tip, shrunk, spin } = motion;
+  if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
+  else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at 1/${format(slowed)} of its rate.`);
+  if (motion.sparse) parts.push("The body is not symmetric, but its rows are too far apart to show how it turns.");
+  if (tip.count && isNumber(shrunk) && shrunk > 0)
+    parts.push(`The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}; ` +
+      "the distance between the two tips is not magnified.");
+  return parts.join(" ");
 }
 
 function startTop(data) {
@@ -175,41 +126,38 @@ function startTop(data) {
   // A control that the page does not have is replaced by one that is not shown.
   const control = (id, tag) => byId(id) ?? element(tag);
   const play = control("play", "button"), slider = control("time", "input"), clock = control("clock", "output");
-  const arrows = byId("arrows") ?? { checked: true };
-  const axis = makeTrack(data.t_s, data.axis_L), ref = makeTrack(data.t_s, data.ref_axis_L);
-  const tip = makePlace(data.t_s, data.tip), refTip = makePlace(data.t_s, data.ref_tip);
-  const torques = readTorques(data.torques);
-  const earth = normalise(data.earth_rate_L), precession = normalise(data.precession_axis_L);
-  const first = axis.first, last = axis.last, span = last - first;
-  const spin = isNumber(data.spin_rad_s) ? data.spin_rad_s : 0;
-  // The pivot is low in the picture unless the top hangs below it.
-  const hangs = samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
-  // The animation takes at most a minute and at least ten seconds; between these it runs in real time.
-  const pace = span > 60 ? 1 / roundDown(60 / span) : span > 0 && span < 10 ? roundDown(span / 10) : 1;
-  const slowed = Math.max(1, Number(((Math.abs(spin) * pace) / Math.PI).toPrecision(2)));
+  const arrows = byId("arrows") ?? { checked: true }, controls = controlsOf(canvas);
+  const speeds = element("select", "speed"), note = element("p", "note");
+  let motion = readMotion({}), list = motionLegend(motion), chosen = null;
+  let time = 0, playing = false, before = 0, stamps = [], said = 0;
+  const speed = () => chosen ?? motion.suits;
+  const slowed = () => Math.max(1, Number(((Math.abs(motion.spin) * speed()) / Math.PI).toPrecision(2)));
   const apart = () => {
-    const p = axis.at(time), q = ref.at(time);
+    const p = motion.axis.at(time), q = motion.ref.at(time);
     return p && q ? `, the two axes ${format(angleBetween(p, q), 3)} rad apart` : "";
   };
-  let time = first, playing = false, before = 0, stamps = [], said = 0;
 
   const draw = () => {
     const page = penOf(canvas);
     if (!page) return;
-    const { right, up, eye } = camera(), scale = (hangs ? 0.36 : 0.5) * page.height;
-    const x0 = page.width / 2, y0 = (0.5 + (hangs ? 0 : 0.26 * up[2])) * page.height;
+    const { right, up, eye } = camera(), { centred } = motion, scale = (centred ? 0.36 : 0.5) * page.height;
+    const x0 = page.width / 2, y0 = (0.5 + (centred ? 0 : 0.26 * up[2])) * page.height;
     const put = (p) => [x0 + scale * dot(right, p), y0 - scale * dot(up, p)];
-    const shown = arrows.checked;
+    const shown = arrows.checked, turned = ((motion.spin / slowed()) * (time - motion.first)) % (2 * Math.PI);
+    const axis = motion.axis.at(time), ref = motion.ref.at(time), drawn = magnified(ref, axis, magnification());
     paintTop(page.pen, put, eye, {
-      axis: axis.at(time), ref: ref.at(time), tip: tip.at(time), refTip: refTip.at(time), path: tip.until(time), turned: ((spin / slowed) * (time - first)) % (2 * Math.PI),
-      earth: shown ? earth : null, precession: shown ? precession : null,
-      torques: shown ? torques.map((t) => ({ name: t.name, vector: times(t.scale, t.at(time)) })) : [],
+      shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
+      body: { axis: drawn, turned, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
+      ghost: { axis: ref, turned, attitude: motion.refAttitude.at(time), carry: (v) => v },
+      earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
+      torques: shown ? motion.torques.map((t) => ({ name: t.name, vector: times(t.scale, t.at(time)) })) : [],
     });
   };
   const tell = () => {
     slider.value = String(time);
-    clock.textContent = axis.count ? `${time.toFixed(span < 10 ? 3 : 1)} s${apart()}` : "no rows to show";
+    clock.textContent = motion.axis.count ? `${time.toFixed(motion.span < 10 ? 3 : 1)} s${apart()}` : "no rows to show";
   };
+  const tellChoices = () => { note.textContent = motionText(motion, speed(), slowed()); };
   const show = () => {
     kScene.time = time;
     draw();
@@ -218,7 +166,7 @@ function startTop(data) {
   const frame = (now) => {
     if (!playing) return;
     // Limits the step, so that the animation does not jump after its tab was hidden.
-    time = Math.min(last, time + pace * Math.min(0.1, Math.max(0, now - before) / 1000));
+    time = Math.min(motion.last, time + speed() * Math.min(0.1, Math.max(0, now - before) / 1000));
     before = now;
     stamps.push(now);
     while (stamps[0] <= now - 1000) stamps.shift();
@@ -227,46 +175,63 @@ function startTop(data) {
     show();
     // Numbers cannot be read faster, and the layout of text takes longer than the drawing.
     if (now - said > 100) { said = now; tell(); }
-    if (time >= last) return toggle(false);
+    if (time >= motion.last) return toggle(false);
     requestAnimationFrame(frame);
   };
   const toggle = (on) => {
-    playing = kScene.playing = on && span > 0;
+    playing = kScene.playing = on && motion.span > 0;
     play.textContent = playing ? "Pause" : "Play";
     // The clock is read out only while the animation stands still.
     clock.setAttribute("aria-live", playing ? "off" : "polite");
-    if (playing && time >= last) time = first;
+    if (playing && time >= motion.last) time = motion.first;
     stamps = [];
     before = performance.now();
     show();
     tell();
     if (playing) requestAnimationFrame(frame);
   };
+  /** Takes new data; the animation stays at its time, as far as the data have it. */
+  const take = (data) => {
+    motion = readMotion(data);
+    const { first, last, span } = motion, made = motionLegend(motion);
+    list.replaceWith(made);
+    list = made;
+    time = clamp(time, first, last);
+    Object.assign(slider, { min: first, max: last, step: span / 1000 || 1, disabled: !(span > 0) });
+    play.disabled = slider.disabled;
+    const offered = speedsFor(span, motion.suits);
+    // A speed that was chosen for other data is kept if this motion offers it.
+    if (!offered.includes(chosen)) chosen = null;
+    if (offered.length !== speeds.length || offered.some((value, i) => Number(speeds[i].value) !== value))
+      speeds.replaceChildren(...offered.map((value) => new Option(speedText(value), value)));
+    speeds.value = speed();
+    if (playing && !(span > 0)) toggle(false);
+    tellChoices();
+    show();
+    if (!playing) tell();
+  };
 
-  Object.assign(slider, { min: first, max: last, step: span / 1000 || 1, disabled: !(span > 0) });
-  play.disabled = slider.disabled;
-  slider.addEventListener("input", () => { time = clamp(Number(slider.value), first, last); show(); tell(); });
+  slider.addEventListener("input", () => { time = clamp(Number(slider.value), motion.first, motion.last); show(); tell(); });
   play.addEventListener("click", () => toggle(!playing));
+  speeds.addEventListener("change", () => { chosen = Number(speeds.value); tellChoices(); draw(); });
   byId("arrows")?.addEventListener("change", draw);
   canvas.addEventListener("keydown", (event) => {
     if (event.key !== " ") return;
     toggle(!playing);
     event.preventDefault();
   });
-
-  const paceText = pace === 1 ? "in real time" :
-    `${format(Math.max(pace, 1 / pace), 3)} times ${pace > 1 ? "faster" : "slower"} than it happens`;
-  const shrunk = data.path_shrunk;
-  const pathText = !tip.count ? "" : !isNumber(shrunk) || shrunk <= 0 ? " The line on the table is the path of the tip." :
-    ` The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}.`;
-  const note = element("p", "note", `Shown ${paceText}; the spin of ${format(spin)} rad/s drawn at 1/${format(slowed)} ` +
-    "of its rate. The axes are drawn as they are, not magnified." + pathText);
-  const entries = [["ref", "prediction, without Earth rotation"], ...torques.map((t) => [t.name, torqueLabel(t)])];
-  if (earth) entries.push(["earth", `Earth's rate, its direction (${format(size(data.earth_rate_L), 4)} rad/s)`]);
-  if (precession) entries.push(["precession", "precession axis"]);
-  (play.closest(".controls") ?? canvas).after(note, legend(entries));
+  const label = element("label", "", "Shown ");
+  label.append(speeds);
+  controls.append(label);
+  addMagnification(controls);
+  controls.after(note, list);
   makeTurnable(canvas);
   kViewers.push(draw);
+  kScene.changes.push(() => { tellChoices(); draw(); });
+  kScene.shows.push(take);
+  take(data);
+  for (const change of kScene.changes) change();
   watch(canvas, draw);
-  toggle(axis.count > 1 && !window.matchMedia("(prefers-reduced-motion: reduce)").matches);
+  time = motion.first;
+  toggle(motion.axis.count > 1 && !window.matchMedia("(prefers-reduced-motion: reduce)").matches);
 }
