@@ -13,51 +13,11 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
-#include "text/number_words.hpp"
+#include "run/why_told.hpp"
 
 namespace earthtop {
+namespace why {
 namespace {
-
-/// A component of the Earth's rate that is less than this part of it is rounding.
-constexpr double kNone = 1e-9;
-
-/// What the sentences on a run have in common.
-struct Told {
-  const RunResult& result;
-  const Scene& scene;
-  const TheoryReport& theory;
-  Vec3<double> W_L;  ///< the Earth's rate (rad/s)
-  double I1, I3, mgl;
-  std::vector<WhySentence> sentences;
-
-  double Omega() const { return norm(W_L); }
-  double reached_s() const { return result.rows.back().t_s; }
-  void add(std::string_view name, std::string text, std::vector<std::pair<std::string_view, double>> numbers) {
-    sentences.push_back({name, std::move(text), std::move(numbers)});
-  }
-};
-
-Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-std::string with_error(double value, double error) {
-  const KnownNumber known = known_number(value, error);
-  return fmt::format("{} ± {}", known.value, known.error);
-}
-
-/// Both in the unit of the angle's size.
-std::string angle_with_error(double rad, double error_rad) {
-  const ReadableUnit unit = angle_unit(rad);
-  const KnownNumber known = known_number(rad * unit.per_si, error_rad * unit.per_si);
-  return fmt::format("{}{} ± {}{}", known.value, unit.symbol, known.error, unit.symbol);
-}
-
-void tell_earth_turns(Told& told) {
-  const double angle = std::abs(told.scene.rotation_rate_rad_s()) * told.reached_s();
-  told.add("earth_turns",
-           fmt::format("In the {:.6g} s of this run the Earth turns by {}{}.", told.reached_s(), angle_text(angle),
-                       told.scene.rotation_rate_rad_s() < 0 ? ", in this scenario the other way round" : ""),
-           {{"earth_angle_rad", angle}});
-}
 
 /// The largest Coriolis torque on the spin, I3 s |n x W| with the spin s relative to the laboratory, beside gravity's.
 void tell_coriolis_torque(Told& told) {
@@ -76,7 +36,6 @@ void tell_coriolis_torque(Told& told) {
       {{"coriolis_torque_N_m", coriolis}, {"gravity_torque_N_m", gravity}, {"ratio", coriolis / gravity}});
 }
 
-std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
 std::string_view pace(double faster) { return faster < 0 ? "slower" : "faster"; }
 
 /// @param p  rate of precession of the non-rotating prediction (rad/s, counterclockwise about Up)
@@ -153,20 +112,20 @@ std::string changed(double faster, double error) {
 
 void tell_what_is_left(Told& told, double p) {
   const SecularDrift& trend = *told.result.drift.secular;
-  const double sign = p > 0 ? 1 : -1, predicted = sign * told.theory.predicted, computed = sign * *told.theory.computed;
+  const double sign = p > 0 ? 1 : -1, predicted = sign * told.theory->predicted, computed = sign * *told.theory->computed;
   const double of_release = predicted + sign * told.W_L[2];
-  const double computed_error = told.theory.computed_error.value_or(0);
+  const double computed_error = told.theory->computed_error.value_or(0);
   std::string text;
-  if (std::abs(of_release) > told.theory.predicted_error)
+  if (std::abs(of_release) > told.theory->predicted_error)
     text = fmt::format(
         "With this release the Earth changes the top's mean energy and angular momentum, which makes the precession {} by "
         "{:.3g} rad/s. ",
         pace(of_release), std::abs(of_release));
   text += fmt::format("In all, the precession is {} in theory and {} in this run",
-                      changed(predicted, told.theory.predicted_error), changed(computed, computed_error));
+                      changed(predicted, told.theory->predicted_error), changed(computed, computed_error));
   std::vector<std::pair<std::string_view, double>> numbers = {{"of_release_faster_by_rad_s", of_release},
                                                               {"predicted_faster_by_rad_s", predicted},
-                                                              {"predicted_error_rad_s", told.theory.predicted_error},
+                                                              {"predicted_error_rad_s", told.theory->predicted_error},
                                                               {"computed_faster_by_rad_s", computed},
                                                               {"computed_error_rad_s", computed_error}};
   if (trend.azimuth_oscillation_rad) {
@@ -185,66 +144,12 @@ void tell_precession(Told& told) {
   const double p = rates->precession_rad_s;
   // A precession no faster than its change has no sense that lasts.
   constexpr double kFaster = 10;
-  if (!(std::abs(p) > kFaster * (std::abs(told.theory.predicted) + told.Omega()))) return;
+  if (!(std::abs(p) > kFaster * (std::abs(told.theory->predicted) + told.Omega()))) return;
   tell_earth_turns(told);
   tell_coriolis_torque(told);
   tell_laboratory_turns(told, p);
   tell_cone_leans(told, p);
   tell_what_is_left(told, p);
-}
-
-void tell_free_gyroscope(Told& told) {
-  const double Omega = told.scene.rotation_rate_rad_s(), turned = std::abs(Omega) * told.reached_s();
-  const Vec3<double> axis_L = vector(told.result.rows.front().axis_L);
-  const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
-  tell_earth_turns(told);
-  told.add("no_torque",
-           "The centre of mass is in the pivot and the axis was released at rest among the stars: no torque turns it, and it "
-           "keeps its "
-           "direction among them.",
-           {});
-  told.add(
-      "turns_with_the_stars",
-      fmt::format("Seen from the laboratory it therefore turns as the stars do, about the celestial axis, {} seen from the "
-                  "celestial North Pole, at Ω = {:.7g} rad/s; it stands {:.5g}° from that pole.",
-                  Omega > 0 ? "clockwise" : "counterclockwise", std::abs(Omega), away * 180 / std::numbers::pi),
-      {{"rate_rad_s", Omega}, {"angle_from_celestial_pole_rad", away}});
-  const double error = std::max(told.theory.predicted_error, told.theory.computed_error.value_or(0));
-  told.add(
-      "what_is_left",
-      fmt::format("On the sphere it has moved by 2 asin(sin({:.5g}°) |sin({}/2)|), which is {} in theory and {} in this run.",
-                  away * 180 / std::numbers::pi, angle_text(turned), angle_with_error(told.theory.predicted, error),
-                  angle_with_error(*told.theory.computed, error)),
-      {{"predicted_rad", told.theory.predicted}, {"computed_rad", *told.theory.computed}});
-}
-
-void tell_sleeping_top(Told& told) {
-  const double lean = told.theory.predicted, seen = *told.theory.computed;
-  if (std::abs(told.W_L[1]) <= kNone * told.Omega()) return;
-  const double spin = told.scene.release<double>().w_XB_B[2];
-  const double coriolis = std::abs(told.I3 * spin * told.W_L[1]), gravity = std::abs(told.mgl * lean);
-  tell_earth_turns(told);
-  told.add(
-      "coriolis_torque",
-      fmt::format(
-          "The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and with it the spin: to an observer in it a "
-          "Coriolis torque of {:.3g} N m acts on the upright top.",
-          std::abs(told.W_L[1]), coriolis),
-      {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", coriolis}});
-  told.add("rest_leans",
-           fmt::format("Gravity balances it where the axis leans by {} to the {}: there the top could rest, not upright.",
-                       angle_text(std::abs(lean), 3), lean > 0 ? "South" : "North"),
-           {{"lean_south_rad", lean}, {"gravity_torque_N_m", gravity}});
-  told.add("what_is_left",
-           fmt::format(
-               "Released upright it goes round that direction, up to {} from the vertical; on average it leans to the {} by {} "
-               "in theory and by {} in this run.",
-               angle_text(told.result.drift.axis_max_rad, 3), seen > 0 ? "South" : "North",
-               angle_with_error(std::abs(lean), told.theory.predicted_error),
-               angle_with_error(std::abs(seen), told.theory.computed_error.value_or(0))),
-           {{"axis_max_rad", told.result.drift.axis_max_rad},
-            {"mean_lean_south_rad", seen},
-            {"predicted_error_rad", told.theory.predicted_error}});
 }
 
 /// Whether theory applies, and the run agrees with it within the errors of both.
@@ -256,6 +161,7 @@ bool agrees(const TheoryReport& theory) {
 }
 
 }  // namespace
+}  // namespace why
 
 ConeLean cone_lean(double p, double axial, double cos_tilt, double sin_tilt, double swing, const Vec3<double>& W_L) {
   const double m = axial - p * cos_tilt, resonance = m * (m - 2 * p * cos_tilt);
@@ -268,22 +174,28 @@ ConeLean cone_lean(double p, double axial, double cos_tilt, double sin_tilt, dou
 
 std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
-  if (result.theory.size() != 1 || result.status != RunStatus::completed || verdict.verdict != Verdict::reliable ||
-      verdict.from_s || !agrees(result.theory.front()))
-    return {};
   const Scene& scene = result.modelled;
+  if (result.status != RunStatus::completed || result.rows.size() < 3 || verdict.verdict != Verdict::reliable ||
+      verdict.from_s || scene.scenario().contact || scene.scenario().platform || scene.scenario().effects.tide ||
+      !scene.scenario().effects.all_on() || scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
+    return {};
   const Body<double>& body = scene.body<double>();
-  Told told{result,
-            scene,
-            result.theory.front(),
-            Vec3<double>(scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site())),
-            body.I_BP_B(0, 0),
-            body.I_BP_B(2, 2),
-            scene.axial_gravity_torque_N_m(),
-            {}};
-  if (told.theory.name == "precession_rate_change") tell_precession(told);
-  if (told.theory.name == "free_gyro_axis_drift") tell_free_gyroscope(told);
-  if (told.theory.name == "sleeping_top_lean_south") tell_sleeping_top(told);
+  why::Told told{result,
+                 scene,
+                 result.theory.empty() ? nullptr : &result.theory.front(),
+                 Vec3<double>(scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site())),
+                 body.I_BP_B(0, 0),
+                 body.I_BP_B(2, 2),
+                 scene.axial_gravity_torque_N_m(),
+                 {}};
+  if (told.theory == nullptr) {
+    why::tell_pendulum(told);
+    why::tell_gyrocompass(told);
+  } else if (why::agrees(*told.theory)) {
+    if (told.theory->name == "precession_rate_change") why::tell_precession(told);
+    if (told.theory->name == "free_gyro_axis_drift") why::tell_free_gyroscope(told);
+    if (told.theory->name == "sleeping_top_lean_south") why::tell_sleeping_top(told);
+  }
   return std::move(told.sentences);
 }
 

@@ -9,9 +9,9 @@
 
 namespace earthtop {
 
-/// The sentences on a run whose rows, drift, verdict and theory are known: about a heavy top that precesses, a free gyroscope or a
-/// sleeping top. There are none where first-order theory does not apply, or does not agree with the run, or where the verdict does not
-/// trust the whole run.
+/// The sentences on a run whose rows, drift, verdict and theory are known: about a heavy top that precesses, a free gyroscope, a
+/// sleeping top, a pendulum that is released at rest, or a gyrocompass without damping. There are none where first-order theory does
+/// not apply, or does not agree with the run, or where the verdict does not trust the whole run.
 std::vector<WhySentence> why_sentences(const RunResult& result);
 
 /// The lean of the cone on which a top precesses, because the laboratory turns about North, too.

@@ -274,6 +274,108 @@ TEST(Why, ASleepingTopLeansWhereTheTorquesBalance) {
     }
 }
 
+Scenario pendulum(double latitude_deg) {
+  Scenario s;
+  s.site = {latitude_deg, 0, 0, 9.80665};
+  s.body.mass_kg = 1;
+  s.body.center_of_mass_m = {0, 0, -1};
+  s.body.inertia_kg_m2 = {{{1.5, 0, 0}, {0, 1.5, 0}, {0, 0, 0.15}}};
+  s.release.tilt_deg = 0.1;
+  s.release.azimuth_deg = 40;
+  s.duration_s = 60;
+  s.output_step_s = 0.05;
+  return s;
+}
+
+/// The azimuth (rad, clockwise from North) at which an axis is farthest out, near the end of the run.
+double last_turning_point(const RunResult& result, std::array<double, 3> DriftRow::*axis) {
+  double most = 0, azimuth = 0;
+  for (const DriftRow& row : result.rows) {
+    const double far = std::hypot((row.*axis)[0], (row.*axis)[1]);
+    if (row.t_s > result.reached_s - 1.5 && far > most) most = far, azimuth = std::atan2((row.*axis)[0], (row.*axis)[1]);
+  }
+  return azimuth;
+}
+
+TEST(Why, APendulumsPlaneTurnsAsItsTurningPointsShow) {
+  for (const double latitude : {-50.0, 35.0})
+    for (const double tilt_deg : {0.1, 179.9}) {
+      Scenario s = pendulum(latitude);
+      if (tilt_deg > 90) s.body.center_of_mass_m[2] = 1;  // the same bob at the other end
+      s.release.tilt_deg = tilt_deg;
+      const RunResult result = run(s);
+      const WhySentence *turns = find(result, "laboratory_turns"), *left = find(result, "what_is_left");
+      ASSERT_TRUE(turns && left && find(result, "bob_has_spin")) << latitude << ' ' << tilt_deg;
+      const double clockwise = std::remainder(
+          last_turning_point(result, &DriftRow::axis_L) - last_turning_point(result, &DriftRow::ref_axis_L), std::numbers::pi);
+      EXPECT_EQ(clockwise > 0, latitude > 0);
+      EXPECT_NEAR(number(result, "what_is_left", "computed_rad_s") * s.duration_s, -clockwise, 0.05 * std::abs(clockwise));
+      EXPECT_TRUE(says(*turns, clockwise > 0 ? "plane turns clockwise" : "plane turns counterclockwise")) << turns->text;
+      EXPECT_TRUE(says(*turns, clockwise > 0 ? "rad/s counterclockwise from" : "rad/s clockwise from")) << turns->text;
+      EXPECT_TRUE(says(*left, clockwise > 0 ? "plane turns clockwise" : "plane turns counterclockwise")) << left->text;
+      EXPECT_DOUBLE_EQ(number(result, "bob_has_spin", "part"), 0.05);
+      const double up = kEarthRateWgs84 * std::sin(latitude * kDegree);
+      EXPECT_NEAR(number(result, "laboratory_turns", "laboratory_rate_rad_s"), up, 1e-12 * std::abs(up));
+      EXPECT_NEAR(number(result, "what_is_left", "predicted_rad_s"), -0.95 * up, 1e-12 * std::abs(up));
+    }
+}
+
+Scenario gyrocompass(double latitude_deg, double spin_rad_s) {
+  Scenario s = toy_top(latitude_deg, spin_rad_s);
+  s.body.center_of_mass_m = {0, 0, 0};
+  s.release.tilt_deg = 90;
+  s.release.azimuth_deg = spin_rad_s > 0 ? 4 : -176;
+  s.effects.applied.gimbal = GimbalSpec{};
+  s.duration_s = 130;
+  s.output_step_s = 0.05;
+  return s;
+}
+
+TEST(Why, AGyrocompassSwingsAboutNorthInItsPeriod) {
+  for (const double latitude : {-50.0, 0.0, 35.0})
+    for (const double spin : {-400.0, 400.0}) {
+      const RunResult result = run(gyrocompass(latitude, spin));
+      const WhySentence *swings = find(result, "swings_about_north"), *holds = find(result, "gimbal_holds");
+      ASSERT_TRUE(swings && holds) << latitude << ' ' << spin;
+      // Passages through the meridian, half a period apart, and the mean direction.
+      std::vector<double> passed_s;
+      double north = 0;
+      for (std::size_t i = 1; i < result.rows.size(); ++i) {
+        const double before = result.rows[i - 1].axis_L[0], now = result.rows[i].axis_L[0], step = 0.05;
+        if ((before > 0) != (now > 0)) passed_s.push_back(result.rows[i - 1].t_s + step * before / (before - now));
+        north += result.rows[i].axis_L[1];
+      }
+      ASSERT_GE(passed_s.size(), 3u);
+      const double period = passed_s[2] - passed_s[0];
+      EXPECT_NEAR(number(result, "swings_about_north", "period_s"), period, 1e-3 * period);
+      EXPECT_NEAR(number(result, "swings_about_north", "amplitude_rad"), 4 * kDegree, 1e-9);
+      EXPECT_NEAR(number(result, "what_is_left", "swings"), 130 / period, 1e-3 * 130 / period);
+      EXPECT_TRUE(says(*swings, north > 0 ? "the axis to the North:" : "the axis to the South, and its spin to the North:"));
+      const auto& q_LB = result.rows[0].q_LB;
+      const auto entry =
+          ledger_entry(LedgerObserver::laboratory, result.modelled.model<double>(), 0.0,
+                       Quaternion<double>{q_LB[0], Vec3<double>(q_LB[1], q_LB[2], q_LB[3])}, Vec3<double>(0, 0, spin));
+      EXPECT_NEAR(number(result, "gimbal_holds", "coriolis_torque_N_m"), std::abs(entry.tau_cor_A[2]),
+                  1e-5 * std::abs(entry.tau_cor_A[2]));
+    }
+}
+
+TEST(Why, OfOtherPendulumsAndCompassesNothingIsSaid) {
+  const auto of_pendulum = [](const auto& change) { return run(testing::changed(pendulum(35), change)).why.size(); };
+  EXPECT_EQ(of_pendulum([](Scenario&) {}), 4u);
+  EXPECT_EQ(of_pendulum([](Scenario& s) { s.release.rates_relative_to = RatesRelativeTo::inertial; }), 0u);
+  EXPECT_EQ(of_pendulum([](Scenario& s) { s.release.tilt_deg = 40; }), 0u) << "an ellipse as wide turns by itself";
+  EXPECT_EQ(of_pendulum([](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-3; }), 0u);
+  EXPECT_EQ(of_pendulum([](Scenario& s) { s.site.latitude_deg = 0; }), 0u);
+  EXPECT_EQ(of_pendulum([](Scenario& s) { s.duration_s = 5; }), 0u) << "too few swings";
+  const auto of_compass = [](const auto& change) { return run(testing::changed(gyrocompass(35, 400), change)).why.size(); };
+  EXPECT_EQ(of_compass([](Scenario&) {}), 4u);
+  EXPECT_EQ(of_compass([](Scenario& s) { s.effects.applied.gimbal->damping_N_m_s = 1e-6; }), 0u);
+  EXPECT_EQ(of_compass([](Scenario& s) { s.release.azimuth_deg = 100; }), 0u) << "no small swing";
+  EXPECT_EQ(of_compass([](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-7; }), 0u);
+  EXPECT_EQ(of_compass([](Scenario& s) { s.site.latitude_deg = 90; }), 0u);
+}
+
 TEST(Why, NothingIsSaidWhereTheoryDoesNotApply) {
   const auto sentences = [](const auto& change) { return run(testing::changed(toy_top(45, 200), change)).why.size(); };
   EXPECT_GT(sentences([](Scenario&) {}), 0u);

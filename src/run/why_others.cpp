@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why the axes of tops that do not precess drift: free gyroscopes, sleeping tops, pendulums and gyrocompasses.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/elementary.hpp"
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/release.hpp"
+#include "run/why_told.hpp"
+
+namespace earthtop::why {
+
+void tell_free_gyroscope(Told& told) {
+  const double Omega = told.scene.rotation_rate_rad_s(), turned = std::abs(Omega) * told.reached_s();
+  const Vec3<double> axis_L = vector(told.result.rows.front().axis_L);
+  const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
+  tell_earth_turns(told);
+  told.add("no_torque",
+           "The centre of mass is in the pivot and the axis was released at rest among the stars: no torque turns it, and it "
+           "keeps its "
+           "direction among them.",
+           {});
+  told.add(
+      "turns_with_the_stars",
+      fmt::format("Seen from the laboratory it therefore turns as the stars do, about the celestial axis, {} seen from the "
+                  "celestial North Pole, at Ω = {:.7g} rad/s; it stands {:.5g}° from that pole.",
+                  Omega > 0 ? "clockwise" : "counterclockwise", std::abs(Omega), away * 180 / std::numbers::pi),
+      {{"rate_rad_s", Omega}, {"angle_from_celestial_pole_rad", away}});
+  const double error = std::max(told.theory->predicted_error, told.theory->computed_error.value_or(0));
+  told.add(
+      "what_is_left",
+      fmt::format("On the sphere it has moved by 2 asin(sin({:.5g}°) |sin({}/2)|), which is {} in theory and {} in this run.",
+                  away * 180 / std::numbers::pi, angle_text(turned), angle_with_error(told.theory->predicted, error),
+                  angle_with_error(*told.theory->computed, error)),
+      {{"predicted_rad", told.theory->predicted}, {"computed_rad", *told.theory->computed}});
+}
+
+void tell_sleeping_top(Told& told) {
+  const double lean = told.theory->predicted, seen = *told.theory->computed;
+  if (std::abs(told.W_L[1]) <= kNone * told.Omega()) return;
+  const double spin = told.scene.release<double>().w_XB_B[2];
+  const double coriolis = std::abs(told.I3 * spin * told.W_L[1]), gravity = std::abs(told.mgl * lean);
+  tell_earth_turns(told);
+  told.add(
+      "coriolis_torque",
+      fmt::format(
+          "The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and with it the spin: to an observer in it a "
+          "Coriolis torque of {:.3g} N m acts on the upright top.",
+          std::abs(told.W_L[1]), coriolis),
+      {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", coriolis}});
+  told.add("rest_leans",
+           fmt::format("Gravity balances it where the axis leans by {} to the {}: there the top could rest, not upright.",
+                       angle_text(std::abs(lean), 3), lean > 0 ? "South" : "North"),
+           {{"lean_south_rad", lean}, {"gravity_torque_N_m", gravity}});
+  told.add("what_is_left",
+           fmt::format(
+               "Released upright it goes round that direction, up to {} from the vertical; on average it leans to the {} by {} "
+               "in theory and by {} in this run.",
+               angle_text(told.result.drift.axis_max_rad, 3), seen > 0 ? "South" : "North",
+               angle_with_error(std::abs(lean), told.theory->predicted_error),
+               angle_with_error(std::abs(seen), told.theory->computed_error.value_or(0))),
+           {{"axis_max_rad", told.result.drift.axis_max_rad},
+            {"mean_lean_south_rad", seen},
+            {"predicted_error_rad", told.theory->predicted_error}});
+}
+
+namespace {
+
+/// Whether the release is at rest in the laboratory, apart from a spin about the axis.
+bool axis_at_rest(const Scene& scene) {
+  const Release<double>& release = scene.release<double>();
+  return release.X == RatesRelativeTo::laboratory && release.w_XB_B[0] == 0 && release.w_XB_B[1] == 0;
+}
+
+/// The rate (rad/s, counterclockwise about Up) at which the plane turns in which an axis swings: (East + i North)^2 has, on average
+/// over swings, twice the angle of the plane. Empty where the run is too short, or its rows too few, for windows of some swings.
+std::optional<double> seen_plane_rate(const std::vector<DriftRow>& rows, double swing_s, double expected) {
+  constexpr double kSwings = 4, kRows = 16, kMost = 64, kTurnedInWindow = std::numbers::pi / 8;
+  const double duration = rows.back().t_s, count = static_cast<double>(rows.size());
+  const double windows = std::floor(std::min({duration / (kSwings * swing_s), count / kRows, kMost}));
+  if (windows < 2 || std::abs(expected) * duration / windows > kTurnedInWindow) return std::nullopt;
+  double n = 0, t = 0, tt = 0, a = 0, ta = 0, before = 0;
+  for (std::size_t row = 0; n < windows;) {
+    double re = 0, im = 0, weight = 0, time = 0;
+    for (const double end = duration * (n + 1) / windows; row < rows.size() && rows[row].t_s <= end; ++row) {
+      const double x = rows[row].axis_L[0], y = rows[row].axis_L[1];
+      re += x * x - y * y, im += 2 * x * y, weight += x * x + y * y, time += (x * x + y * y) * rows[row].t_s;
+    }
+    if (!(weight > 0)) return std::nullopt;
+    double angle = real::atan2(im, re) / 2;
+    if (n > 0) angle += std::numbers::pi * std::round((before - angle) / std::numbers::pi);
+    before = angle, time /= weight, ++n;
+    t += time, tt += time * time, a += angle, ta += angle * time;
+  }
+  return (n * ta - t * a) / (n * tt - t * t);
+}
+
+}  // namespace
+
+void tell_pendulum(Told& told) {
+  const Vec3<double> n_L = vector(told.result.rows.front().ref_axis_L);
+  if (told.scene.scenario().effects.applied.any() || !axis_at_rest(told.scene) || told.scene.release<double>().w_XB_B[2] != 0 ||
+      !(told.mgl * n_L[2] < 0))
+    return;
+  const double amplitude = real::atan2(real::hypot(n_L[0], n_L[1]), std::abs(n_L[2])), share = told.I3 / (2 * told.I1);
+  constexpr double kLargest = 0.5, kMostLeftOut = 0.1, kRows = 0.01;
+  if (!(amplitude > 0) || amplitude > kLargest || std::abs(told.W_L[2]) <= kNone * told.Omega()) return;
+  const FirstOrder<double> rate = foucault_rate({told.I1, told.I3, -std::abs(told.mgl)}, amplitude, told.W_L);
+  const double swing_s = 2 * std::numbers::pi * std::sqrt(told.I1 / std::abs(told.mgl));
+  const std::optional<double> seen = seen_plane_rate(told.result.rows, swing_s, rate.value);
+  if (!seen || rate.left_out > kMostLeftOut * std::abs(rate.value) ||
+      std::abs(*seen - rate.value) > rate.left_out + kRows * std::abs(rate.value))
+    return;
+  const double up = told.W_L[2];
+  tell_earth_turns(told);
+  told.add("laboratory_turns",
+           fmt::format(
+               "Gravity keeps the swing in its plane while the laboratory turns about its vertical at Ω sin(latitude), {:.5g} "
+               "rad/s {} from above: seen from it, the plane turns {} by as much.",
+               std::abs(up), sense(up), sense(-up)),
+           {{"laboratory_rate_rad_s", up}, {"swing_s", swing_s}});
+  told.add(
+      "bob_has_spin",
+      fmt::format(
+          "Released at rest in the laboratory the bob turns with it, and has a spin of its own in space, which takes away a "
+          "part I3/(2 I1) = {:.3g} of this.",
+          share),
+      {{"part", share}});
+  told.add(
+      "what_is_left",
+      fmt::format("In all, the plane turns {} by {} rad/s in theory and by {:.4g} rad/s in this run: by {} in its {:.6g} s.",
+                  sense(rate.value), with_error(std::abs(rate.value), rate.left_out), std::abs(*seen),
+                  angle_text(std::abs(*seen) * told.reached_s(), 4), told.reached_s()),
+      {{"predicted_rad_s", rate.value}, {"predicted_error_rad_s", rate.left_out}, {"computed_rad_s", *seen}});
+}
+
+void tell_gyrocompass(Told& told) {
+  AppliedTorquesSpec applied = told.scene.scenario().effects.applied;
+  if (!applied.gimbal || applied.gimbal->damping_N_m_s != 0 || !axis_at_rest(told.scene)) return;
+  applied.gimbal.reset();
+  const Vec3<double> n_L = vector(told.result.rows.front().ref_axis_L);
+  const double north = told.W_L[1], spin = told.scene.release<double>().w_XB_B[2] + n_L.dot(told.W_L);  // in space
+  if (applied.any() || std::abs(north) <= kNone * told.Omega() || spin == 0) return;
+  // The end of the axis that turns to North is that to which spin and Earth's rate point.
+  const double end = spin * north > 0 ? 1 : -1, first = real::atan2(end * n_L[0], end * n_L[1]);
+  const double stiffness = std::abs(told.I3 * spin * north) - told.I1 * north * north;
+  constexpr double kLargest = 0.5, kKept = 0.05;
+  if (first == 0 || std::abs(first) > kLargest || !(stiffness > 0)) return;
+  const double period = 2 * std::numbers::pi * std::sqrt(told.I1 / stiffness) * (1 + first * first / 16);
+  double off = 0;
+  for (const DriftRow& row : told.result.rows) {
+    const double angle = real::atan2(end * row.axis_L[0], end * row.axis_L[1]);
+    off = std::max(off, std::abs(angle - first * real::cos(2 * std::numbers::pi * row.t_s / period)));
+  }
+  if (off > kKept * std::abs(first)) return;
+  const double torque = std::abs(told.I3 * spin * north * real::sin(first));
+  tell_earth_turns(told);
+  told.add("gimbal_holds",
+           fmt::format(
+               "The gimbal holds the axis level, so that only the Earth's turning about North counts, Ω cos(latitude) = {:.5g} "
+               "rad/s: the Coriolis torque on the spin, {:.3g} N m at most, turns the axis, which cannot give way upwards.",
+               std::abs(north), torque),
+           {{"laboratory_rate_north_rad_s", north}, {"coriolis_torque_N_m", torque}});
+  told.add("swings_about_north",
+           fmt::format("It drives the axis to the {}: about that direction it swings by {} to either side in 2π sqrt(I1/(I3 ω3 "
+                       "Ω cos(latitude))) = "
+                       "{:.5g} s.",
+                       end > 0 ? "North" : "South, and its spin to the North", angle_text(std::abs(first), 4), period),
+           {{"drives_to_north", end}, {"amplitude_rad", std::abs(first)}, {"period_s", period}});
+  told.add(
+      "what_is_left",
+      fmt::format("This run sees {:.3g} such swings and keeps to them to {}.", told.reached_s() / period, angle_text(off, 2)),
+      {{"swings", told.reached_s() / period}, {"off_rad", off}});
+}
+
+}  // namespace earthtop::why

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What the sentences on all kinds of tops have in common.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+
+#include "earthtop/run.hpp"
+#include "earthtop/vectors.hpp"
+#include "text/number_words.hpp"
+
+namespace earthtop::why {
+
+/// A component of the Earth's rate that is less than this part of it is rounding.
+inline constexpr double kNone = 1e-9;
+
+/// What the sentences on a run have in common.
+struct Told {
+  const RunResult& result;
+  const Scene& scene;
+  const TheoryReport* theory;  ///< null where the result has no theory on the scene
+  Vec3<double> W_L;            ///< the Earth's rate (rad/s)
+  double I1, I3, mgl;
+  std::vector<WhySentence> sentences;
+
+  double Omega() const { return norm(W_L); }
+  double reached_s() const { return result.rows.back().t_s; }
+  void add(std::string_view name, std::string text, std::vector<std::pair<std::string_view, double>> numbers) {
+    sentences.push_back({name, std::move(text), std::move(numbers)});
+  }
+};
+
+inline Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+inline std::string with_error(double value, double error) {
+  const KnownNumber known = known_number(value, error);
+  return fmt::format("{} ± {}", known.value, known.error);
+}
+
+/// Both in the unit of the angle's size.
+inline std::string angle_with_error(double rad, double error_rad) {
+  const ReadableUnit unit = angle_unit(rad);
+  const KnownNumber known = known_number(rad * unit.per_si, error_rad * unit.per_si);
+  return fmt::format("{}{} ± {}{}", known.value, unit.symbol, known.error, unit.symbol);
+}
+
+inline void tell_earth_turns(Told& told) {
+  const double angle = std::abs(told.scene.rotation_rate_rad_s()) * told.reached_s();
+  told.add("earth_turns",
+           fmt::format("In the {:.6g} s of this run the Earth turns by {}{}.", told.reached_s(), angle_text(angle),
+                       told.scene.rotation_rate_rad_s() < 0 ? ", in this scenario the other way round" : ""),
+           {{"earth_angle_rad", angle}});
+}
+
+/// Of a rate about Up.
+inline std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
+
+/// The kinds of tops. Each adds its sentences, or none where its own theory does not apply.
+void tell_free_gyroscope(Told& told);
+void tell_sleeping_top(Told& told);
+void tell_pendulum(Told& told);
+void tell_gyrocompass(Told& told);
+
+}  // namespace earthtop::why
