@@ -2,9 +2,9 @@
 // The chart of the drift and its parts over time, drawn for the width that the page has.
 
 const kDriftLines = [
-  { column: "drift_axis_rad", label: "drift of the axis", colour: "axis", dash: "axis" },
-  { column: "drift_azimuth_rad", label: "its azimuth, clockwise from above", colour: "ref", dash: "ref" },
-  { column: "drift_tilt_rad", label: "its tilt", colour: "gravity", dash: "transverse" },
+  { column: "drift_axis_rad", label: "drift of the axis", name: "axis" },
+  { column: "drift_azimuth_rad", label: "its azimuth, clockwise from above", name: "ref" },
+  { column: "drift_tilt_rad", label: "its tilt", name: "coriolis" },
 ];
 
 /** Arcseconds, or degrees where those are more readable. */
@@ -41,18 +41,18 @@ function drawDriftChart(figure, columns) {
   const left = 66, right = width - 12, top = 26, bottom = height - 40;
   const x = (time) => left + horizontal.of(time) * (right - left), y = (value) => bottom - vertical.of(value) * (bottom - top);
   const picture = drawnElement("svg", { class: "et", viewBox: `0 0 ${width} ${height}`, role: "img" });
-  const name = drawnElement("title", {});
-  name.textContent = `The drift and its parts in ${unit.name} over ${format(t.at(-1) ?? 0)} s; the values are in the table below`;
-  picture.append(name, chartText(left, 16, unit.name, "start"), chartText(right, height - 6, "time in s", "end"));
+  const title = drawnElement("title", {});
+  title.textContent = `The drift and its parts in ${unit.name} over ${format(t.at(-1) ?? 0)} s; the values are in the table below`;
+  picture.append(title, chartText(left, 16, unit.name, "start"), chartText(right, height - 6, "time in s", "end"));
   for (const value of vertical.ticks) {
     picture.append(drawnElement("path", { class: "et-grid", d: `M${left} ${y(value)}H${right}` }),
       chartText(left - 6, y(value) + 4, format(value, 4), "end"));
   }
   for (const value of horizontal.ticks) picture.append(chartText(x(value), bottom + 18, format(value, 4)));
   for (const line of lines) {
-    const curve = drawnElement("path", { class: "curve", "stroke-dasharray": kDashes[line.dash].join(" "),
+    const curve = drawnElement("path", { class: "curve", "stroke-dasharray": kDashes[line.name].join(" "),
       d: curvePath(t, line.y, (time, value) => [x(time), y(value)], Math.PI * unit.per_rad) });
-    curve.style.stroke = `var(--${line.colour})`;
+    curve.style.stroke = `var(--${line.name})`;
     picture.append(curve);
   }
   return { picture, unit, lines };
@@ -60,18 +60,9 @@ function drawDriftChart(figure, columns) {
 
 /** The chart's figure: picture, legend, and a table that is filled while it is open. */
 function makeDriftChart(figure) {
-  const list = element("ul", "legend"), details = element("details"), table = element("table");
-  for (const line of kDriftLines) {
-    const swatch = drawnElement("svg", { viewBox: "0 0 36 10", "aria-hidden": "true" });
-    const mark = drawnElement("path", { d: "M0 5h36", "stroke-dasharray": kDashes[line.dash].join(" ") });
-    mark.style.stroke = `var(--${line.colour})`;
-    swatch.append(mark);
-    const item = element("li");
-    item.append(swatch, line.label);
-    list.append(item);
-  }
+  const details = element("details"), table = element("table");
   details.append(element("summary", "", "Values"), table);
-  figure.append(list, details);
+  figure.append(legend(kDriftLines.map(({ name, label }) => [name, label])), details);
   let shown = null, columns = {};
   const row = (tag, cells) => {
     const made = element("tr");

@@ -60,6 +60,11 @@ function scenarioNow() {
   return scenario;
 }
 
+/** Indented, with lists of numbers in one line. */
+function scenarioText(scenario) {
+  return JSON.stringify(scenario, null, 2).replace(/\[\s+([^[\]{}"]*?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`);
+}
+
 // --- the answer
 
 function numberElement(value, unit, digits) {
@@ -166,7 +171,7 @@ function askEngine(text) {
 
 function run(isNew = false) {
   if (!kState.engine) return;
-  const began = performance.now(), scenario = scenarioNow(), text = JSON.stringify(scenario, null, 2);
+  const began = performance.now(), scenario = scenarioNow(), text = scenarioText(scenario);
   byId("scenario").textContent = `earthtop run - --out play <<'EOF'\n${text}\nEOF\nearthtop report play\n`;
   kState.scenario = text;
   tellEarth(kState.values.earth ?? 1);
