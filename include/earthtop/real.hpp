@@ -10,6 +10,11 @@
 
 #include "earthtop/elementary.hpp"
 
+#ifdef __wasm__  // clang has no __float128 there
+#include <earthtop_float128.hpp>
+
+namespace earthtop {
+#else
 namespace earthtop {
 
 using float128 = __float128;
@@ -32,6 +37,7 @@ float128 scalbnq(float128, int) noexcept;
 float128 frexpq(float128, int*) noexcept;
 int finiteq(float128) noexcept;
 }
+#endif
 
 /// Elementary functions with one name for every scalar type; angles in rad. Those of double are in elementary.hpp. Those of
 /// float128 are libquadmath's, which run the same code on all processors. Those of long double influence double results, too,

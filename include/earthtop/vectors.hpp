@@ -60,12 +60,12 @@ Mat3<T> cross_matrix(const Vec3<T>& v) {
 
 namespace Eigen {
 template <>
-struct NumTraits<__float128> : GenericNumTraits<double> {
-  using Real = __float128;
-  using NonInteger = __float128;
-  using Literal = __float128;
-  using Nested = __float128;
-  static __float128 epsilon() { return earthtop::real::epsilon<__float128>(); }
-  static __float128 dummy_precision() { return 16 * epsilon(); }
+struct NumTraits<earthtop::float128> : GenericNumTraits<double> {
+  using Real = earthtop::float128;
+  using NonInteger = earthtop::float128;
+  using Literal = earthtop::float128;
+  using Nested = earthtop::float128;
+  static earthtop::float128 epsilon() { return earthtop::real::epsilon<earthtop::float128>(); }
+  static earthtop::float128 dummy_precision() { return 16 * epsilon(); }
 };
 }  // namespace Eigen

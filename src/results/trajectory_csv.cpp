@@ -37,7 +37,7 @@ class Line {
   void add(bool flag) { add(flag ? 1.0 : 0.0); }
   void add(ContactState state) { end_ = std::ranges::copy(to_string(state), end_).out; }
   void add_char(char c) { *end_++ = c; }
-  std::string_view text() const { return {begin_.data(), end_}; }
+  std::string_view text() const { return {begin_.data(), static_cast<std::size_t>(end_ - begin_.data())}; }
 
  private:
   static constexpr std::size_t kLongestNumber = 31;  // the longest shortest form of a double has 24 characters

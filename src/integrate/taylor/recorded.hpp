@@ -124,7 +124,7 @@ class Recorded {
 
   Recorded() = default;
   Recorded(T number) : number_(number) {}  // NOLINT(google-explicit-constructor): numbers in formulas are constants
-  explicit Recorded(int number) : number_(static_cast<T>(number)) {}
+  Recorded(int number) : number_(static_cast<T>(number)) {}  // NOLINT(google-explicit-constructor): the same
   explicit Recorded(double number) requires(!std::is_same_v<T, double>) : number_(static_cast<T>(number)) {}
   Recorded(Recording& recording, int place) : recording_(&recording), place_(place), number_(recording.value(place)) {}
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What the engine leaves out, and why.
+#pragma once
+
+namespace earthtop::play {
+
+inline constexpr const char* kPrecision = "this page computes in double precision only";
+inline constexpr const char* kDate = "this page has no places of the Sun and the Moon";
+
+}  // namespace earthtop::play
