@@ -21,11 +21,10 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import devtools
+from shipped_pages import SCENARIOS, Program, Report
 
-SCENARIOS = pathlib.Path(__file__).resolve().parents[2] / "scenarios"
 RUNS = ["toy-top", "foucault-pendulum", "sleeping-top-below-critical", "turntable"]
 SKIPPED = 77  # SKIP_RETURN_CODE of ctest
-PROGRAM_TIMEOUT_S = 120.0
 PAGE_LIMIT = 300_000  # bytes without the data
 FRAMES_PER_SECOND = 30
 DRAGGED_PX = 80
@@ -45,15 +44,6 @@ PLAY = "document.querySelector('#play')"
 CHARTS = "document.querySelectorAll('figure.chart')"
 CURVES = "document.querySelectorAll('figure.chart[data-chart]')"  # the others are pictures of bars, nothing to read off
 SCRIPT_LIKE = "script, img, iframe, object, embed, link, style, base, meta, [onerror], [onload]"
-
-
-@dataclasses.dataclass
-class Report:
-    name: str
-    kind: str  # run, study, comparison or bench
-    page: pathlib.Path
-    summary: dict[str, Any] | None = None  # of a run
-    hostile: bool = False
 
 
 class Faults:
@@ -80,48 +70,6 @@ class Faults:
 
 
 # --- the pages
-
-
-class Program:
-    """Runs earthtop in a directory of its own."""
-
-    def __init__(self, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
-        self._earthtop = earthtop.resolve()
-        self.directory = directory
-
-    def run(self, *arguments: str | pathlib.Path, statuses: Iterable[int] = (0,)) -> str:
-        words = [str(word) for word in arguments]
-        done = subprocess.run([str(self._earthtop), *words], cwd=self.directory, capture_output=True, text=True,
-                              timeout=PROGRAM_TIMEOUT_S, check=False)
-        if done.returncode not in statuses:
-            raise RuntimeError(f"earthtop {' '.join(words)}: status {done.returncode}: {done.stderr.strip()[:300]}")
-        return done.stdout
-
-    def write(self, name: str, document: Any) -> pathlib.Path:
-        path = self.directory / name
-        path.write_text(document if isinstance(document, str) else json.dumps(document))
-        return path
-
-    def run_report(self, name: str, scenario: pathlib.Path, out: str, hostile: bool = False) -> Report:
-        directory = self.directory / out
-        directory.parent.mkdir(parents=True, exist_ok=True)
-        self.run("run", scenario, "--out", directory, "--quiet")
-        self.run("report", directory)
-        summary = json.loads((directory / "summary.json").read_text())
-        return Report(name, "run", directory / "report.html", summary, hostile)
-
-    def study_report(self, name: str, study: pathlib.Path, hostile: bool = False) -> Report:
-        self.run("study", study, "--out", self.directory / name, "--quiet")
-        self.run("report", self.directory / name)
-        return Report(name, "study", self.directory / name / "report.html", None, hostile)
-
-    def document_report(self, name: str, kind: str, document: str, hostile: bool = False) -> Report:
-        path = self.write(f"{name}.json", document)
-        self.run("report", path)
-        return Report(name, kind, path.with_suffix(".html"), None, hostile)
-
-    def compare(self, reference: str, new: str) -> str:
-        return self.run("compare", reference, new, "--json", statuses=(0, 1))
 
 
 def make_pages(program: Program, faults: Faults) -> list[Report]:
