@@ -13,13 +13,17 @@ namespace {
 
 constexpr double kRow = 17;  // px
 
-double legend_width(const Line& line) { return kCharacter * static_cast<double>(character_count(line.label)) + 8 + 22 + 18; }
+std::string label_of(const Line& line, const Sheet& sheet) { return shorten(line.label, sheet.legend_characters); }
+
+double legend_width(const Line& line, const Sheet& sheet) {
+  return kCharacter * static_cast<double>(character_count(label_of(line, sheet))) + 8 + 22 + 18;
+}
 
 double caption_width(const Panel& panel) {
   return 7.5 * static_cast<double>(character_count(panel.y.label) + character_count(panel.y.unit) + 3);
 }
 
-void draw_legend_entry(std::string& out, const Line& line, double left, double baseline) {
+void draw_legend_entry(std::string& out, const Line& line, const Sheet& sheet, double left, double baseline) {
   if (line.style == LineStyle::filled)
     fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22v8h-22z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", left, baseline - 4,
                    hex(line.color));
@@ -32,21 +36,22 @@ void draw_legend_entry(std::string& out, const Line& line, double left, double b
     fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}h22\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", left, baseline - 4,
                    hex(line.color), width, stroke_kind(line.style));
   draw_marker(out, line, left + 11, baseline - 4);
-  draw_text(out, left + 30, baseline, "start", "", line.label);
+  draw_text(out, left + 30, baseline, "start", "", label_of(line, sheet));
 }
 
 }  // namespace
 
-Legend::Legend(const Panel& panel) {
+Legend::Legend(const Panel& panel, const Sheet& sheet) : sheet_(&sheet) {
   double width = 0, widest = 0;
   for (const Line& line : panel.lines) {
     if (line.label.empty()) continue;
     lines_.push_back(&line);
-    width += legend_width(line);
-    widest = std::max(widest, legend_width(line));
+    width += legend_width(line, sheet);
+    widest = std::max(widest, legend_width(line, sheet));
   }
-  if (caption_width(panel) + width <= kPlotWidth) return;
-  columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(kPlotWidth / widest));
+  const double room = sheet.width - sheet.text_left - sheet.right;
+  if (lines_.empty() || caption_width(panel) + width <= room) return;
+  columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(room / widest));
   rows_ = (lines_.size() + columns_ - 1) / columns_;
 }
 
@@ -54,18 +59,19 @@ double Legend::height() const { return kRow * static_cast<double>(rows_); }
 
 void Legend::draw(std::string& out, double baseline) const {
   if (rows_ > 0) {
-    const double column = kPlotWidth / static_cast<double>(columns_), top = baseline - height() + kRow;
+    const double column = (sheet_->width - sheet_->text_left - sheet_->right) / static_cast<double>(columns_),
+                 top = baseline - height() + kRow;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const std::size_t row = i / columns_;
-      draw_legend_entry(out, *lines_[i], kLeft + column * static_cast<double>(i % columns_),
+      draw_legend_entry(out, *lines_[i], *sheet_, sheet_->text_left + column * static_cast<double>(i % columns_),
                         top + kRow * static_cast<double>(row));
     }
     return;
   }
-  double right = kLeft + kPlotWidth + 18;
+  double right = sheet_->width - sheet_->right + 18;
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
-    right -= legend_width(**line);
-    draw_legend_entry(out, **line, right, baseline);
+    right -= legend_width(**line, *sheet_);
+    draw_legend_entry(out, **line, *sheet_, right, baseline);
   }
 }
 

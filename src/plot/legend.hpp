@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "earthtop/plot/plot.hpp"
+#include "plot/strokes.hpp"
 
 namespace earthtop {
 
@@ -14,13 +15,14 @@ namespace earthtop {
 class Legend {
  public:
   /// @param panel  must outlive the legend
-  explicit Legend(const Panel& panel);
+  Legend(const Panel& panel, const Sheet& sheet);
   /// The height needed in addition to the caption's line (px).
   double height() const;
   /// @param baseline  y of the baseline of the last row (px)
   void draw(std::string& out, double baseline) const;
 
  private:
+  const Sheet* sheet_;
   std::vector<const Line*> lines_;
   std::size_t columns_ = 0, rows_ = 0;  ///< 0: in the caption's line
 };

@@ -17,7 +17,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kTop = 102, kPanelGap = 58, kBottom = 62;  // px
+constexpr double kTop = 102, kPanelGap = 58, kBottom = 62, kTitleHeight = 20, kLineHeight = 16;  // px
 
 /// The style of a picture. Grey text and rules follow the reader's colour scheme; the line colours are legible on light and
 /// dark.
@@ -208,33 +208,49 @@ void include_y(Range& range, const Line& line, AxisScale x_scale, AxisScale y_sc
   if (line.style == LineStyle::bars && y_scale == AxisScale::linear) range.include(0);
 }
 
-void draw_panel(std::string& out, const Panel& panel, const Axis& x_axis, const Mapping& x, double top, const std::string& id) {
-  Range range;
-  for (const Line& line : panel.lines) include_y(range, line, x_axis.scale, panel.y.scale);
-  const double floor = top + panel.height;
-  const Mapping y = map_axis(range, panel.y.scale, false, 6, floor, top);
+/// What a panel needs above and for itself.
+struct PanelRoom {
+  const Panel* panel;
+  Range range;  ///< of its values of y
+  Legend legend;
+  std::vector<std::string> caption;
+  double height;
 
-  const Legend legend(panel);
-  draw_text(out, kLeft, top - 14 - legend.height(), "start", " class=\"et-b\"", caption(panel.y, y.axis));
-  legend.draw(out, top - 14);
+  PanelRoom(const Panel& drawn, AxisScale x_scale, const Sheet& sheet)
+      : panel(&drawn), legend(drawn, sheet), height(std::min(drawn.height, sheet.tallest_panel)) {
+    for (const Line& line : drawn.lines) include_y(range, line, x_scale, drawn.y.scale);
+    caption = lines_of(earthtop::caption(drawn.y, map_y(0, 1).axis), sheet.caption_characters, sheet.most_lines);
+  }
+  Mapping map_y(double floor, double top) const { return map_axis(range, panel->y.scale, false, 6, floor, top); }
+  /// What the panel has above it beyond the room for a caption of one line (px).
+  double above() const { return legend.height() + kLineHeight * static_cast<double>(caption.size() - 1); }
+};
+
+void draw_panel(std::string& out, const PanelRoom& room, const Sheet& sheet, const Mapping& x, double top,
+                const std::string& id) {
+  const Panel& panel = *room.panel;
+  const double floor = top + room.height, right = sheet.width - sheet.right;
+  const Mapping y = room.map_y(floor, top);
+  draw_lines(out, sheet.text_left, top - 14 - room.above(), "start", " class=\"et-b\"", room.caption, kLineHeight);
+  room.legend.draw(out, top - 14);
   for (const Tick& tick : x.axis.ticks)
     draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", x(tick.value), top, x(tick.value), floor);
   for (const Tick& tick : y.axis.ticks) {
-    draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", kLeft, y(tick.value), kLeft + kPlotWidth, y(tick.value));
-    draw_text(out, kLeft - 8, y(tick.value) + 4, "end", "", tick.label);
+    draw_rule(out, tick.label.empty() ? "et-minor" : "et-grid", sheet.left, y(tick.value), right, y(tick.value));
+    draw_text(out, sheet.left - 8, y(tick.value) + 4, "end", "", tick.label);
   }
   if (panel.y.scale == AxisScale::linear && y.axis.low < 0 && y.axis.high > 0)
-    draw_rule(out, "et-frame", kLeft, y(0), kLeft + kPlotWidth, y(0));
+    draw_rule(out, "et-frame", sheet.left, y(0), right, y(0));
   fmt::format_to(Out(out),
                  "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
                  "<g clip-path=\"url(#{})\">\n",
-                 id, kLeft, top - 2, kPlotWidth + 2, panel.height + 4, id);
+                 id, sheet.left, top - 2, sheet.plot_width() + 2, room.height + 4, id);
   for (const Line& line : panel.lines) draw_line(out, line, x, y);
   out += "</g>\n";
-  draw_rule(out, "et-frame", kLeft, floor, kLeft + kPlotWidth, floor);
+  draw_rule(out, "et-frame", sheet.left, floor, right, floor);
 }
 
-Mapping map_x(const Figure& figure) {
+Mapping map_x(const Figure& figure, const Sheet& sheet) {
   Range range;
   for (const Panel& panel : figure.panels)
     for (const Line& line : panel.lines)
@@ -243,40 +259,47 @@ Mapping map_x(const Figure& figure) {
         for (const double end : {value - half, value + half})
           if (drawable(end, figure.x.scale)) range.include(end);
       }
-  return map_axis(range, figure.x.scale, true, 8, kLeft, kLeft + kPlotWidth);
+  return map_axis(range, figure.x.scale, true, sheet.x_ticks, sheet.left, sheet.left + sheet.plot_width());
 }
 
 }  // namespace
 
-PlotFrame frame_of(const Figure& figure) {
-  const Mapping x = map_x(figure);
-  return {kWidth, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
+PlotFrame frame_of(const Figure& figure, PlotWidth width) {
+  const Mapping x = map_x(figure, sheet_of(width));
+  return {sheet_of(width).width, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
 }
 
-std::string svg(const Figure& figure) {
-  const Mapping x = map_x(figure);
+std::string svg(const Figure& figure, PlotWidth width) {
+  const Sheet& sheet = sheet_of(width);
+  const Mapping x = map_x(figure, sheet);
+  std::vector<PanelRoom> rooms;
+  for (const Panel& panel : figure.panels) rooms.emplace_back(panel, figure.x.scale, sheet);
+  const auto title = lines_of(figure.title, sheet.title_characters, sheet.most_lines);
+  const auto subtitle = lines_of(figure.subtitle, sheet.subtitle_characters, sheet.most_lines);
+  const auto x_caption = lines_of(caption(figure.x, x.axis), sheet.caption_characters, sheet.most_lines);
+  const double subtitle_y = 49 + kTitleHeight * static_cast<double>(title.size() - 1);
+  double top = subtitle_y + kTop - 49 + kLineHeight * static_cast<double>(subtitle.size() - 1);
 
-  double bottom = kTop - kPanelGap + 18;
-  for (const Panel& panel : figure.panels) bottom += Legend(panel).height() + panel.height + kPanelGap;
-  const double height = bottom - 18 + kBottom;
+  double bottom = top - kPanelGap + 18;
+  for (const PanelRoom& room : rooms) bottom += room.above() + room.height + kPanelGap;
+  const double height = bottom - 18 + kBottom + kLineHeight * static_cast<double>(x_caption.size() - 1);
   std::string out;
   fmt::format_to(Out(out),
                  "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                  "role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n",
-                 kWidth, height, escape_xml(figure.title), escape_xml(figure.subtitle));
+                 sheet.width, height, escape_xml(figure.title), escape_xml(figure.subtitle));
   out += kStyle;
-  fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", kWidth, height);
-  draw_text(out, kLeft, 30, "start", " class=\"et-h\"", shorten(figure.title, 80));
-  draw_text(out, kLeft, 49, "start", " class=\"et-s\"", shorten(figure.subtitle, 116));
-  double top = kTop;
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const Panel& panel = figure.panels[i];
-    top += Legend(panel).height();
-    draw_panel(out, panel, figure.x, x, top, fmt::format("{}-clip{}", figure.id, i));
-    top += panel.height + kPanelGap;
+  fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", sheet.width, height);
+  draw_lines(out, sheet.text_left, 30, "start", " class=\"et-h\"", title, kTitleHeight);
+  draw_lines(out, sheet.text_left, subtitle_y, "start", " class=\"et-s\"", subtitle, kLineHeight);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    top += rooms[i].above();
+    draw_panel(out, rooms[i], sheet, x, top, fmt::format("{}-clip{}", figure.id, i));
+    top += rooms[i].height + kPanelGap;
   }
   for (const Tick& tick : x.axis.ticks) draw_text(out, x(tick.value), bottom, "middle", "", tick.label);
-  draw_text(out, kLeft + kPlotWidth / 2, bottom + 26, "middle", " class=\"et-b\"", caption(figure.x, x.axis));
+  const double middle = sheet.text_left + (sheet.width - sheet.text_left - sheet.right) / 2;
+  draw_lines(out, middle, bottom + 26, "middle", " class=\"et-b\"", x_caption, kLineHeight);
   out += "</svg>\n";
   return out;
 }

@@ -64,6 +64,13 @@ void draw_text(std::string& out, double x, double y, const char* anchor, const c
                  escape_xml(text));
 }
 
+double draw_lines(std::string& out, double x, double y, const char* anchor, const char* style,
+                  const std::vector<std::string>& lines, double line_height) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    draw_text(out, x, y + line_height * static_cast<double>(i), anchor, style, lines[i]);
+  return lines.empty() ? 0 : line_height * static_cast<double>(lines.size() - 1);
+}
+
 void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2) {
   fmt::format_to(Out(out), "<path class=\"{}\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n", style, x1, y1, x2, y2);
 }

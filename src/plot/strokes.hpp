@@ -5,15 +5,26 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "earthtop/plot/plot.hpp"
 
 namespace earthtop {
 
-// Lengths in px; one character of the 12 px font is about 6.4 wide.
-inline constexpr double kWidth = 860, kLeft = 74, kRight = 30;
-inline constexpr double kPlotWidth = kWidth - kLeft - kRight;
-inline constexpr double kCharacter = 6.4;
+inline constexpr double kCharacter = 6.4;  // px, of the 12 px font
+
+/// The measures of a picture (px), and how many characters a line of it holds.
+struct Sheet {
+  double width, left, right, text_left;
+  int x_ticks;
+  std::size_t title_characters, subtitle_characters, caption_characters, legend_characters;
+  std::size_t most_lines;  ///< of a title or caption; what is longer is cut
+  double tallest_panel;
+  double plot_width() const { return width - left - right; }
+};
+inline constexpr Sheet kWideSheet{860, 74, 30, 74, 8, 80, 116, 1000, 1000, 1, 1e9};
+inline constexpr Sheet kNarrowSheet{340, 58, 22, 8, 4, 30, 44, 36, 42, 4, 300};
+inline constexpr const Sheet& sheet_of(PlotWidth width) { return width == PlotWidth::wide ? kWideSheet : kNarrowSheet; }
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -26,6 +37,9 @@ double stroke_width(LineStyle style);
 void draw_marker(std::string& out, const Line& line, double x, double y);
 void draw_error_bar(std::string& out, const Line& line, double x, double y_low, double y_high);
 void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text);
+/// Lines of a text below one another. @returns the height that they take beyond that of one line (px)
+double draw_lines(std::string& out, double x, double y, const char* anchor, const char* style,
+                  const std::vector<std::string>& lines, double line_height);
 void draw_rule(std::string& out, const char* style, double x1, double y1, double x2, double y2);
 
 }  // namespace earthtop

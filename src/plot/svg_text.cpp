@@ -54,4 +54,21 @@ std::string shorten(std::string_view text, std::size_t count) {
   return std::string(text.substr(0, end)) + "…";
 }
 
+std::vector<std::string> lines_of(std::string_view text, std::size_t count, std::size_t most) {
+  std::vector<std::string> lines;
+  while (lines.size() + 1 < most && character_count(text) > count) {
+    std::size_t end = 0, seen = 0, space = text.npos;
+    for (; end < text.size() && seen <= count; ++end) {
+      if (continues(text[end])) continue;
+      if (text[end] == ' ' && end > 0) space = end;
+      ++seen;
+    }
+    if (space == text.npos) break;  // one long word
+    lines.emplace_back(text.substr(0, space));
+    text.remove_prefix(space + 1);
+  }
+  lines.push_back(shorten(text, count));
+  return lines;
+}
+
 }  // namespace earthtop

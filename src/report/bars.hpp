@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "report/drawings.hpp"
+
 namespace earthtop::report {
 
 struct Bar {
@@ -14,6 +16,6 @@ struct Bar {
 };
 
 /// Horizontal bars on a logarithmic axis, as SVG.   @param name  prefix of the ids within the document
-std::string bars_svg(const std::string& name, const std::string& title, const std::string& unit, const std::vector<Bar>& bars);
+Drawings bars_svg(const std::string& name, const std::string& title, const std::string& unit, const std::vector<Bar>& bars);
 
 }  // namespace earthtop::report

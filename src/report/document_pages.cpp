@@ -36,11 +36,8 @@ std::string quantities_table(const Json& pair) {
                     number_of(quantity, "tolerance"), escaped(text_of(quantity, "tolerance_origin")),
                     number_of(quantity, "share_used", 2), escaped(text_of(quantity, "first_violation")),
                     escaped(text_of(quantity, "change")), escaped(text_of(quantity, "reason"))});
-  return "<div class=\"scroll\" tabindex=\"0\">" +
-         table_html(
-             {"", "quantity", "largest difference", "at", "tolerance", "from", "share used", "first beyond it", "change", ""},
-             rows) +
-         "</div>\n";
+  return table_html(
+      {"", "quantity", "largest difference", "at", "tolerance", "from", "share used", "first beyond it", "change", ""}, rows);
 }
 
 /// The quantities for which differences over time were kept: first those that failed, then those nearest to their tolerance.
@@ -184,11 +181,8 @@ std::string entries_table(const Json& scene) {
                     escaped(text_of(entry, "precision")), number_of(entry, "relative_tolerance"),
                     number_html(error_of(entry, scene), "", 3), number_of(entry, "seconds"), number_of(entry, "evaluations", 8),
                     escaped(text_of(entry, "outcome"))});
-  return "<div class=\"scroll\" tabindex=\"0\">" +
-         table_html(
-             {"", "", "method", "equations", "precision", "tolerance", "error (rad)", "seconds", "evaluations", "outcome"},
-             rows) +
-         "</div>\n";
+  return table_html(
+      {"", "", "method", "equations", "precision", "tolerance", "error (rad)", "seconds", "evaluations", "outcome"}, rows);
 }
 
 }  // namespace

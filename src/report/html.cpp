@@ -75,7 +75,7 @@ std::string table_of(const Figure& figure, const std::vector<double>& x, const s
 }
 
 Json chart_json(const Figure& figure, const std::vector<double>& x, const std::vector<Series>& list) {
-  const PlotFrame frame = frame_of(figure);
+  const PlotFrame frame = frame_of(figure), narrow = frame_of(figure, PlotWidth::narrow);
   Json json = {{"x_unit", figure.x.unit},
                {"x_label", figure.x.label},
                {"plot",
@@ -84,7 +84,8 @@ Json chart_json(const Figure& figure, const std::vector<double>& x, const std::v
                  {"width", frame.width},
                  {"x_min", frame.x_low},
                  {"x_max", frame.x_high},
-                 {"x_scale", frame.x_scale == AxisScale::logarithmic ? "log" : "linear"}}}};
+                 {"x_scale", frame.x_scale == AxisScale::logarithmic ? "log" : "linear"}}},
+               {"narrow", {{"left", narrow.left}, {"right", narrow.right}, {"width", narrow.width}}}};
   for (const double value : x) json["x"].push_back(short_number(value));
   for (const Series& series : list) {
     Json y = Json::array();
@@ -101,9 +102,15 @@ std::string without_style(std::string picture) {
   return picture;
 }
 
+/// Both drawings; the page's style shows one of them.
+std::string drawings_html(const Drawings& drawings) {
+  if (drawings.narrow.empty()) return without_style(drawings.wide);
+  return "<div class=\"wide\">" + without_style(drawings.wide) + "</div>\n<div class=\"narrow\">" +
+         without_style(drawings.narrow) + "</div>\n";
+}
+
 std::string details(const std::string& table) {
-  return "<details class=\"data\"><summary>Data table</summary><div class=\"scroll\" tabindex=\"0\">" + table +
-         "</div></details>";
+  return "<details class=\"data\"><summary>Data table</summary>" + table + "</details>";
 }
 
 /// Data as JSON text in which no `<` can end the element that contains it.
@@ -132,7 +139,12 @@ std::string facts_html(const Facts& facts) {
 }
 
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<table><thead><tr>";
+  std::string columns;
+  for (const std::string& cell : header)
+    if (!cell.empty()) columns += (columns.empty() ? "" : ", ") + cell;
+  std::string html = fmt::format("<div class=\"scroll table\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {}\">",
+                                 escaped(shorten(columns, 120))) +
+                     "<table><thead><tr>";
   for (const std::string& cell : header) html += fmt::format("<th scope=\"col\">{}</th>", escaped(cell));
   html += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
@@ -140,7 +152,7 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
     for (const std::string& text : row) html += fmt::format("<td>{}</td>", text);
     html += "</tr>\n";
   }
-  return html + "</tbody></table>";
+  return html + "</tbody></table></div>\n";
 }
 
 std::string number_html(double value, std::string_view unit, int digits) {
@@ -168,16 +180,19 @@ std::string Page::chart(const std::string& name, Figure figure, std::string_view
   const std::vector<double> x = at.empty() ? all_x(figure) : std::move(at);
   const std::vector<Series> list = series_of(figure, x);
   data_["charts"][name] = chart_json(figure, x, list);
-  const std::string picture = svg(figure);
-  pictures_.emplace_back(name, picture);
-  return fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", name,
-                     without_style(picture), escaped(caption), details(table_of(figure, x, list)));
+  Drawings drawings{svg(figure), {}};
+  figure.id += "-narrow";
+  drawings.narrow = svg(figure, PlotWidth::narrow);
+  std::string html = fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n",
+                                 name, drawings_html(drawings), escaped(caption), details(table_of(figure, x, list)));
+  pictures_.emplace_back(name, std::move(drawings.wide));
+  return html;
 }
 
-std::string Page::picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table) {
-  std::string html = fmt::format("<figure class=\"chart\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n", svg_text,
-                                 escaped(caption), details(table));
-  pictures_.emplace_back(name, std::move(svg_text));
+std::string Page::picture(const std::string& name, Drawings drawings, std::string_view caption, const std::string& table) {
+  std::string html = fmt::format("<figure class=\"chart\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n",
+                                 drawings_html(drawings), escaped(caption), details(table));
+  pictures_.emplace_back(name, std::move(drawings.wide));
   return html;
 }
 

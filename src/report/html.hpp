@@ -10,6 +10,7 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/report/report.hpp"
+#include "report/drawings.hpp"
 
 namespace earthtop::report {
 
@@ -22,7 +23,7 @@ std::string escaped(std::string_view text);
 using Facts = std::vector<std::pair<std::string, std::string>>;
 std::string facts_html(const Facts& facts);
 
-/// A table. The cells are HTML; the header's cells are text.
+/// A table in a box that scrolls by itself where the page is narrow. The cells are HTML; the header's cells are text.
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
 /// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit.
@@ -36,11 +37,12 @@ class Page {
   void headline(std::string html) { headline_ = std::move(html); }
   void verdict(std::string_view word, std::string html);
   void section(std::string_view id, std::string_view title, std::string html);
-  /// A figure with its data as a table, and the same data for the crosshair. The picture is also kept for `--svg`.
+  /// A figure, drawn for a desk and for a phone, with its data as a table, and the same data for the crosshair. The wide
+  /// picture is also kept for `--svg`.
   /// @param at  the values of x that table and crosshair have, ascending; empty: all of the figure's
   std::string chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at = {});
   /// A picture that is not a plot, with its own table.
-  std::string picture(const std::string& name, std::string svg_text, std::string_view caption, const std::string& table);
+  std::string picture(const std::string& name, Drawings drawings, std::string_view caption, const std::string& table);
   /// A text with a button to copy it.
   static std::string command(std::string_view text);
   Json& data() { return data_; }

@@ -48,7 +48,7 @@ std::string list_html(const std::vector<std::string>& items) {
 
 /// A table that scrolls by itself where the page is narrow.
 std::string wide_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
-  return "<div class=\"scroll\" tabindex=\"0\">" + table_html(header, rows) + "</div>\n";
+  return table_html(header, rows);
 }
 
 std::string estimates_html(const Json& document) {

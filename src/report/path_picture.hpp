@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "report/drawings.hpp"
+
 namespace earthtop::report {
 
 /// A path through points (x, y) in metres. A point that is not finite breaks it.
@@ -22,7 +24,7 @@ struct PathPicture {
 };
 
 /// An SVG document: both paths, the start and the end of each marked, and a bar that shows the scale.
-std::string path_svg(const PathPicture& picture);
+Drawings path_svg(const PathPicture& picture);
 
 /// The largest of 1, 2 or 5 times a power of ten that is not above a positive number.
 double round_down(double number);

@@ -26,9 +26,7 @@ std::string statistics_section(const Json& study) {
       row.push_back(shown(statistics.value(key, Json())));
     rows.push_back(std::move(row));
   }
-  return "<div class=\"scroll\" tabindex=\"0\">" +
-         table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows) +
-         "</div>\n";
+  return table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows);
 }
 
 std::string fits_section(const Json& study) {

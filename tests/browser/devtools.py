@@ -237,6 +237,7 @@ class Page:
         self._browser = browser
         self._target = target
         self._session = session
+        self.width = WIDTH
         self._clear()
 
     def _clear(self) -> None:
@@ -344,13 +345,27 @@ class Page:
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
             {"name": "prefers-reduced-motion", "value": "reduce" if reduced_motion else "no-preference"}])
 
+    def resize(self, width: int, height: int = HEIGHT) -> None:
+        """Gives the window another size (CSS pixels); a narrow one is that of a phone, which is touched."""
+        phone = width < 600
+        self.width = width
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=phone)
+        self.call("Emulation.setTouchEmulationEnabled", enabled=phone)
+        self.frames(2)
+
+    def tap(self, x: float, y: float) -> None:
+        self.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
     def pdf(self) -> bytes:
-        return base64.b64decode(self.call("Page.printToPDF", printBackground=True)["data"])
+        """The page on A4."""
+        return base64.b64decode(self.call("Page.printToPDF", timeout_s=60, printBackground=True, paperWidth=8.27,
+                                          paperHeight=11.69)["data"])
 
     def screenshot(self, path: pathlib.Path) -> None:
         """A picture of the whole page, as far as one picture can hold it."""
         height = min(16000, self.evaluate("document.documentElement.scrollHeight"))
-        clip = {"x": 0, "y": 0, "width": WIDTH, "height": height, "scale": 1}
+        clip = {"x": 0, "y": 0, "width": self.width, "height": height, "scale": 1}
         path.write_bytes(base64.b64decode(
             self.call("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)["data"]))
 

@@ -393,7 +393,8 @@ TEST(Report, PathsWithoutExtentAreDrawn) {
                                                                         {{1e-300, 2e-300}, {0, 0}},
                                                                         {{-1e300, 1e300}, {0, 1}}}) {
     picture.rotating = picture.reference = {"a path", x, y};
-    const std::string svg = path_svg(picture);
+    const auto [wide, narrow] = path_svg(picture);
+    const std::string svg = wide + narrow;
     EXPECT_EQ(svg.find("nan"), svg.npos) << svg;
     EXPECT_EQ(svg.find("inf"), svg.npos) << svg;
   }
@@ -438,7 +439,8 @@ TEST(Thinning, KeepsEndsAndExtremes) {
 }
 
 TEST(Bars, LeftOutIsHatched) {
-  const std::string svg = report::bars_svg("b", "Torques", "N m", {{"a", 1e-3, false}, {"b<", 2e-9, true}});
+  const auto [svg, narrow] = report::bars_svg("b", "Torques", "N m", {{"a", 1e-3, false}, {"b<", 2e-9, true}});
+  EXPECT_NE(narrow.find("url(#b-narrow-hatch)"), narrow.npos) << "ids differ: both are in one page";
   EXPECT_NE(svg.find("url(#b-hatch)"), svg.npos);
   EXPECT_NE(svg.find("b&lt;"), svg.npos);
 }

@@ -54,15 +54,18 @@ struct Figure {
   std::string id = "et";  ///< prefix of the ids within the document: several pictures on one page need different ones
 };
 
+/// How wide a picture is drawn: for a desk and for paper, or for a phone, with fewer ticks and the text in several lines.
+enum class PlotWidth { wide, narrow };
+
 /// Position of a figure's x axis in its picture (px), and the values at its ends.
 struct PlotFrame {
   double width = 0, left = 0, right = 0;
   double x_low = 0, x_high = 1;
   AxisScale x_scale = AxisScale::linear;
 };
-PlotFrame frame_of(const Figure& figure);
+PlotFrame frame_of(const Figure& figure, PlotWidth width = PlotWidth::wide);
 
 /// The figure as one SVG document. Labels may contain any text; characters that XML does not allow are replaced.
-std::string svg(const Figure& figure);
+std::string svg(const Figure& figure, PlotWidth width = PlotWidth::wide);
 
 }  // namespace earthtop

@@ -4,8 +4,8 @@
 function startCharts(charts) {
   for (const figure of document.querySelectorAll("figure.chart")) {
     const chart = Object.hasOwn(charts, figure.dataset.chart ?? "") ? charts[figure.dataset.chart] : null;
-    const picture = figure.querySelector("svg.et");
-    if (picture && chart?.plot && chart.x?.some(isNumber)) startChart(figure, picture, chart);
+    const pictures = [...figure.querySelectorAll("svg.et")];
+    if (pictures.length && chart?.plot && chart.x?.some(isNumber)) startChart(figure, pictures, chart);
   }
 }
 
@@ -14,22 +14,28 @@ function nearest(list, place, where) {
   return list.reduce((best, _, k) => (Math.abs(place(k) - where) < Math.abs(place(best) - where) ? k : best), 0);
 }
 
-function startChart(figure, picture, chart) {
-  const { left, right, width, x_min, x_max, x_scale } = chart.plot;
+/** A chart is drawn twice, for a desk and for a phone (in an element of class narrow); the crosshair is in both. */
+function startChart(figure, pictures, chart) {
+  const { x_min, x_max, x_scale } = chart.plot;
   const scaled = (x) => (x_scale === "log" ? Math.log10(x) : x);
-  const place = (x) => left + ((scaled(x) - scaled(x_min)) / (scaled(x_max) - scaled(x_min) || 1)) * (right - left);
-  const order = [...chart.x.keys()].filter((i) => Number.isFinite(place(chart.x[i])));
+  const share = (x) => (scaled(x) - scaled(x_min)) / (scaled(x_max) - scaled(x_min) || 1);
+  const order = [...chart.x.keys()].filter((i) => Number.isFinite(share(chart.x[i])));
   order.sort((i, j) => chart.x[i] - chart.x[j]);
   if (!order.length) return;
-  const line = drawnElement("path", { class: "et-cross" });
-  picture.append(line);
+  const views = pictures.map((picture) => {
+    const { left, right, width } = picture.closest(".narrow") && chart.narrow ? chart.narrow : chart.plot;
+    const line = drawnElement("path", { class: "et-cross" });
+    picture.append(line);
+    return { picture, line, width, place: (x) => left + share(x) * (right - left) };
+  });
   const readout = element("output", "readout", "Point at the chart, or focus it and use the arrow keys.");
-  picture.after(readout);
+  (pictures.at(-1).closest(".narrow, .wide") ?? pictures.at(-1)).after(readout);
   let current = -1;
   const show = (k) => {
     current = clamp(k, 0, order.length - 1);
-    const i = order[current], x = place(chart.x[i]);
-    line.setAttribute("d", `M${x} 0v${picture.viewBox.baseVal?.height || 640}`);
+    const i = order[current];
+    for (const { picture, line, place } of views)
+      line.setAttribute("d", `M${place(chart.x[i])} 0v${picture.viewBox.baseVal?.height || 640}`);
     const values = (chart.series ?? []).filter(({ y }) => isNumber(y?.[i]));
     readout.replaceChildren(item(chart.x_label ?? "at", chart.x[i], chart.x_unit));
     readout.append(...values.map(({ label, unit, y }) => item(label, y[i], unit)));
@@ -39,14 +45,16 @@ function startChart(figure, picture, chart) {
     made.append(element("b", "", `${format(value)} ${unit ?? ""}`));
     return made;
   };
-  const point = (event) => {
-    const shown = picture.getBoundingClientRect();
-    const x = ((event.clientX - shown.left) / shown.width) * width;
-    const found = nearest(order, (k) => place(chart.x[order[k]]), x);
-    if (found !== current) show(found);
-  };
-  picture.addEventListener("pointermove", point);
-  picture.addEventListener("pointerdown", point);
+  for (const { picture, place, width } of views) {
+    const point = (event) => {
+      const shown = picture.getBoundingClientRect();
+      const x = ((event.clientX - shown.left) / shown.width) * width;
+      const found = nearest(order, (k) => place(chart.x[order[k]]), x);
+      if (found !== current) show(found);
+    };
+    picture.addEventListener("pointermove", point);
+    picture.addEventListener("pointerdown", point);
+  }
   figure.tabIndex = 0;
   figure.addEventListener("keydown", (event) => {
     const leap = Math.max(1, Math.round(order.length / 20));
