@@ -179,7 +179,8 @@ function run(isNew = false) {
   kState.computed = performance.now() - began;
   if (result.error) tellError(result.error);
   else showResult(result, isNew);
-  kState.took = performance.now() - began;
+  // The browser has yet to translate the engine well when a top's first run is timed.
+  kState.took = (performance.now() - began) / (isNew ? 3 : 1);
   byId("cost").textContent = `Computed in ${Math.ceil(kState.computed)} ms, to a certified bound.` +
     (kState.took > kSlow ? " That is too long to follow a moving slider: computed when it comes to rest." : "");
 }

@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests the page to play with in a real browser, opened from disk: its policy and size, that it is silent and asks for
+nothing, its keyboard and labels, and that it shows the numbers that the program computes from the scenario it shows.
+$CHROMIUM may name the browser; status 77 if there is none.
+
+usage: play_test.py PATH_OF_EARTHTOP PAGE.html [--screenshots DIRECTORY]
+"""
+
+import argparse
+import base64
+import hashlib
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from typing import Any
+
+import devtools
+
+SKIPPED = 77
+SIZE_LIMIT = 3_000_000
+WIDTHS = (390, 820, 1280)
+HOSTILE = ("#top=constructor&latitude=%3Cimg%20src=x%20onerror=window.hacked=1%3E", "#top=__proto__&tilt=NaN",
+           "#top=toy-top&latitude=1e999&spin=-5&%3C/script%3E=1&tilt=")
+PICTURES = ["top", "sphere"]
+
+faults: list[str] = []
+checks = 0
+
+
+def expect(holds: bool, text: str) -> None:
+    global checks
+    checks += 1
+    if not holds:
+        faults.append(text[:500])
+
+
+def policy(html: str) -> None:
+    """The policy allows the hashes of the page's own scripts and style, WebAssembly, and nothing else."""
+    def hashes(tag: str) -> str:
+        return " ".join(f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+                        for text in re.findall(rf"<{tag}>(.*?)</{tag}>", html, re.DOTALL))
+    wanted = (f"default-src 'none'; script-src {hashes('script')} 'wasm-unsafe-eval'; style-src {hashes('style')}; "
+              "img-src data:; base-uri 'none'; form-action 'none'")
+    found = re.search(r'Content-Security-Policy" content="([^"]*)"', html)
+    expect(found is not None and found.group(1) == wanted, f"the policy is {found and found.group(1)}, not {wanted}")
+    expect(len(re.findall(r"<script>", html)) == 2, "not two scripts")
+
+
+def silence(page: devtools.Page, own: str, when: str) -> None:
+    expect(not page.complaints, f"{when}: complaints {page.complaints}")
+    expect(not page.dialogs, f"{when}: dialogs {page.dialogs}")
+    others = [url for url in page.requests if url.split("#")[0] != own and not url.startswith(("data:", "blob:"))]
+    expect(not others, f"{when}: requests {others}")
+
+
+def settled(page: devtools.Page) -> None:
+    """Waits for the first answer, or for an error in words."""
+    page.evaluate("""new Promise((done, fail) => { const end = performance.now() + 9000, look = () =>
+        document.querySelector('#headline data') || !document.querySelector('#alert').hidden ? done()
+            : performance.now() > end ? fail(new Error('no answer')) : setTimeout(look, 20); look(); })""")
+    page.frames(3)
+
+
+def program_summary(earthtop: pathlib.Path, command: str, directory: pathlib.Path) -> Any:
+    """What the program gives for the text of the page, as a shell would read it."""
+    found = re.fullmatch(r"earthtop run - --out play <<'EOF'\n(.*)\nEOF\nearthtop report play\n", command, re.DOTALL)
+    expect(found is not None, f"not a command to paste: {command[:80]}")
+    if not found:
+        return None
+    done = subprocess.run([earthtop, "run", "-", "--out", directory, "--quiet"], input=found.group(1), text=True,
+                          capture_output=True, timeout=60, check=False)
+    expect(done.returncode == 0, f"the program refuses the page's scenario: {done.stderr}")
+    return json.loads((directory / "summary.json").read_text()) if done.returncode == 0 else None
+
+
+def numbers(page: devtools.Page, earthtop: pathlib.Path, name: str, directory: pathlib.Path) -> None:
+    """The answer's digits: equal to the program's, or both within their bounds of each other."""
+    alert = page.evaluate("document.querySelector('#alert').hidden ? '' : document.querySelector('#alert').textContent")
+    expect(not alert, f"{name}: {alert}")
+    summary = program_summary(earthtop, page.evaluate("document.querySelector('#scenario').textContent"), directory)
+    if not summary or alert:
+        return
+    reliable = summary["drift"]["reliable"]
+    at, drift, bound = page.evaluate("[...document.querySelectorAll('#headline data')].slice(0, 3).map(e => Number(e.value))")
+    equal = (at, drift, bound) == (reliable["at_s"], reliable["axis_rad"], reliable["axis_bound_rad"])
+    near = at == reliable["at_s"] and abs(drift - reliable["axis_rad"]) <= bound + reliable["axis_bound_rad"]
+    print(f"{name}: {drift!r} rad, the program {reliable['axis_rad']!r}: {'equal' if equal else 'within bounds' if near else 'APART'}")
+    expect(near, f"{name}: {at, drift, bound} on the page, {reliable} from the program")
+    expect(page.evaluate("document.querySelector('#verdict strong').textContent") == summary["drift"]["verdict"].replace("_", " "),
+           f"{name}: another verdict than {summary['drift']['verdict']}")
+
+
+def draws(page: devtools.Page, name: str) -> None:
+    for canvas in PICTURES:
+        colours = page.evaluate(f"""(c => {{
+            const copy = new OffscreenCanvas(c.width, c.height).getContext('2d', {{ willReadFrequently: true }});
+            copy.drawImage(c, 0, 0);
+            return new Set(new Uint32Array(copy.getImageData(0, 0, c.width, c.height).data.buffer)).size;
+        }})(document.querySelector('#{canvas}'))""")
+        expect(colours > 10, f"{name}: canvas {canvas} has {colours} colours")
+    curves = page.evaluate("[...document.querySelectorAll('#drift-chart .curve')].map(e => e.getAttribute('d'))")
+    expect(len(curves) == 3 and curves[0].count("L") > 50, f"{name}: the chart draws {curves}")
+    expect(not any("NaN" in curve for curve in curves), f"{name}: NaN in the chart")
+
+
+def keyboard(page: devtools.Page) -> None:
+    """An arrow key on a slider changes setting, scenario and answer; the true Earth is left in words and out of the text."""
+    read = "[document.querySelector('#scenario').textContent, document.querySelector('#headline data:nth-of-type(2)').value]"
+    before = page.evaluate(read)
+    page.evaluate("document.querySelector('#slider-latitude').focus()")
+    page.key("ArrowRight")
+    page.wait(1.0)
+    after = page.evaluate(read)
+    expect('"latitude_deg": 45.5' in after[0], "ArrowRight on the latitude is not in the scenario")
+    expect(before[1] != after[1], "the answer is the same after ArrowRight on the latitude")
+    expect(page.evaluate("document.querySelector('#slider-latitude').getAttribute('aria-valuetext')") == "45.5°",
+           "the slider's value is not told in words")
+    expect("rotation_rate" not in after[0], "a rate of the true Earth is written")
+    expect(not page.evaluate("document.querySelector('#earth-banner').checkVisibility()"), "a banner on the true Earth")
+    page.evaluate("document.querySelector('#slider-earth').focus()")
+    page.key("End")
+    page.wait(1.0)
+    banner = page.evaluate("document.querySelector('#earth-banner').checkVisibility() && document.querySelector('#earth-banner').textContent")
+    expect("10,000 times" in (banner or ""), f"the multiplied Earth is not stated: {banner}")
+    expect('"rotation_rate_rad_s": 0.7292115' in page.evaluate("document.querySelector('#scenario').textContent"),
+           "the multiplied Earth is not in the scenario")
+    roles = {"button", "link", "slider", "checkbox", "combobox", "textbox", "disclosuretriangle"}
+    nameless = [role for role, name in page.accessible_nodes() if role.lower() in roles and not name.strip()]
+    expect(not nameless, f"controls without a name: {nameless}")
+
+
+def magnification(page: devtools.Page) -> None:
+    """The choice changes the words and both pictures; a factor that is too large is said to be limited."""
+    words = page.evaluate("""(() => { const select = document.querySelector('select.magnification');
+        const said = v => { select.value = v; select.dispatchEvent(new Event('change'));
+            return [...document.querySelectorAll('.note')].map(e => e.textContent).join(' '); };
+        return [said(1), said(500), said(10000)]; })()""")
+    expect("not magnified" in words[0], f"once: {words[0]}")
+    expect("500 times as large" in words[1] and "90°" not in words[1], f"500 times: {words[1]}")
+    expect("10,000 times as large" in words[2] and "drawn as 90°" in words[2], f"10,000 times: {words[2]}")
+
+
+def look(page: devtools.Page, directory: pathlib.Path) -> None:
+    for width in WIDTHS:
+        for dark in (False, True):
+            page.call("Emulation.setDeviceMetricsOverride", width=width, height=800, deviceScaleFactor=1, mobile=width < 500)
+            page.emulate(dark=dark)
+            page.wait(0.4)
+            expect(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"wider than {width} px")
+            page.call("Emulation.setDeviceMetricsOverride", width=width, height=800, deviceScaleFactor=1, mobile=False)
+            height = page.evaluate("document.documentElement.scrollHeight")
+            shot = page.call("Page.captureScreenshot", captureBeyondViewport=True,
+                             clip={"x": 0, "y": 0, "width": width, "height": height, "scale": 1})
+            (directory / f"play-{width}{'-dark' if dark else ''}.png").write_bytes(base64.b64decode(shot["data"]))
+    page.emulate()
+    (directory / "play.pdf").write_bytes(page.pdf())
+
+
+def examine(page: devtools.Page, html: pathlib.Path, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
+    own = html.as_uri()
+    for fragment in HOSTILE:
+        page.open("about:blank")
+        page.open(own + fragment)
+        settled(page)
+        silence(page, own, fragment)
+        expect(page.evaluate("window.hacked === undefined && !document.querySelector('img')"), f"{fragment}: foreign text ran")
+        expect(page.evaluate("document.querySelector('#preset').value") == "toy-top", f"{fragment}: not the first top")
+    page.open("about:blank")
+    page.open(own)
+    settled(page)
+    names = page.evaluate("[...document.querySelector('#preset').options].map(e => e.value)")
+    expect(len(names) == 7, f"tops: {names}")
+    for name in names:
+        page.evaluate(f"(e => {{ e.value = '{name}'; e.dispatchEvent(new Event('change')); }})(document.querySelector('#preset'))")
+        page.wait(0.3)
+        numbers(page, earthtop, name, directory / name)
+        draws(page, name)
+    page.evaluate("(e => { e.value = 'toy-top'; e.dispatchEvent(new Event('change')); })(document.querySelector('#preset'))")
+    magnification(page)
+    keyboard(page)
+    silence(page, own, "used")
+    page.evaluate("document.querySelector('#reset').click()")
+    took = page.evaluate("""(async () => { const list = []; const s = document.querySelector('#slider-latitude');
+        for (let k = 0; k < 12; ++k) { earthtop.play.took = 0; s.value = 30 + k; const began = performance.now();
+            s.dispatchEvent(new Event('input'));
+            await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+            list.push([performance.now() - began, earthtop.play.took, earthtop.play.computed]); } return list.slice(4); })()""")
+    best = [min(column) for column in zip(*took)]
+    print(f"slider to the next picture, at best: {best[0]:.0f} ms, of which work {best[1]:.0f} ms, engine {best[2]:.0f} ms")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("earthtop", type=pathlib.Path)
+    parser.add_argument("page", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path, metavar="DIRECTORY")
+    options = parser.parse_args()
+    chromium = devtools.find_chromium()
+    if not chromium:
+        print("skipped: chromium is not found")
+        return SKIPPED
+    html = options.page.resolve()
+    size = html.stat().st_size
+    print(f"{size} bytes")
+    expect(size < SIZE_LIMIT, f"{size} bytes, of {SIZE_LIMIT}")
+    policy(html.read_text())
+    with tempfile.TemporaryDirectory(prefix="earthtop-play-") as directory, devtools.Browser(chromium) as browser:
+        page = browser.new_page()
+        examine(page, html, options.earthtop.resolve(), pathlib.Path(directory))
+        if options.screenshots:
+            options.screenshots.mkdir(parents=True, exist_ok=True)
+            look(page, options.screenshots)
+    print(f"{checks} checks, {len(faults)} faults")
+    print("".join(f"  {fault}\n" for fault in faults), end="")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
