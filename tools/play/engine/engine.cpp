@@ -3,8 +3,8 @@
 #include <emscripten.h>
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +19,8 @@
 namespace earthtop::play {
 namespace {
 
-constexpr double kLongestRun_s = 10;          ///< by the library's own estimate, for one core of the program
-constexpr double kMostRows = 2e5;  ///< a page has no use for more, and some hundred bytes of memory for each number
+constexpr double kLongestRun_s = 10;  ///< by the library's own estimate, for one core of the program
+constexpr double kMostRows = 2e5;     ///< a page has no use for more, and some hundred bytes of memory for each number
 
 std::string json_string(std::string_view text) { return written_replacing(nlohmann::ordered_json(std::string(text))); }
 
@@ -77,8 +77,10 @@ std::string refusal(const Scene& scene) {
     return fmt::format("this run would take {} even outside of a page; shorten it, or run it with the program, earthtop run",
                        about_seconds(seconds));
   if (scene.rows() > kMostRows)
-    return fmt::format("this run has {:.0f} rows, and the page takes {:.0f}; lengthen /output/step_s, or run it with the program, earthtop run",
-                       scene.rows(), kMostRows);
+    return fmt::format(
+        "this run has {:.0f} rows, and the page takes {:.0f}; lengthen /output/step_s, or run it with the program, earthtop "
+        "run",
+        scene.rows(), kMostRows);
   return "";
 }
 
@@ -91,7 +93,8 @@ std::string run_json(std::string_view scenario) {
   while (!summary.empty() && summary.back() == '\n') summary.pop_back();
   std::string warnings;
   for (const Diagnostic& warning : report.warnings) warnings += (warnings.empty() ? "" : ",") + error_json(warning);
-  return fmt::format(R"({{"summary":{},"columns":{},"warnings":[{}]}})", summary, columns_json(trajectory_csv(result)), warnings);
+  return fmt::format(R"({{"summary":{},"columns":{},"warnings":[{}]}})", summary, columns_json(trajectory_csv(result)),
+                     warnings);
 }
 
 /// What the page asks for, or the error that came of it.
@@ -103,7 +106,8 @@ const char* kept(Function&& answer) {
   } catch (const ScenarioError& error) {
     text = errors_json(error.diagnostics());
   } catch (const std::bad_alloc&) {
-    text = errors_json("the page's memory is too small for this run; ask for fewer rows, or run it with the program, earthtop run");
+    text = errors_json(
+        "the page's memory is too small for this run; ask for fewer rows, or run it with the program, earthtop run");
   } catch (const std::exception& error) {
     text = errors_json(std::string(error.what()));
   } catch (...) {

@@ -32,10 +32,14 @@ template <class T>
 DriftTrajectory<T> integrate_contact(const DriftProblem<T>&, const IntegrationOptions&, const Watch&) {
   refuse_precision();
 }
-template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&, MotionSought, const Watch&);
-template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&, const Watch&);
-template DriftTrajectory<long double> integrate_contact(const DriftProblem<long double>&, const IntegrationOptions&, const Watch&);
-template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&, MotionSought, const Watch&);
+template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
+                                                        MotionSought, const Watch&);
+template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
+                                                      const Watch&);
+template DriftTrajectory<long double> integrate_contact(const DriftProblem<long double>&, const IntegrationOptions&,
+                                                        const Watch&);
+template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&, MotionSought,
+                                                     const Watch&);
 template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<float128> integrate_contact(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 

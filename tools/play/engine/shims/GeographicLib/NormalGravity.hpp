@@ -42,7 +42,8 @@ class NormalGravity {
     const long double E2 = Wgs84::E2, E = std::sqrt(E2), b = Wgs84::b;
     const long double rest = X * X + Z * Z - E2, u = std::sqrt((rest + std::sqrt(rest * rest + 4 * E2 * Z * Z)) / 2);
     const long double v = std::sqrt(u * u + E2), s = Z / u, c = X / v;
-    const long double w2 = (u * u + E2 * s * s) / (v * v), turning = Wgs84::omega * Wgs84::omega * Wgs84::a * Wgs84::a / q(b, E);
+    const long double w2 = (u * u + E2 * s * s) / (v * v),
+                      turning = Wgs84::omega * Wgs84::omega * Wgs84::a * Wgs84::a / q(b, E);
     const long double by_u = -(Wgs84::GM + turning * E * q_prime(u, E) * (s * s - 1.0L / 3) / 2) / (v * v);
     const long double by_beta = turning * q(u, E) * s * c / v;
     return {(by_u * u / v * c - by_beta * s) / w2, (by_u * s + by_beta * u / v * c) / w2};
