@@ -59,7 +59,7 @@ bool parse(std::string_view cell, double& number, CellKind& kind) {
 
 }  // namespace
 
-CsvReader::CsvReader(std::string file, CsvFormat format)
+CsvReader::CsvReader(const std::string& file, CsvFormat format)
     : CsvReader(file, format, open_regular_file(file, file, kCsvFile), "") {}
 
 CsvReader CsvReader::of_text(std::string name, std::string text, CsvFormat format) {

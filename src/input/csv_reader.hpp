@@ -27,7 +27,7 @@ class CsvReader {
   /// Opens the file and reads its header line.
   /// @throws ScenarioError for a missing header, one with more than `kMostColumns` columns or one name twice, and a file that is not
   /// regular; ReadError where reading fails
-  explicit CsvReader(std::string file, CsvFormat format = {});
+  explicit CsvReader(const std::string& file, CsvFormat format = {});
   /// Reads a text instead of a file.   @param name  what messages call it
   static CsvReader of_text(std::string name, std::string text, CsvFormat format = {});
 
