@@ -76,7 +76,9 @@ add_library(earthtop-workbench
   report/plan_page.cpp
   report/report.cpp
   report/run_page.cpp
+  report/study_cells.cpp
   report/study_page.cpp
+  report/study_points.cpp
   report/thinning.cpp
   study/chunk.cpp
   study/collect.cpp

@@ -16,6 +16,7 @@
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
 #include "report/run_data.hpp"
+#include "report/shell.hpp"
 #include "report/thinning.hpp"
 
 namespace earthtop::report {
@@ -257,9 +258,10 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
                "<p>With every default filled in.</p>\n<pre class=\"scroll\" tabindex=\"0\">" +
                    escaped(scenario.dump(2, ' ', false, Json::error_handler_t::replace)) + "</pre>\n");
   page.section("provenance", "Provenance", provenance_section(run));
-  page.section("command", "Make it again",
-               Page::command("earthtop run - --out again <<'EOF'\n" +
-                             scenario.dump(-1, ' ', false, Json::error_handler_t::replace) + "\nEOF\nearthtop report again"));
+  page.section(
+      "command", "Make it again",
+      Page::command(with_input("earthtop run - --out again", scenario.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                    "earthtop report again\n"));
   return page.finish();
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/text_edit.hpp"
 #include "report/pages.hpp"
+#include "report/shell.hpp"
+#include "report/study_points.hpp"
+#include "study/store.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::report {
@@ -40,7 +43,7 @@ std::string fits_section(const Json& study) {
                     with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
                     shown(fit.value("residual_rms", Json()))});
   }
-  return rows.empty() ? "<p>None asked for.</p>\n" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
+  return rows.empty() ? "" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
 }
 
 std::string figures_section(const Json& study) {
@@ -49,7 +52,7 @@ std::string figures_section(const Json& study) {
     rows.push_back({escaped(figure.value("figure", "")), shown(figure.value("value", Json())),
                     shown(figure.value("computed", Json())), shown(figure.value("tolerance", Json())),
                     figure.value("met", false) ? "met" : "NOT MET", escaped(figure.value("origin", ""))});
-  return rows.empty() ? "<p>None stated.</p>\n" : table_html({"figure", "stated", "computed", "tolerance", "", "origin"}, rows);
+  return rows.empty() ? "" : table_html({"figure", "stated", "computed", "tolerance", "", "origin"}, rows);
 }
 
 /// The value of the fitted curve at x; NaN for an unknown kind of fit.
@@ -93,34 +96,16 @@ std::string curves_section(const Json& study, Page& page) {
   return html;
 }
 
-/// All points, from which the reader can choose sections along the axes.
-void add_points(const Json& study, Page& page) {
-  Json& data = page.data();
-  data["axes"] = Json::array();
-  data["quantities"] = Json::array();
-  data["points"] = Json::array();
-  for (const Json& axis : study.at("axes"))
-    data["axes"].push_back({{"name", axis.value("name", "")}, {"values", Json::array()}});
-  for (const Json& quantity : study.at("quantities")) data["quantities"].push_back(quantity.value("name", ""));
-  if (!study.at("points").is_array()) return;
-  const std::string base = study.value(Json::json_pointer("/provenance/base"), Json("BASE.json")).get<std::string>();
-  for (const Json& point : study.at("points")) {
-    Json values = Json::array(), coordinates = Json::array();
-    std::string command = "earthtop run " + base;
-    for (std::size_t i = 0; i < study.at("axes").size(); ++i) {
-      const Json& axis = study.at("axes")[i];
-      const Json x = point.value(axis.value("name", ""), Json());
-      Json& known = data["axes"][i]["values"];
-      const auto at = std::find(known.begin(), known.end(), x);
-      coordinates.push_back(at - known.begin());
-      if (at == known.end()) known.push_back(x);
-      for (const Json& pointer : axis.value("pointers", Json::array()))
-        command += fmt::format(" --set '{}={}'", pointer.get<std::string>(), x.dump());
-    }
-    for (const Json& quantity : study.at("quantities")) values.push_back(point.value(quantity.value("name", ""), Json()));
-    data["points"].push_back(
-        {{"axes", std::move(coordinates)}, {"values", std::move(values)}, {"scenario", std::move(command)}});
-  }
+/// The study with its base inside, so that the text needs no other file.
+std::string self_contained(const Study& study) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::string_view text = study.text;
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  std::string_view base = study.base.text;
+  while (!base.empty() && base.back() == '\n') base.remove_suffix(1);
+  std::string whole = study.base_inside ? std::string(text) : input::with_value(text, "/base", base);
+  while (!whole.empty() && whole.back() == '\n') whole.pop_back();
+  return Json::parse(whole).contains("name") ? whole : input::with_value(whole, "/name", Json(study.name).dump());
 }
 
 }  // namespace
@@ -128,6 +113,7 @@ void add_points(const Json& study, Page& page) {
 Report study_page(const std::filesystem::path& store, const Watch& watch) {
   if (const StudyStoreCheck check = check_study_store(store); !check.damage.empty())
     throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", check.damage}}, store.string());
+  study::Store points = study::Store::open(store, study::sqlite::Connection::Mode::read);
   const Json study = Json::parse(study_json(store, watch));
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
   Page page("study", title);
@@ -136,21 +122,22 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
                       planned = count_in(study.at("points_planned"));
   page.verdict(failed == 0 && computed == planned ? "same" : "differs",
                fmt::format("{} of {} points computed, {} failed.", computed, planned, failed));
-  add_points(study, page);
+  add_points(points, page, watch);
   const std::string curves = curves_section(study, page);
   if (!curves.empty()) page.section("curves", "Curves", curves);
-  page.section("explore", "Any cut",
-               study.at("points").is_array() ? "<div id=\"explorer\"></div>\n"
-                                             : "<p>Too many points for a page: earthtop study export prints them.</p>\n");
+  page.section("explore", computed > kMostSinglePoints ? "Where the points lie" : "Any cut", "<div id=\"explorer\"></div>\n");
   page.section("statistics", "Statistics", statistics_section(study));
-  page.section("fits", "Fits", fits_section(study));
-  page.section("figures", "Figures known from elsewhere", figures_section(study));
+  if (std::string fits = fits_section(study); !fits.empty()) page.section("fits", "Fits", std::move(fits));
+  if (std::string figures = figures_section(study); !figures.empty())
+    page.section("figures", "Figures known from elsewhere", std::move(figures));
   const Json provenance = study.value("provenance", Json::object());
   Facts facts;
   for (const auto& [key, value] : provenance.items())
     if (value.is_string()) facts.emplace_back(key, escaped(value.get<std::string>()));
   page.section("provenance", "Provenance", facts_html(facts));
-  page.section("command", "Make it again", Page::command("earthtop study STUDY.json --out again\nearthtop report again"));
+  page.section(
+      "command", "Make it again",
+      Page::command(with_input("earthtop study - --out again", self_contained(points.study())) + "earthtop report again\n"));
   return page.finish();
 }
 

@@ -25,12 +25,12 @@ class Program:
     """Runs earthtop in a directory of its own."""
 
     def __init__(self, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
-        self._earthtop = earthtop.resolve()
+        self.earthtop = earthtop.resolve()
         self.directory = directory
 
     def run(self, *arguments: str | pathlib.Path, statuses: Iterable[int] = (0,)) -> str:
         words = [str(word) for word in arguments]
-        done = subprocess.run([str(self._earthtop), *words], cwd=self.directory, capture_output=True, text=True,
+        done = subprocess.run([str(self.earthtop), *words], cwd=self.directory, capture_output=True, text=True,
                               timeout=PROGRAM_TIMEOUT_S, check=False)
         if done.returncode not in statuses:
             raise RuntimeError(f"earthtop {' '.join(words)}: status {done.returncode}: {done.stderr.strip()[:300]}")

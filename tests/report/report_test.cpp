@@ -18,6 +18,8 @@
 #include "report/bars.hpp"
 #include "report/known_html.hpp"
 #include "report/path_picture.hpp"
+#include "report/shell.hpp"
+#include "report/study_cells.hpp"
 #include "report/thinning.hpp"
 #include "results/made_up_run.hpp"
 #include "support/json.hpp"
@@ -320,6 +322,54 @@ Box box_of(const std::string& html, const std::string& id) {
 
 // The prediction's tip runs in a circle, which is one in the picture, too. The drift is up to 0.12 mm beside a circle of 40 mm, so
 // that it is drawn 20 times larger: at the end 2.4 mm, to the North, which is up.
+TEST(Report, ATextForTheShellEndsWhereItEnds) {
+  EXPECT_EQ(report::with_input("cat", "a"), "cat <<'EOF'\na\nEOF\n");
+  EXPECT_EQ(report::with_input("cat", "a\nEOF\nEOF_\nb"), "cat <<'EOF__'\na\nEOF\nEOF_\nb\nEOF__\n");
+  EXPECT_EQ(report::with_input("cat", "EOF"), "cat <<'EOF_'\nEOF\nEOF_\n");
+}
+
+TEST(StudyCells, DivideARangeEvenly) {
+  report::CellScale scale(4);
+  for (const double x : {0.0, 1.0, 2.0, 3.0, 3.999, 4.0, 8.0}) scale.include(x);
+  scale.include({});
+  scale.divide();
+  const std::vector<std::pair<double, std::size_t>> wanted = {{0, 0}, {1, 0}, {2, 1}, {3.999, 1}, {4, 2}, {8, 3}};
+  for (const auto& [x, cell] : wanted) EXPECT_EQ(scale.cell(x), cell) << x;
+  EXPECT_EQ(scale.cell({}), std::nullopt);
+  EXPECT_EQ(scale.json().dump(), R"({"low":0.0,"high":8.0,"cells":4,"log":false})");
+}
+
+TEST(StudyCells, OfPositiveNumbersOverTwoDecadesAreLogarithmic) {
+  report::CellScale scale(3);
+  for (const double x : {1e-3, 2e-3, 5e-2, 1.0}) scale.include(x);
+  scale.divide();
+  EXPECT_TRUE(scale.json().at("log"));
+  EXPECT_EQ(scale.cell(2e-3), 0U);
+  EXPECT_EQ(scale.cell(5e-2), 1U);
+  EXPECT_EQ(scale.cell(1.0), 2U);
+}
+
+TEST(StudyCells, OfFewValuesAreTheValues) {
+  report::CellScale numbers(4), words(2);
+  for (const double x : {5.0, -1.0, 5.0}) numbers.include(x);
+  for (const char* word : {"b", "a", "c", "b"}) words.include(std::string(word));
+  numbers.divide();
+  words.divide();
+  EXPECT_EQ(numbers.json().dump(), R"({"values":[-1.0,5.0]})");
+  EXPECT_EQ(numbers.cell(5.0), 1U);
+  EXPECT_EQ(words.json().dump(), R"({"values":["a","b"]})");
+  EXPECT_EQ(words.cell(std::string("c")), std::nullopt) << "a third word among two places";
+}
+
+TEST(StudyCells, TheMeanIsOfAllOfThem) {
+  report::CellPicture::Cell cell;
+  for (const auto& [number, value] : std::vector<std::pair<std::uint64_t, double>>{{7, 1.0}, {9, 2.0}, {12, 6.0}})
+    cell.include(number, value);
+  EXPECT_EQ(cell.count, 3U);
+  EXPECT_EQ(cell.example, 7U);
+  EXPECT_DOUBLE_EQ(cell.mean, 3.0);
+}
+
 TEST(Report, ThePathOfTheContactPointIsToScale) {
   const TemporaryDirectory dir;
   const std::string html = page_of_contact(dir, test::made_up_contact_run());

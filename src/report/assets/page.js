@@ -97,30 +97,28 @@ function startTheme() {
   readPalette();
 }
 
-/** Starts the copy buttons. If the browser denies a page on disk the clipboard, the text is at least selected. */
-function startCopying() {
-  for (const button of document.querySelectorAll("button.copy")) {
-    const source = button.previousElementSibling, name = button.textContent;
-    const say = (text) => {
-      button.textContent = text;
-      setTimeout(() => { button.textContent = name; }, 2500);
-    };
-    const select = () => {
-      window.getSelection().selectAllChildren(source);
-      say("Selected: now copy");
-    };
-    button.setAttribute("aria-live", "polite");
-    button.addEventListener("click", () => {
-      if (navigator.clipboard) navigator.clipboard.writeText(source.textContent.trim()).then(() => say("Copied"), select);
-      else select();
-    });
-  }
+/** Makes a button copy the text before it. If the browser denies a page on disk the clipboard, the text is at least selected. */
+function makeCopying(button) {
+  const source = button.previousElementSibling, name = button.textContent;
+  const say = (text) => {
+    button.textContent = text;
+    setTimeout(() => { button.textContent = name; }, 2500);
+  };
+  const select = () => {
+    window.getSelection().selectAllChildren(source);
+    say("Selected: now copy");
+  };
+  button.setAttribute("aria-live", "polite");
+  button.addEventListener("click", () => {
+    if (navigator.clipboard) navigator.clipboard.writeText(source.textContent.trim()).then(() => say("Copied"), select);
+    else select();
+  });
 }
 
 document.documentElement.classList.add("js");
 window.earthtop = { view: kView, frames: 0, fps: 0 };
 startTheme();
-startCopying();
+for (const button of document.querySelectorAll("button.copy")) makeCopying(button);
 const kData = JSON.parse(byId("earthtop-data")?.textContent || "{}");
 startCharts(kData.charts ?? {});
 if (kData.kind === "study") startStudy(kData);
