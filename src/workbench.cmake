@@ -17,6 +17,7 @@ add_library(earthtop-workbench
   compare/compact_reference.cpp
   compare/comparand.cpp
   compare/compare.cpp
+  compare/conclusion.cpp
   compare/cost.cpp
   compare/document.cpp
   compare/fields.cpp
@@ -65,9 +66,10 @@ add_library(earthtop-workbench
   plan/preparation.cpp
   plan/simulate.cpp
   report/bars.cpp
+  report/bench_page.cpp
+  report/comparison_page.cpp
   report/contact_section.cpp
   report/content_policy.cpp
-  report/document_pages.cpp
   report/drift_section.cpp
   report/html.cpp
   report/known_html.cpp

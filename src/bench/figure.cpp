@@ -6,15 +6,11 @@
 #include <array>
 #include <set>
 
+#include "bench/look.hpp"
 #include "earthtop/bench/comparison.hpp"
 
 namespace earthtop {
 namespace {
-
-struct Look {
-  LineColor color;
-  Marker marker;
-};
 
 constexpr std::array<std::string_view, 7> kColors = {"blue", "vermillion", "green", "purple", "orange", "sky", "grey"};
 constexpr std::array<std::string_view, 5> kMarkers = {"none", "circle", "square", "triangle", "diamond"};
@@ -25,13 +21,24 @@ Enum named(std::string_view word, const std::array<std::string_view, n>& names) 
   return static_cast<Enum>(std::find(names.begin(), names.end() - 1, word) - names.begin());
 }
 
+}  // namespace
+
+std::optional<Look> look_of_method(std::string_view word) {
+  for (const MethodRow& method : kMethodRows) {
+    if (method.word != word || method.look.empty()) continue;
+    const std::size_t space = std::min(method.look.find(' '), method.look.size());
+    return Look{named<LineColor>(method.look.substr(0, space), kColors),
+                named<Marker>(method.look.substr(std::min(space + 1, method.look.size())), kMarkers)};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
 /// Colour and marker of a contender, the same in every picture; grey for other libraries.
 Look look_of(const Contender& contender) {
   if (contender.peer) return {LineColor::grey, named<Marker>(contender.peer->marker, kMarkers)};
-  const std::string_view look = row_of(contender.options.method).look;
-  const std::size_t space = std::min(look.find(' '), look.size());
-  return {named<LineColor>(look.substr(0, space), kColors),
-          named<Marker>(look.substr(std::min(space + 1, look.size())), kMarkers)};
+  return *look_of_method(to_string(contender.options.method));
 }
 
 LineStyle style_of(const Contender& contender) {

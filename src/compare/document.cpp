@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "compare/conclusion.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "text/json.hpp"
@@ -55,6 +56,7 @@ Json pair_json(const PairReport& pair) {
           {"verdict", !pair.refusal.empty() ? "refused"
                       : pair.passed()       ? "same"
                                             : "differs"},
+          {"conclusion", conclusion_of(pair)},
           {"refusal", text_or_null(pair.refusal)},
           {"findings", std::move(findings)},
           {"notes", pair.notes},
@@ -78,6 +80,7 @@ std::string comparison_json(const CompareReport& report) {
                          {"verdict", report.refused()  ? "refused"
                                      : report.passed() ? "same"
                                                        : "differs"},
+                         {"conclusion", comparison_conclusion(report)},
                          {"profile", to_string(report.profile)},
                          {"tolerances_file", compare::text_or_null(report.tolerances_file)},
                          {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},

@@ -24,9 +24,9 @@ constexpr double kTop = 102, kPanelGap = 58, kBottom = 62, kTitleHeight = 20, kL
 constexpr const char* kStyle = R"(<style>
 .et{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;font-size:12px}
 .et text{fill:#374151}.et .et-h{fill:#111827;font-size:16px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
-.et .et-s{fill:#6b7280}.et .et-page{fill:#ffffff}.et .et-grid{stroke:#e5e7eb}.et .et-minor{stroke:#f3f4f6}.et .et-frame{stroke:#9ca3af}
+.et{color:#111827}.et .et-s{fill:#6b7280}.et .et-page,.et .et-hollow{fill:#ffffff}.et .et-hollow{stroke-width:1.4}.et .et-grid{stroke:#e5e7eb}.et .et-minor{stroke:#f3f4f6}.et .et-frame{stroke:#9ca3af}
 @media (prefers-color-scheme:dark){.et text{fill:#d1d5db}.et .et-h,.et .et-b{fill:#f9fafb}.et .et-s{fill:#9ca3af}
-.et .et-page{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
+.et{color:#f9fafb}.et .et-page,.et .et-hollow{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
 </style>
 )";
 
@@ -264,9 +264,34 @@ Mapping map_x(const Figure& figure, const Sheet& sheet) {
 
 }  // namespace
 
+namespace {
+
+/// The texts above the panels.
+struct Heading {
+  std::vector<std::string> title, subtitle;
+  double subtitle_y, end;  ///< end: where the first panel's caption would begin (px)
+  Heading(const Figure& figure, const Sheet& sheet)
+      : title(lines_of(figure.title, sheet.title_characters, sheet.most_lines)),
+        subtitle(lines_of(figure.subtitle, sheet.subtitle_characters, sheet.most_lines)),
+        subtitle_y(49 + kTitleHeight * static_cast<double>(title.size() - 1)),
+        end(subtitle_y + kTop - 49 + kLineHeight * static_cast<double>(subtitle.size() - 1)) {}
+};
+
+}  // namespace
+
 PlotFrame frame_of(const Figure& figure, PlotWidth width) {
-  const Mapping x = map_x(figure, sheet_of(width));
-  return {sheet_of(width).width, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
+  const Sheet& sheet = sheet_of(width);
+  const Mapping x = map_x(figure, sheet);
+  PlotFrame frame{sheet.width, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
+  if (figure.panels.empty()) return frame;
+  const PanelRoom room(figure.panels[0], figure.x.scale, sheet);
+  frame.top = Heading(figure, sheet).end + room.above();
+  frame.floor = frame.top + room.height;
+  const Mapping y = room.map_y(frame.floor, frame.top);
+  frame.y_low = y.axis.low;
+  frame.y_high = y.axis.high;
+  frame.y_scale = figure.panels[0].y.scale;
+  return frame;
 }
 
 std::string svg(const Figure& figure, PlotWidth width) {
@@ -274,11 +299,9 @@ std::string svg(const Figure& figure, PlotWidth width) {
   const Mapping x = map_x(figure, sheet);
   std::vector<PanelRoom> rooms;
   for (const Panel& panel : figure.panels) rooms.emplace_back(panel, figure.x.scale, sheet);
-  const auto title = lines_of(figure.title, sheet.title_characters, sheet.most_lines);
-  const auto subtitle = lines_of(figure.subtitle, sheet.subtitle_characters, sheet.most_lines);
+  const Heading heading(figure, sheet);
   const auto x_caption = lines_of(caption(figure.x, x.axis), sheet.caption_characters, sheet.most_lines);
-  const double subtitle_y = 49 + kTitleHeight * static_cast<double>(title.size() - 1);
-  double top = subtitle_y + kTop - 49 + kLineHeight * static_cast<double>(subtitle.size() - 1);
+  double top = heading.end;
 
   double bottom = top - kPanelGap + 18;
   for (const PanelRoom& room : rooms) bottom += room.above() + room.height + kPanelGap;
@@ -290,8 +313,8 @@ std::string svg(const Figure& figure, PlotWidth width) {
                  sheet.width, height, escape_xml(figure.title), escape_xml(figure.subtitle));
   out += kStyle;
   fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", sheet.width, height);
-  draw_lines(out, sheet.text_left, 30, "start", " class=\"et-h\"", title, kTitleHeight);
-  draw_lines(out, sheet.text_left, subtitle_y, "start", " class=\"et-s\"", subtitle, kLineHeight);
+  draw_lines(out, sheet.text_left, 30, "start", " class=\"et-h\"", heading.title, kTitleHeight);
+  draw_lines(out, sheet.text_left, heading.subtitle_y, "start", " class=\"et-s\"", heading.subtitle, kLineHeight);
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     top += rooms[i].above();
     draw_panel(out, rooms[i], sheet, x, top, fmt::format("{}-clip{}", figure.id, i));

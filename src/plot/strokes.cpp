@@ -16,6 +16,7 @@ const char* hex(LineColor color) {
     case LineColor::orange: return "#e69f00";
     case LineColor::sky: return "#56b4e9";
     case LineColor::grey: return "#8a8f98";
+    case LineColor::ink: return "currentColor";
   }
   return "#8a8f98";
 }
@@ -23,6 +24,8 @@ const char* hex(LineColor color) {
 const char* stroke_kind(LineStyle style) {
   if (style == LineStyle::dashed) return " stroke-dasharray=\"6 4\"";
   if (style == LineStyle::dotted) return " stroke-dasharray=\"1 4\"";
+  if (style == LineStyle::dash_dot) return " stroke-dasharray=\"6 3 1 3\"";
+  if (style == LineStyle::sparse) return " stroke-dasharray=\"1 9\"";
   return style == LineStyle::broad ? " stroke-opacity=\"0.4\"" : "";
 }
 
@@ -34,6 +37,8 @@ double stroke_width(LineStyle style) {
     case LineStyle::thin:
     case LineStyle::points:
     case LineStyle::bars:
+    case LineStyle::dash_dot:
+    case LineStyle::sparse:
     case LineStyle::dotted: return 1.2;
     case LineStyle::broad: return 7;
   }
@@ -42,7 +47,11 @@ double stroke_width(LineStyle style) {
 
 void draw_marker(std::string& out, const Line& line, double x, double y) {
   const auto path = [&](const char* from) {
-    fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}{}z\" fill=\"{}\"/>\n", x, y, from, hex(line.color));
+    if (line.hollow)
+      fmt::format_to(Out(out), "<path class=\"et-hollow\" d=\"M{:.2f} {:.2f}{}z\" stroke=\"{}\"/>\n", x, y, from,
+                     hex(line.color));
+    else
+      fmt::format_to(Out(out), "<path d=\"M{:.2f} {:.2f}{}z\" fill=\"{}\"/>\n", x, y, from, hex(line.color));
   };
   switch (line.marker) {
     case Marker::none: return;

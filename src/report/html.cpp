@@ -74,18 +74,23 @@ std::string table_of(const Figure& figure, const std::vector<double>& x, const s
   return table_html(header, rows) + note;
 }
 
+Json frame_json(const PlotFrame& frame) {
+  const auto word = [](AxisScale scale) { return scale == AxisScale::logarithmic ? "log" : "linear"; };
+  return {{"left", frame.left},    {"right", frame.right},           {"width", frame.width},          {"x_min", frame.x_low},
+          {"x_max", frame.x_high}, {"x_scale", word(frame.x_scale)}, {"floor", frame.floor},          {"top", frame.top},
+          {"y_min", frame.y_low},  {"y_max", frame.y_high},          {"y_scale", word(frame.y_scale)}};
+}
+
+/// What a chart needs to find the values under a pointer, without the values.
+Json plot_json(const Figure& figure) {
+  return {{"x_unit", figure.x.unit},
+          {"x_label", figure.x.label},
+          {"plot", frame_json(frame_of(figure))},
+          {"narrow", frame_json(frame_of(figure, PlotWidth::narrow))}};
+}
+
 Json chart_json(const Figure& figure, const std::vector<double>& x, const std::vector<Series>& list) {
-  const PlotFrame frame = frame_of(figure), narrow = frame_of(figure, PlotWidth::narrow);
-  Json json = {{"x_unit", figure.x.unit},
-               {"x_label", figure.x.label},
-               {"plot",
-                {{"left", frame.left},
-                 {"right", frame.right},
-                 {"width", frame.width},
-                 {"x_min", frame.x_low},
-                 {"x_max", frame.x_high},
-                 {"x_scale", frame.x_scale == AxisScale::logarithmic ? "log" : "linear"}}},
-               {"narrow", {{"left", narrow.left}, {"right", narrow.right}, {"width", narrow.width}}}};
+  Json json = plot_json(figure);
   for (const double value : x) json["x"].push_back(short_number(value));
   for (const Series& series : list) {
     Json y = Json::array();
@@ -176,15 +181,28 @@ void Page::section(std::string_view id, std::string_view title, std::string html
 }
 
 std::string Page::chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at) {
-  figure.id = name;
   const std::vector<double> x = at.empty() ? all_x(figure) : std::move(at);
   const std::vector<Series> list = series_of(figure, x);
   data_["charts"][name] = chart_json(figure, x, list);
+  const std::string table = details(table_of(figure, x, list));
+  return drawn(name, std::move(figure), caption, table);
+}
+
+std::string Page::chart_of_marks(const std::string& name, Figure figure, const std::vector<Mark>& marks,
+                                 std::string_view caption) {
+  Json& json = data_["charts"][name] = plot_json(figure);
+  json["marks"] = Json::array();
+  for (const Mark& mark : marks) json["marks"].push_back({mark.x, mark.y, mark.text});
+  return drawn(name, std::move(figure), caption, "");
+}
+
+std::string Page::drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table) {
+  figure.id = name;
   Drawings drawings{svg(figure), {}};
   figure.id += "-narrow";
   drawings.narrow = svg(figure, PlotWidth::narrow);
   std::string html = fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n",
-                                 name, drawings_html(drawings), escaped(caption), details(table_of(figure, x, list)));
+                                 name, drawings_html(drawings), escaped(caption), table);
   pictures_.emplace_back(name, std::move(drawings.wide));
   return html;
 }

@@ -29,6 +29,12 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
 /// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit.
 std::string number_html(double value, std::string_view unit, int digits = 7);
 
+/// A point of a chart, and what it is.
+struct Mark {
+  double x = 0, y = 0;
+  std::string text;
+};
+
 class Page {
  public:
   Page(std::string kind, std::string title);
@@ -41,6 +47,8 @@ class Page {
   /// picture is also kept for `--svg`.
   /// @param at  the values of x that table and crosshair have, ascending; empty: all of the figure's
   std::string chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at = {});
+  /// A figure of one panel whose points speak for themselves: each shows its text under the pointer. The page has their table.
+  std::string chart_of_marks(const std::string& name, Figure figure, const std::vector<Mark>& marks, std::string_view caption);
   /// A picture that is not a plot, with its own table.
   std::string picture(const std::string& name, Drawings drawings, std::string_view caption, const std::string& table);
   /// A text with a button to copy it.
@@ -50,6 +58,9 @@ class Page {
   Report finish();
 
  private:
+  /// Both drawings of a figure with its caption and a table; the wide one is kept.
+  std::string drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table);
+
   std::string title_, headline_, verdict_, navigation_, sections_;
   Json data_;
   std::vector<std::pair<std::string, std::string>> pictures_;

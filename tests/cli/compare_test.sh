@@ -38,17 +38,18 @@ without_checksum() { python3 -c 'import json, sys; d = json.load(sys.stdin); del
 sed 's/"tilt_max_rad": [0-9.e-]*,/"tilt_max_rad": null,/' runs/toy-top/summary.json | without_checksum >keyless/summary.json
 expect 1 compare runs/toy-top keyless
 on_stdout 'FAILED  drift.tilt_max_rad'
-on_stdout '^what both have has not changed by a bit; what else differs is named above$'
+on_stdout '^What both have has not changed by a bit; what else differs is named below.$'
 expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --out short --quiet
 expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --set /numerics/relative_tolerance=1e-9 --out loose --quiet
 expect 1 compare short loose
 on_stdout 'other scenario: /numerics/relative_tolerance'
 grep -q 'has no error bounds' out.txt && fault "a key that differs is taken for a number without bounds"
-on_stdout 'is within.*; what else differs is named above$'
+on_stdout 'is within.*; what else differs is named below.$'
 
 # Exit statuses and what is written.
 expect 0 compare runs/toy-top runs/toy-top
-on_stdout 'not a bit has changed'
+on_stdout '^All [0-9]* quantities agree to the last bit.$'
+on_stdout '^Not a bit has changed.$'
 expect 0 compare runs/toy-top runs/toy-top --quiet --svg new/differences.svg --junit new/j.xml
 nothing_on_stdout
 grep -q '</svg>' new/differences.svg || fault "no picture"

@@ -235,7 +235,7 @@ Verb describe_compare() {
       .without("--profile")
       .without("--mapping");
   compare.add("--reason", &a.reason, "of --update: why, kept in the reference").called("TEXT");
-  compare.add("--all", &a.all, "of many results list those that are the same, too");
+  compare.add("--all", &a.all, "list what is the same, too: quantities, and of many results those without a difference");
   compare.add("--json", &a.json, "print one JSON document, errors too");
   compare.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   compare.describe(

@@ -78,53 +78,13 @@ std::string pair_text(const PairReport& pair, bool everything) {
   return text;
 }
 
-/// A sentence that sums up the changes: how the changed numbers compare with their error bounds, if they have any, and whether
-/// there are other differences, to which no bound applies: a key, a word, a missing value, the scenario, the cost.
-std::string summary_of_changes(const CompareReport& report) {
-  bool compared = false, moved = false, above = false, within_failed = false, unknown = false, unknown_failed = false,
-       other = false;
-  for (const PairReport& pair : report.pairs) {
-    other = other || !pair.refusal.empty() || !pair.findings.empty() ||
-            std::any_of(pair.cost.begin(), pair.cost.end(), [](const CostRatio& ratio) { return !ratio.passed(); });
-    for (const QuantityVerdict& quantity : pair.quantities) {
-      compared = compared || quantity.compared > 0;
-      other = other || !quantity.reason.empty();
-      if (quantity.change == Change::none || (!quantity.reason.empty() && quantity.largest == 0)) continue;
-      moved = true;
-      above = above || quantity.change == Change::above_errors;
-      within_failed = within_failed || (quantity.change == Change::within_errors && !quantity.passed);
-      unknown = unknown || quantity.change == Change::unknown;
-      unknown_failed = unknown_failed || (quantity.change == Change::unknown && !quantity.passed);
-    }
-  }
-  std::string text;
-  if (!compared)
-    return "no number could be compared";
-  else if (!moved)
-    text = other ? "what both have has not changed by a bit" : "not a bit has changed";
-  else if (above)
-    text = "something has changed by more than both error bounds";
-  else if (!unknown)
-    text = "all numbers that have changed are within both error bounds";
-  else if (!unknown_failed)
-    text = "where error bounds are known, what has changed is within them; the rest is within its tolerance";
-  else if (!within_failed)
-    text = "what has changed by more than its tolerance has no error bounds";
-  else
-    text = "where error bounds are known, what has changed is within them; something without has passed its tolerance";
-  return other ? text + "; what else differs is named above" : text;
-}
-
 }  // namespace
 
 std::string compare_text(const CompareReport& report, bool everything) {
-  std::string text;
-  std::size_t same = 0, refused = 0, rows = 0;
+  std::size_t rows = 0;
+  std::string details;
   for (const PairReport& pair : report.pairs) {
-    if (report.pairs.size() == 1 || everything || !pair.passed())
-      text += pair_text(pair, everything || report.pairs.size() == 1);
-    same += pair.passed() ? 1 : 0;
-    refused += pair.refusal.empty() ? 0 : 1;
+    if (report.pairs.size() == 1 || everything || !pair.passed()) details += pair_text(pair, everything);
     rows += pair.rows;
   }
   const std::string_view profile = to_string(report.profile);
@@ -133,12 +93,11 @@ std::string compare_text(const CompareReport& report, bool everything) {
           ? fmt::format("profile {}", profile)
           : fmt::format("{} on profile {}", shown(report.tolerances_file, kLongestFileName), profile);
   const std::string_view verdict = report.refused() ? "REFUSED" : report.passed() ? "same" : "DIFFERS";
-  text += fmt::format("{}: {} against {} ({}; {} rows compared", verdict, shown(report.candidate, kLongestFileName),
-                      shown(report.reference, kLongestFileName), tolerances, rows);
-  if (report.pairs.size() > 1)
-    text += fmt::format("; {} results: {} same, {} differ, {} refused", report.pairs.size(), same,
-                        report.pairs.size() - same - refused, refused);
-  return text + fmt::format(")\n{}\n", summary_of_changes(report));
+  std::string text =
+      fmt::format("{}: {} against {} ({}; {} rows compared)\n", verdict, shown(report.candidate, kLongestFileName),
+                  shown(report.reference, kLongestFileName), tolerances, rows);
+  for (const std::string& sentence : comparison_conclusion(report)) text += shown(sentence) + '\n';
+  return details.empty() ? text : text + '\n' + details;
 }
 
 }  // namespace earthtop::tool

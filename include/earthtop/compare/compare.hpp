@@ -132,6 +132,9 @@ struct CompareReport {
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options);
 
+/// What was found, in sentences, the most important one first: how many quantities failed, which one most and by how much, what
+/// else is wrong, and whether both error bounds explain the changes.
+std::vector<std::string> comparison_conclusion(const CompareReport& report);
 /// As JSON ("earthtop-comparison-1.json") with a final newline.
 std::string comparison_json(const CompareReport& report);
 /// As JUnit XML: one test suite for each pair, one test case for each quantity.

@@ -15,12 +15,15 @@ enum class LineStyle {
   filled,  ///< a thin line with a tint down to the panel's floor
   thin,
   dotted,
+  dash_dot,
+  sparse,  ///< dots far apart
   broad,   ///< faint and wide, to be drawn beneath other lines
   points,  ///< the markers alone
   bars,    ///< a bar from 0 to each point of evenly spaced ones
 };
 enum class Marker { none, circle, square, triangle, diamond };
-enum class LineColor { blue, vermillion, green, purple, orange, sky, grey };  ///< Okabe and Ito: safe for the colour-blind
+/// Okabe and Ito's, which the colour-blind can tell apart; ink is the text's.
+enum class LineColor { blue, vermillion, green, purple, orange, sky, grey, ink };
 
 struct Axis {
   std::string label;
@@ -36,6 +39,7 @@ struct Line {
   LineColor color = LineColor::blue;
   LineStyle style = LineStyle::solid;
   Marker marker = Marker::none;  ///< at every point
+  bool hollow = false;           ///< of the marker
   /// Half lengths of the points' error bars along y; empty: none. One that is not above 0 is not drawn.
   std::vector<double> error = {};
 };
@@ -57,11 +61,14 @@ struct Figure {
 /// How wide a picture is drawn: for a desk and for paper, or for a phone, with fewer ticks and the text in several lines.
 enum class PlotWidth { wide, narrow };
 
-/// Position of a figure's x axis in its picture (px), and the values at its ends.
+/// Position of a figure's x axis and of its first panel's y axis in its picture (px), and the values at their ends.
 struct PlotFrame {
   double width = 0, left = 0, right = 0;
   double x_low = 0, x_high = 1;
   AxisScale x_scale = AxisScale::linear;
+  double floor = 0, top = 0;
+  double y_low = 0, y_high = 1;
+  AxisScale y_scale = AxisScale::linear;
 };
 PlotFrame frame_of(const Figure& figure, PlotWidth width = PlotWidth::wide);
 
