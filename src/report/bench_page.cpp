@@ -88,7 +88,7 @@ LineStyle style_of(const Entry& entry) {
 
 /// The front as a step line from each of its points to the next, and its points on it.
 void add_front(Panel& panel, const std::vector<Entry>& entries, const std::map<std::string, Look>& looks) {
-  Line line{"front: none is faster and as exact", {}, {}, LineColor::ink};
+  Line line{"Pareto front", {}, {}, LineColor::ink};
   for (const Entry& entry : entries) {
     if (!entry.on_front) continue;
     if (!line.x.empty()) {
@@ -171,7 +171,8 @@ Report bench_page(const Json& document) {
         fmt::format("<p>{}. Reference: {}; its witness: {}.</p>\n", escaped(text_of(scene, "title")),
                     escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
             page.chart_of_marks(fmt::format("bench{}", i), bench_chart(scene, entries), marks,
-                                "Error against processor time; below and to the left is better. Filled marks: the reduced "
+                                "Error against processor time; below and to the left is better, and nothing lies there beyond "
+                                "the front. Filled marks: the reduced "
                                 "equations; hollow ones: the general ones, dashed in body axes, dash-dotted in other axes. "
                                 "Dotted: long double; dots far apart: float128.") +
             entries_table(scene));

@@ -65,14 +65,15 @@ std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
     const TimeUnit unit = time_unit(t.back());
     for (double& time : t) time *= unit.per_s;
     const std::string name = text_of(*quantity, "name");
-    Figure figure{
-        name, quantity->value("passed", false) ? "within its tolerance" : "beyond its tolerance", {"Time", unit.name}, {}};
+    const std::string words = compare::in_words(name);
+    const bool passed = quantity->value("passed", false);
+    Figure figure{words, name + (passed ? ", within its tolerance" : ", beyond its tolerance"), {"Time", unit.name}, {}};
     figure.panels.push_back({{"Difference", std::string(unit_of_name(name)), AxisScale::logarithmic},
                              {{"tolerance", t, numbers(curve.at("tolerance"), 1), LineColor::vermillion, LineStyle::filled},
                               {"difference", t, numbers(curve.at("difference"), 1)}},
                              130});
-    const std::string words = fmt::format("Size of the difference in the {}, and its tolerance.", compare::in_words(name));
-    html += page.chart(fmt::format("p{}q{}", number, count++), std::move(figure), words);
+    html += page.chart(fmt::format("p{}q{}", number, count++), std::move(figure),
+                       fmt::format("Size of the difference in the {}, and its tolerance.", words));
   }
   return html;
 }
@@ -82,10 +83,13 @@ std::string on_request(std::string_view summary, const std::string& html) {
   return html.empty() ? "" : fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(summary), html);
 }
 
-std::string pair_html(const Json& pair, std::size_t number, Page& page) {
-  std::string html = fmt::format("<p class=\"verdict {0}\"><strong>{0}</strong>: {1} against {2}</p>\n<p>{3}</p>\n",
-                                 escaped(text_of(pair, "verdict")), escaped(text_of(pair, "new")),
-                                 escaped(text_of(pair, "reference")), escaped(text_of(pair, "conclusion")));
+/// @param alone  whether the page has said already what was found
+std::string pair_html(const Json& pair, std::size_t number, bool alone, Page& page) {
+  std::string html;
+  if (!alone)
+    html = fmt::format("<p class=\"verdict {0}\"><strong>{0}</strong>: {1} against {2}</p>\n<p>{3}</p>\n",
+                       escaped(text_of(pair, "verdict")), escaped(text_of(pair, "new")), escaped(text_of(pair, "reference")),
+                       escaped(text_of(pair, "conclusion")));
   std::string list;
   for (const Json& finding : pair.value("findings", Json::array()))
     list +=
@@ -126,7 +130,8 @@ Report comparison_page(const Json& document) {
       if ((text_of(pair, "verdict") == "same") == wanted && shown.size() < kMostPairs) shown.push_back(&pair);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const std::string name = text_of(*shown[i], "name");
-    page.section(fmt::format("pair{}", i), name.empty() ? "Differences" : name, pair_html(*shown[i], i, page));
+    page.section(fmt::format("pair{}", i), name.empty() ? "Differences" : name,
+                 pair_html(*shown[i], i, pairs.size() == 1, page));
   }
   if (shown.size() < pairs.size())
     page.section("more", "More", fmt::format("<p>{} more results are in the document.</p>\n", pairs.size() - shown.size()));

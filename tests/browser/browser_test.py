@@ -261,7 +261,7 @@ class Examination:
         })()""")
         self.expect(5, opened == 0, f"{opened} details do not open")
         self.page.frames(2)  # tables may be made when their details open
-        rows = self.page.evaluate(f"[...{CHARTS}].map(e => [...e.querySelectorAll('details tr')]"
+        rows = self.page.evaluate(f"[...{CHARTS}].map(e => [...(e.querySelector('details') ?? e.closest('section')).querySelectorAll('tr')]"
                                   ".filter(r => r.querySelector('td') && r.checkVisibility()).length)")
         for index, count in enumerate(rows):
             self.expect(5, count >= 2, f"chart {index} has a table of {count} rows")
