@@ -165,6 +165,7 @@ Report bench_page(const Json& document) {
     const Json reference = scene.value("reference", Json::object());
     const std::vector<Entry> entries = entries_of(scene);
     std::vector<Mark> marks;
+    marks.reserve(entries.size());
     for (const Entry& entry : entries) marks.push_back({entry.seconds, entry.error, entry.text()});
     page.section(
         fmt::format("scene{}", i), text_of(scene, "scenario"),

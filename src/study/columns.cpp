@@ -74,6 +74,7 @@ std::vector<StudyColumn> study_columns(const std::filesystem::path& file, const 
     writer->add(point.reason.empty() ? Value() : Value(point.reason));
   });
   std::vector<StudyColumn> columns;
+  columns.reserve(writers.size());
   for (ColumnWriter& writer : writers) columns.push_back(std::move(writer).column());
   return columns;
 }
