@@ -203,7 +203,7 @@ void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch) {
     text += fmt::format("{}", point.number);
     for (const Value& value : point.axis_values) text.append(1, ',').append(csv_cell(value));
     for (const Value& value : point.values) text.append(1, ',').append(csv_cell(value));
-    text += fmt::format(",{},{}\n", point.status, csv_cell(point.reason));
+    text += fmt::format(",{},{}\n", csv_cell(point.status), csv_cell(point.reason));
     if (text.size() < kPiece) return;
     sink(text);
     text.clear();
