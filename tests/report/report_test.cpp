@@ -101,7 +101,7 @@ TEST(Report, TheDriftComesBeforeItsBound) {
   const auto series = data_of(html).at("charts").at("parts").at("series");
   for (const auto& [label, unit] : std::vector<std::pair<std::string, std::string>>{
            {"angle", "arcseconds"}, {"its part in tilt", "arcseconds"}, {"azimuth", "arcseconds"}})
-    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [&](const auto& s) {
+    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [&label = label, &unit = unit](const auto& s) {
       return s.at("label") == label && s.at("unit") == unit;
     })) << label;
   EXPECT_NEAR(series.at(0).at("y").back().get<double>(),
@@ -284,7 +284,7 @@ TEST(Report, OfVeryManyMeasuredValuesTheTellingOnesAreDrawn) {
 TEST(Plot, HasErrorBarsAndBars) {
   Figure figure{"Bars", "", {"x", ""}, {}};
   figure.panels.push_back({{"y", ""}, {}, 200});
-  figure.panels[0].lines.push_back({"p", {0, 1}, {1, 2}, LineColor::blue, LineStyle::points, Marker::circle, {3, 0}});
+  figure.panels[0].lines.push_back({"p", {0, 1}, {1, 2}, LineColor::blue, LineStyle::points, Marker::circle, false, {3, 0}});
   const std::string points = svg(figure);
   EXPECT_NE(points.find(">−2<"), points.npos) << "the axis has room for the lower end of the first error bar";
   EXPECT_EQ(points.find("stroke-linejoin"), points.npos) << "no line through the points";
