@@ -25,6 +25,12 @@ function curvePath(t, y, place, jump) {
   return text;
 }
 
+/** A linear scale over all numbers among `values`. */
+function linearScale(values) {
+  const known = sorted(values);
+  return numberScale(known[0] ?? 0, known.at(-1) ?? 0, false);
+}
+
 function chartText(x, y, text, anchor = "middle") {
   const made = drawnElement("text", { x, y, "text-anchor": anchor });
   made.textContent = text;
@@ -37,18 +43,18 @@ function drawDriftChart(figure, columns) {
   const all = lines.flatMap(({ y }) => y.filter(isNumber));
   const unit = angleUnit(all.reduce((most, x) => Math.max(most, Math.abs(x)), 0));
   for (const line of lines) line.y = line.y.map((x) => (isNumber(x) ? x * unit.per_rad : x));
-  const vertical = makeScale([0, ...lines.flatMap(({ y }) => y)], false), horizontal = makeScale(t, false);
+  const vertical = linearScale([0, ...lines.flatMap(({ y }) => y)]), horizontal = linearScale(t);
   const left = 66, right = width - 12, top = 26, bottom = height - 40;
   const x = (time) => left + horizontal.of(time) * (right - left), y = (value) => bottom - vertical.of(value) * (bottom - top);
   const picture = drawnElement("svg", { class: "et", viewBox: `0 0 ${width} ${height}`, role: "img" });
   const title = drawnElement("title", {});
   title.textContent = `The drift and its parts in ${unit.name} over ${format(t.at(-1) ?? 0)} s; the values are in the table below`;
   picture.append(title, chartText(left, 16, unit.name, "start"), chartText(right, height - 6, "time in s", "end"));
-  for (const value of vertical.ticks) {
+  for (const value of vertical.ticks(4)) {
     picture.append(drawnElement("path", { class: "et-grid", d: `M${left} ${y(value)}H${right}` }),
       chartText(left - 6, y(value) + 4, format(value, 4), "end"));
   }
-  for (const value of horizontal.ticks) picture.append(chartText(x(value), bottom + 18, format(value, 4)));
+  for (const value of horizontal.ticks(width > 500 ? 6 : 4)) picture.append(chartText(x(value), bottom + 18, format(value, 4)));
   for (const line of lines) {
     const curve = drawnElement("path", { class: "curve", "stroke-dasharray": kDashes[line.name].join(" "),
       d: curvePath(t, line.y, (time, value) => [x(time), y(value)], Math.PI * unit.per_rad) });
