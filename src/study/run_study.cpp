@@ -61,12 +61,21 @@ void require_room(const fs::path& dir, double bytes) {
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
+/// Whether the store holds a point whose run came to its end, or cannot say.
+bool may_hold_results(Store& store) {
+  try {
+    return store.ended_count() > 0;
+  } catch (const ReadError&) {
+    return true;
+  }
+}
+
 /// Whether the store holds a point of this study whose run came to its end.
 bool is_under_way(const fs::path& file, const Study& study) {
   std::error_code error;
   if (!fs::exists(file, error) || is_blank(file)) return false;
   Store store = Store::open(file, sqlite::Connection::Mode::read);
-  return store.sha256() == study_sha256(study) && store.ended_count() > 0;
+  return store.sha256() == study_sha256(study) && may_hold_results(store);
 }
 
 /// @param replaced set if a store of another study was replaced because none of its runs had come to its end
@@ -81,7 +90,7 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
       store.adopt(study);
       return store;
     }
-    replaced = store.ended_count() == 0;
+    replaced = !may_hold_results(store);
   } catch (const ScenarioError&) {
     if (!options.force) throw;
   }

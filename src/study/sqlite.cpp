@@ -66,7 +66,8 @@ void Connection::fail() const {
     if (!patient_) refuse_in_use(file_, holder_of(file_));
     reason = "is in use by " + holder_of(file_);
   }
-  if (mode_ == Mode::write) throw WriteError(file_, reason);
+  const bool is_damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;  // no fault of the disk that is written to
+  if (mode_ == Mode::write && !is_damaged) throw WriteError(file_, reason);
   throw ReadError(file_, reason);
 }
 

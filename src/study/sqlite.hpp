@@ -58,8 +58,8 @@ class Connection {
   void wait_for_locks();
   void execute(const char* sql);
   /// @throws ScenarioError, naming the other process if it can be found, if that process has locked the file and this
-  /// connection is not patient; std::bad_alloc if SQLite found no memory; otherwise WriteError (ReadError in read mode) with
-  /// SQLite's reason
+  /// connection is not patient; std::bad_alloc if SQLite found no memory; otherwise WriteError (ReadError in read mode, and
+  /// of a damaged file) with SQLite's reason
   [[noreturn]] void fail() const;
 
   sqlite3* get() const { return database_.get(); }

@@ -305,7 +305,7 @@ void Store::pass_over(const std::vector<std::uint64_t>& numbers) {
   passes_over_ = true;
 }
 
-void Store::adopt(const Study& study) {
+void Store::adopt(const Study& study) try {
   begin();
   put(*connection_, "name", study.name);
   put(*connection_, "study", study.text);
@@ -314,6 +314,8 @@ void Store::adopt(const Study& study) {
   if (has_checksums_) put(*connection_, kFactsChecksum, facts_checksum(facts_of(*connection_)));
   commit();
   study_ = study;
+} catch (const ReadError& what) {
+  refuse_store(file_, fmt::format("is damaged ({}){}", what.reason(), kRepairStore));
 }
 
 std::uint64_t Store::counted(const char* condition) {

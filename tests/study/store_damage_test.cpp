@@ -136,6 +136,39 @@ TEST_F(StoreDamage, PointsOfAnotherStudyAreNotTakenForThisOnes) {
   EXPECT_EQ(run_study(study_, options_).progress.done, 0U) << "the points themselves are intact";
 }
 
+TEST_F(StoreDamage, WithTheNameOfAnotherStudyIsNeitherReplacedNorTakenForAFullDisk) {
+  execute("ALTER TABLE point DROP COLUMN row_checksum");
+  execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')");
+  const auto number = [&](const char* sql) {
+    study::sqlite::Connection connection(store_.string(), study::sqlite::Connection::Mode::read);
+    study::sqlite::Statement statement(connection, sql);
+    statement.step();
+    return static_cast<std::size_t>(statement.integer(0));
+  };
+  const std::size_t size = number("PRAGMA page_size"), page = number("SELECT rootpage FROM sqlite_master WHERE name = 'point'");
+  std::string own = read(store_);
+  own.replace((page - 1) * size, size, size, 'x');
+  for (const bool other : {false, true}) {
+    put(own);
+    if (other) execute("UPDATE study SET value = 'another' WHERE key = 'sha256'");
+    for (const bool repair : {false, true}) {
+      if (repair && !other) continue;  // which mends it
+      options_.repair = repair;
+      try {
+        run_study(study_, options_);
+        ADD_FAILURE() << "accepted";
+      } catch (const ScenarioError& error) {
+        const std::string& message = error.diagnostics().front().message;
+        EXPECT_NE(message.find(other ? "--force" : "--repair"), message.npos) << message;
+      }
+      EXPECT_NE(read(store_).find(std::string(size, 'x')), std::string::npos) << "the file is as it was";
+    }
+  }
+  options_.force = true;
+  options_.repair = false;
+  EXPECT_EQ(run_study(study_, options_).failed, 0U);
+}
+
 TEST_F(StoreDamage, OfAStoreWithoutChecksumsIsNotKnown) {
   execute("ALTER TABLE point DROP COLUMN row_checksum");
   execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')");
