@@ -22,6 +22,7 @@ from typing import Any
 
 import devtools
 import layout
+from browser_process import Failure
 from shipped_pages import SCENARIOS, Program, Report
 
 RUNS = ["toy-top", "foucault-pendulum", "sleeping-top-below-critical", "turntable"]
@@ -448,13 +449,13 @@ def main() -> int:
                     page = browser.new_page()
                     try:
                         Examination(page, report, faults).examine(elements_of_kind, options.screenshots)
-                    except devtools.Failure as failure:  # the other pages may still be fine
+                    except Failure as failure:  # the other pages may still be fine
                         faults.expect(1, False, report.name, f"given up: {failure}; {page.complaints}")
                         given_up += 1
                     if given_up > 2:
-                        raise devtools.Failure("three pages given up, the rest is left out")
+                        raise Failure("three pages given up, the rest is left out")
                     page.close()
-        except (devtools.Failure, OSError) as failure:
+        except (Failure, OSError) as failure:
             faults.expect(1, False, "browser", str(failure) or type(failure).__name__)
     passed = faults.print()
     print(f"{'passed' if passed else 'FAILED'} in {time.monotonic() - began:.1f} s")

@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 
 import devtools
+from browser_process import Failure, Tab
 from shipped_pages import Program
 
 SKIPPED = 77  # SKIP_RETURN_CODE of ctest
@@ -28,7 +29,7 @@ class Checks:
             self.faults.append(text if len(text) < 600 else text[:600] + " ...")
         return holds
 
-    def silent(self, page: devtools.Page, file: pathlib.Path, when: str) -> None:
+    def silent(self, page: Tab, file: pathlib.Path, when: str) -> None:
         """No complaint, no dialogue, no request but for the page itself."""
         own = file.as_uri()
         others = [url for url in page.requests if url.split("#")[0] != own and not url.startswith(("data:", "blob:"))]
@@ -37,7 +38,7 @@ class Checks:
         self.expect(not others, f"{when}: requests {others}")
         self.expect(page.evaluate(f"typeof {SENTINEL}") == "undefined", f"{when}: foreign script ran")
 
-    def fits(self, page: devtools.Page, when: str) -> None:
+    def fits(self, page: Tab, when: str) -> None:
         """Nothing makes the page scroll sideways."""
         wide, room = page.evaluate("[document.documentElement.scrollWidth, document.documentElement.clientWidth]")
         self.expect(wide <= room, f"{when}: {wide} px wide in {room} px")
@@ -57,7 +58,7 @@ def main(description: str, test: Callable[[devtools.Browser, Program, Checks], N
         try:
             with devtools.Browser(chromium) as browser:
                 test(browser, Program(options.earthtop, pathlib.Path(directory)), checks)
-        except (devtools.Failure, OSError, RuntimeError) as failure:
+        except (Failure, OSError, RuntimeError) as failure:
             checks.expect(False, str(failure) or type(failure).__name__)
     for fault in checks.faults:
         print(f"  {fault}")

@@ -19,6 +19,7 @@ import tempfile
 from typing import Any
 
 import devtools
+from browser_process import Tab
 
 SKIPPED = 77
 SIZE_LIMIT = 3_000_000
@@ -57,7 +58,7 @@ def silence(page: devtools.Page, own: str, when: str) -> None:
     expect(not others, f"{when}: requests {others}")
 
 
-def settled(page: devtools.Page) -> None:
+def settled(page: Tab) -> None:
     """Waits for the first answer, or for an error in words."""
     page.evaluate("""new Promise((done, fail) => { const end = performance.now() + 9000, look = () =>
         document.querySelector('#headline data') || !document.querySelector('#alert').hidden ? done()
@@ -77,7 +78,7 @@ def program_summary(earthtop: pathlib.Path, command: str, directory: pathlib.Pat
     return json.loads((directory / "summary.json").read_text()) if done.returncode == 0 else None
 
 
-def numbers(page: devtools.Page, earthtop: pathlib.Path, name: str, directory: pathlib.Path) -> None:
+def numbers(page: Tab, earthtop: pathlib.Path, name: str, directory: pathlib.Path) -> None:
     """The answer's digits: equal to the program's, or both within their bounds of each other."""
     alert = page.evaluate("document.querySelector('#alert').hidden ? '' : document.querySelector('#alert').textContent")
     expect(not alert, f"{name}: {alert}")
