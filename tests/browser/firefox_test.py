@@ -89,8 +89,7 @@ def play_page(page: firefox.Page, html: pathlib.Path, program: Program, checks: 
     page.open(html.as_uri())
     play_test.settled(page)
     for name in page.evaluate("[...document.querySelector('#preset').options].map(e => e.value)"):
-        page.evaluate(f"(e => {{ e.value = '{name}'; e.dispatchEvent(new Event('change')); }})(document.querySelector('#preset'))")
-        page.wait(0.5)
+        play_test.choose(page, name)
         play_test.numbers(page, program.earthtop, f"{name} in Firefox", program.directory / f"play-{name}")
         for width in WIDTHS:
             page.resize(width)

@@ -145,6 +145,134 @@ def magnification(page: devtools.Page) -> None:
     expect("10,000 times as large" in words[2] and "drawn as 90°" in words[2], f"10,000 times: {words[2]}")
 
 
+def choose(page: Tab, name: str) -> None:
+    page.evaluate(f"(e => {{ e.value = '{name}'; e.dispatchEvent(new Event('change')); }})(document.querySelector('#preset'))")
+    page.wait(0.3)
+
+
+def tab_order(page: devtools.Page) -> None:
+    """The Tab key visits every control that is shown, in the order of the page, each with a ring that shows it."""
+    wanted = page.evaluate("""[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex="0"]')]
+        .filter(e => e.checkVisibility() && !e.disabled).map((e, k) => (e.dataset.order = k, e.id || e.className || e.tagName))""")
+    page.evaluate("document.querySelector('a.skip').focus({ focusVisible: true })")
+    found, without = [], []
+    for k in range(len(wanted)):
+        if k > 0:
+            page.key("Tab")
+        at, ring = page.evaluate("""(e => { const s = getComputedStyle(e);
+            return [Number(e.dataset.order ?? -1), s.outlineStyle !== 'none' && parseFloat(s.outlineWidth) >= 1]; })(document.activeElement)""")
+        found.append(at)
+        if not ring:
+            without.append(wanted[at])
+    expect(found == list(range(len(wanted))), f"the Tab key visits {found} of {wanted}")
+    expect(not without, f"no ring around {without}")
+
+
+def camera(page: devtools.Page) -> None:
+    """Keys, a mouse, a finger and two fingers turn and enlarge both pictures; the choice of speed is the clock's."""
+    page.evaluate("document.querySelector('#play').textContent === 'Pause' && document.querySelector('#play').click()")
+    picture = "document.querySelector('#sphere').toDataURL()"
+    state = "document.querySelector('#sphere-state').textContent"
+
+    def changes(what: str, act: Any) -> None:
+        before = page.evaluate(picture)
+        act()
+        page.frames(3)
+        expect(page.evaluate(picture) != before, f"{what} does not change the path's picture")
+
+    page.evaluate("document.querySelector('#sphere').focus()")
+    for key in ("ArrowLeft", "ArrowUp", "Home"):
+        changes(key, lambda key=key: page.key(key))
+    x, y = page.middle("document.querySelector('#sphere')")
+    changes("a mouse", lambda: page.drag(x, y, x + 60, y + 10))
+    page.resize(390)
+    x, y = page.middle("document.querySelector('#sphere')")
+
+    def fingers(*paths: tuple[float, float]) -> None:
+        """One path for each finger: from and to, sideways from the middle."""
+        for kind, part in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), ("touchEnd", None)):
+            points = [] if part is None else [
+                {"x": x + a + part * (b - a), "y": y, "id": k} for k, (a, b) in enumerate(paths)]
+            page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+    changes("a finger", lambda: fingers((-40, 40)))
+    page.wait(1.0)  # told once eye and motion have come to rest
+    before = re.search(r"zoom [0-9.]+", page.evaluate(state))
+    changes("two fingers", lambda: fingers((-30, -100), (30, 100)))
+    page.wait(1.0)
+    after = re.search(r"zoom [0-9.]+", page.evaluate(state))
+    expect(bool(before and after) and before.group() != after.group(), f"the enlargement is not told: {before}, {after}")
+    page.resize(1280)
+
+    def pace() -> float:
+        page.evaluate("((t) => { t.value = t.min; t.dispatchEvent(new Event('input')); })(document.querySelector('#time'))")
+        page.evaluate("document.querySelector('#play').click()")
+        first = page.evaluate("[performance.now(), Number(document.querySelector('#time').value)]")
+        page.wait(0.8)
+        last = page.evaluate("[performance.now(), Number(document.querySelector('#time').value)]")
+        page.evaluate("document.querySelector('#play').click()")
+        return 1000 * (last[1] - first[1]) / (last[0] - first[0])
+
+    offered = page.evaluate("[...document.querySelector('select.speed').options].map(e => Number(e.value))")
+    expect(len(offered) >= 3, f"speeds: {offered}")
+    for speed in offered[:3]:
+        page.evaluate(f"(s => {{ s.value = {speed}; s.dispatchEvent(new Event('change')); }})(document.querySelector('select.speed'))")
+        found = pace()
+        expect(abs(found / speed - 1) < 0.3, f"at speed {speed} the clock runs at {found}")
+
+
+def tumbles(page: devtools.Page) -> None:
+    """A body that turns over is drawn as one: along the motion its picture has the two sides of a box, not one shape."""
+    choose(page, "wing-nut")
+    page.evaluate("document.querySelector('#play').textContent === 'Pause' && document.querySelector('#play').click()")
+    areas = page.evaluate("""(async () => { const t = document.querySelector('#time'), c = document.querySelector('#top'), found = [];
+        for (let k = 0; k <= 40; ++k) { t.value = Number(t.min) + (k / 40) * (t.max - t.min); t.dispatchEvent(new Event('input'));
+            await new Promise(requestAnimationFrame);
+            const copy = new OffscreenCanvas(c.width, c.height).getContext('2d', { willReadFrequently: true });
+            copy.drawImage(c, 0, 0);
+            const count = {};
+            for (const p of new Uint32Array(copy.getImageData(0, 0, c.width, c.height).data.buffer)) count[p] = (count[p] ?? 0) + 1;
+            found.push(Object.values(count).sort((a, b) => b - a).slice(1, 4).reduce((a, b) => a + b)); } return found; })()""")
+    expect(max(areas) > 1.5 * min(areas), f"the wing nut's faces do not change: {areas}")
+
+
+def failures(browser: devtools.Browser, page: devtools.Page, own: str) -> None:
+    """What cannot be computed is said in words, and the page works on; a page that cannot start says why."""
+    choose(page, "toy-top")
+    good = page.evaluate("document.querySelector('#headline').textContent")
+    page.evaluate("""(s => { earthtop.play.values.tilt = 1e9; s.dispatchEvent(new Event('input')); })(document.querySelector('#slider-latitude'))""")
+    page.wait(0.3)
+    alert = page.evaluate("(e => [e.hidden, e.getAttribute('role'), e.textContent])(document.querySelector('#alert'))")
+    expect(not alert[0] and alert[1] == "alert" and "/release/tilt_deg" in alert[2], f"a refused scenario: {alert}")
+    expect(page.evaluate("document.querySelector('#results').classList.contains('stale')"), "old pictures are not marked")
+    page.evaluate("document.querySelector('#reset').click()")
+    page.wait(0.3)
+    expect(page.evaluate("document.querySelector('#alert').hidden && !document.querySelector('#results').classList.contains('stale')"),
+           "the alert stays")
+    expect(page.evaluate("document.querySelector('#headline').textContent") == good, "another answer after the alert")
+    for missing in ("DecompressionStream", "WebAssembly"):
+        poor = browser.new_page()
+        poor.call("Page.addScriptToEvaluateOnNewDocument", source=f"delete globalThis.{missing};")
+        poor.open(own)
+        poor.wait(1.0)
+        text = poor.evaluate("document.querySelector('#alert').hidden ? '' : document.querySelector('#alert').textContent")
+        expect("WebAssembly and DecompressionStream" in text, f"without {missing}: '{text}'")
+        poor.close()
+
+
+def reduced_motion(browser: devtools.Browser, own: str) -> None:
+    """Whoever asks for less motion gets a picture that stands still until it is started."""
+    for reduced in (False, True):
+        page = browser.new_page()
+        page.emulate(reduced_motion=reduced)
+        page.open(own)
+        settled(page)
+        page.wait(0.5)
+        word = page.evaluate("document.querySelector('#play').textContent")
+        expect(word == ("Play" if reduced else "Pause"), f"reduced motion {reduced}: the button says {word}")
+        page.close()
+
+
 def look(page: devtools.Page, directory: pathlib.Path) -> None:
     for width in WIDTHS:
         for dark in (False, True):
@@ -161,7 +289,7 @@ def look(page: devtools.Page, directory: pathlib.Path) -> None:
     (directory / "play.pdf").write_bytes(page.pdf())
 
 
-def examine(page: devtools.Page, html: pathlib.Path, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
+def examine(browser: devtools.Browser, page: devtools.Page, html: pathlib.Path, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
     own = html.as_uri()
     for fragment in HOSTILE:
         page.open("about:blank")
@@ -176,15 +304,21 @@ def examine(page: devtools.Page, html: pathlib.Path, earthtop: pathlib.Path, dir
     names = page.evaluate("[...document.querySelector('#preset').options].map(e => e.value)")
     expect(len(names) == 7, f"tops: {names}")
     for name in names:
-        page.evaluate(f"(e => {{ e.value = '{name}'; e.dispatchEvent(new Event('change')); }})(document.querySelector('#preset'))")
-        page.wait(0.3)
+        choose(page, name)
         numbers(page, earthtop, name, directory / name)
         draws(page, name)
-    page.evaluate("(e => { e.value = 'toy-top'; e.dispatchEvent(new Event('change')); })(document.querySelector('#preset'))")
+    choose(page, "toy-top")
     magnification(page)
     keyboard(page)
-    silence(page, own, "used")
     page.evaluate("document.querySelector('#reset').click()")
+    page.wait(0.3)
+    tab_order(page)
+    camera(page)
+    tumbles(page)
+    silence(page, own, "used")
+    failures(browser, page, own)
+    reduced_motion(browser, own)
+    choose(page, "toy-top")
     took = page.evaluate("""(async () => { const list = []; const s = document.querySelector('#slider-latitude');
         for (let k = 0; k < 12; ++k) { earthtop.play.took = 0; s.value = 30 + k; const began = performance.now();
             s.dispatchEvent(new Event('input'));
@@ -211,7 +345,7 @@ def main() -> int:
     policy(html.read_text())
     with tempfile.TemporaryDirectory(prefix="earthtop-play-") as directory, devtools.Browser(chromium) as browser:
         page = browser.new_page()
-        examine(page, html, options.earthtop.resolve(), pathlib.Path(directory))
+        examine(browser, page, html, options.earthtop.resolve(), pathlib.Path(directory))
         if options.screenshots:
             options.screenshots.mkdir(parents=True, exist_ok=True)
             look(page, options.screenshots)
