@@ -240,13 +240,13 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   page.headline(headline_html(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page);
-  if (run.scene) page.section("your-top", "Your top", top_section(run));
   const std::string thinned =
       run.results.stated_rows.value_or(0) > run.rows.size()
           ? fmt::format(" Drawn: {} of {} rows, {}.", run.rows.size(), *run.results.stated_rows, kThinningRule)
           : "";
   page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page, thinned));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
+  if (run.scene) page.section("your-top", "Your top", top_section(run));
   if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
   page.section("sphere", "Path of the axis", kSphere);
   page.section("motion", "The top in motion", kAnimation);

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a page must look like on a phone and on paper, measured in the browser."""
 
+import collections
 import pathlib
+import re
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -11,6 +13,7 @@ import devtools
 PHONE_PX = 390
 SMALLEST_TEXT_PX = 12.0
 LEAST_FILLED = 0.6  # share of the printed height of each page but the last: figures are whole, so something may not fit
+LEAST_OF_LAST = 0.04  # more than a line
 PRINTED_DPI = 40
 WHITE = 250
 
@@ -82,16 +85,33 @@ def filled_shares(pdf: bytes) -> list[float]:
     return shares
 
 
+def words_of(text: str) -> list[str]:
+    return re.findall(r"[^\W\d_]{4,}", text)
+
+
+def cut_figures(page: devtools.Page, pdf: bytes) -> Iterator[str]:
+    """The charts whose words are not all on one of the printed pages; long titles of others may be shortened."""
+    printed = subprocess.run(["pdftotext", "-raw", "-", "-"], input=pdf, capture_output=True, check=True).stdout.decode()
+    pages = [collections.Counter(words_of(text)) for text in printed.split("\f")]
+    for text in page.evaluate("""[...document.querySelectorAll('svg.et')].filter(svg => !svg.closest('.narrow, details'))
+            .map(svg => [...svg.querySelectorAll('text')]
+                .map(t => t.textContent).filter(t => t.length < 60).join(' '))"""):
+        wanted = collections.Counter(words_of(text))
+        if not any(wanted <= there for there in pages):
+            yield f"a figure is cut on paper: {text[:80]}"
+
+
 def print_faults(page: devtools.Page) -> Iterator[str]:
     pdf = page.pdf()
     if not pdf.startswith(b"%PDF-"):
         yield f"printed: {pdf[:20]!r}"
         return
+    yield from cut_figures(page, pdf)
     shares = filled_shares(pdf)
     if not shares:
         yield "no printed page"
     for number, share in enumerate(shares[:-1], start=1):
         if share < LEAST_FILLED:
             yield f"printed page {number} of {len(shares)} is filled to {share:.0%}"
-    if shares and shares[-1] == 0:
-        yield "the last printed page is empty"
+    if shares and shares[-1] < LEAST_OF_LAST:
+        yield f"the last of {len(shares)} printed pages is filled to {shares[-1]:.0%}"

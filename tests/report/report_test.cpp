@@ -90,12 +90,13 @@ TEST(Report, TheDriftComesBeforeItsBound) {
   const std::size_t drift = place_of(html, "<figure class=\"chart\" data-chart=\"parts\">"),
                     details = place_of(html, "<details><summary>The error's bound beside the drift"),
                     bound = place_of(html, "<figure class=\"chart\" data-chart=\"axis\">");
-  EXPECT_LT(place_of(html, "id=\"section-your-top\""), drift);
+  EXPECT_LT(place_of(html, "class=\"headline"), drift);
   EXPECT_LT(drift, details);
   EXPECT_LT(details, bound);
   EXPECT_EQ(html.find("</details>", details), html.find("</details>", html.find("<table>", bound)))
       << "the first to end is the table of the chart within";
   EXPECT_LT(bound, place_of(html, "id=\"section-why\""));
+  EXPECT_LT(place_of(html, "id=\"section-why\""), place_of(html, "id=\"section-your-top\""));
   EXPECT_LT(place_of(html, "id=\"section-why\""), place_of(html, "id=\"section-sphere\""));
   // One unit for what one panel draws, of the size of what it draws.
   const auto series = data_of(html).at("charts").at("parts").at("series");
