@@ -176,8 +176,8 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   const Scene& scene = result.modelled;
   if (result.status != RunStatus::completed || result.rows.size() < 3 || verdict.verdict != Verdict::reliable ||
-      verdict.from_s || scene.scenario().contact || scene.scenario().platform || scene.scenario().effects.tide ||
-      !scene.scenario().effects.all_on() || scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
+      verdict.from_s || scene.scenario().platform || scene.scenario().effects.tide || !scene.scenario().effects.all_on() ||
+      scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
     return {};
   const Body<double>& body = scene.body<double>();
   why::Told told{result,
@@ -188,7 +188,9 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
                  body.I_BP_B(2, 2),
                  scene.axial_gravity_torque_N_m(),
                  {}};
-  if (told.theory == nullptr) {
+  if (scene.scenario().contact) {
+    why::tell_on_table(told);
+  } else if (told.theory == nullptr) {
     why::tell_pendulum(told);
     why::tell_gyrocompass(told);
   } else if (why::agrees(*told.theory)) {

@@ -10,7 +10,7 @@
 namespace earthtop {
 
 /// The sentences on a run whose rows, drift, verdict and theory are known: about a heavy top that precesses, a free gyroscope, a
-/// sleeping top, a pendulum that is released at rest, or a gyrocompass without damping. There are none where first-order theory does
+/// sleeping top, a pendulum that is released at rest, a gyrocompass without damping, or a ball or a sleeping top that rolls. There are none where first-order theory does
 /// not apply, or does not agree with the run, or where the verdict does not trust the whole run.
 std::vector<WhySentence> why_sentences(const RunResult& result);
 

@@ -360,6 +360,98 @@ TEST(Why, AGyrocompassSwingsAboutNorthInItsPeriod) {
     }
 }
 
+/// A ball or a top that rolls on a level table, spinning upright.
+Scenario on_table(double latitude_deg, double spin_rad_s, bool ball) {
+  Scenario s;
+  s.site = {latitude_deg, 0, 0, 9.80665};
+  s.body.mass_kg = 0.2;
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.body.center_of_mass_m = {0, 0, ball ? 0 : 0.025};
+  s.body.inertia_kg_m2 = {{{5e-5, 0, 0}, {0, 5e-5, 0}, {0, 0, 5e-5}}};
+  if (!ball) s.body.inertia_kg_m2[2][2] = 6e-5;
+  s.contact.emplace().tip_radius_m = ball ? 0.03 : 0.003;
+  s.contact->law = ContactLaw::rolling;
+  s.release.spin_rad_s = spin_rad_s;
+  s.duration_s = ball ? 12 : 40;
+  s.output_step_s = 0.1;
+  return s;
+}
+
+TEST(Why, ABallThatSpinsRollsAsItsPathShows) {
+  for (const double latitude : {-40.0, 60.0})
+    for (const double spin : {-150.0, 150.0}) {
+      const RunResult result = run(on_table(latitude, spin, true));
+      const WhySentence *rolls = find(result, "ball_rolls"), *left = find(result, "what_is_left");
+      ASSERT_TRUE(rolls && left) << latitude << ' ' << spin << ' ' << result.verdict.reason;
+      const auto& rows = result.rows;
+      const double north = rows.back().contact->drift_tip_xy_m[1], t = rows.back().t_s;
+      EXPECT_GT(north * spin, 0) << "to the North in both hemispheres if the spin is counterclockwise";
+      EXPECT_TRUE(says(*rolls, north > 0 ? "to the North" : "to the South")) << rolls->text;
+      const double acceleration = number(result, "ball_rolls", "acceleration_north_m_s2");
+      EXPECT_NEAR(acceleration, 2 * north / (t * t), 1e-3 * std::abs(acceleration));
+      EXPECT_NEAR(number(result, "ball_rolls", "share"), 5e-5 / (5e-5 + 0.2 * 0.03 * 0.03), 1e-12);
+      EXPECT_EQ(number(result, "what_is_left", "computed_north_m"), north);
+      EXPECT_NEAR(number(result, "what_is_left", "predicted_north_m"), north,
+                  number(result, "what_is_left", "predicted_error_m"));
+      EXPECT_LT(number(result, "what_is_left", "predicted_error_m"), 0.003 * std::abs(north));
+      const double torque = 5e-5 * 150 * kEarthRateWgs84 * std::cos(latitude * kDegree);
+      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), torque, 1e-9 * torque);
+      EXPECT_TRUE(find(result, "earth_turns"));
+    }
+}
+
+TEST(Why, ASleepingTopThatRollsWalksAsItsPathShows) {
+  for (const double latitude : {-40.0, 60.0})
+    for (const double spin : {-260.0, 260.0}) {
+      const RunResult result = run(on_table(latitude, spin, false));
+      const WhySentence *leans = find(result, "rest_leans"), *walks = find(result, "walks_west");
+      ASSERT_TRUE(leans && walks) << latitude << ' ' << spin << ' ' << result.verdict.reason;
+      double south = 0, t = 0, x = 0, tt = 0, tx = 0;
+      const double n = static_cast<double>(result.rows.size());
+      for (const DriftRow& row : result.rows) {
+        const double west = -row.contact->tip_m[0] + row.contact->ref_tip_m[0];
+        south -= row.axis_L[1] / n, t += row.t_s, x += west, tt += row.t_s * row.t_s, tx += row.t_s * west;
+      }
+      const double speed = (n * tx - t * x) / (n * tt - t * t);
+      EXPECT_GT(speed, 0) << "to the West in both hemispheres, whichever the sense of spin";
+      EXPECT_TRUE(says(*walks, "to the West")) << walks->text;
+      EXPECT_NEAR(number(result, "walks_west", "computed_west_m_s"), speed, 1e-6 * speed);
+      EXPECT_NEAR(number(result, "walks_west", "predicted_west_m_s"), speed, 0.02 * speed);
+      EXPECT_GT(south * spin, 0);
+      EXPECT_TRUE(says(*leans, south > 0 ? "to the South" : "to the North")) << leans->text;
+      const double lean = 6e-5 * spin * kEarthRateWgs84 * std::cos(latitude * kDegree) / (0.2 * 9.80665 * 0.025);
+      EXPECT_NEAR(number(result, "rest_leans", "lean_south_rad"), lean, 1e-5 * std::abs(lean));
+      EXPECT_NEAR(number(result, "rest_leans", "mean_lean_south_rad"), south, 1e-9 * std::abs(south));
+      const double walked = -result.rows.back().contact->drift_tip_xy_m[0], off = number(result, "what_is_left", "off_m");
+      EXPECT_NEAR(number(result, "what_is_left", "walked_west_m"), walked, 2 * off);
+      EXPECT_LT(off, 0.02 * walked);
+    }
+}
+
+TEST(Why, OfOtherTopsOnATableNothingIsSaid) {
+  for (const bool ball : {true, false}) {
+    const auto sentences = [&](const auto& change) {
+      return run(testing::changed(on_table(40, 260, ball), change)).why.size();
+    };
+    EXPECT_GT(sentences([](Scenario&) {}), 0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.contact->rolling_resistance_m = 1e-9, s.contact->regularisation_rad_s = 0.1; }),
+              0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.contact->spinning_friction_m = 1e-9, s.contact->regularisation_rad_s = 0.1; }), 0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.contact->table_tilt_deg = 1e-4; }), 0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.contact->law = ContactLaw::frictionless; }), 0u);
+    EXPECT_EQ(sentences([](Scenario& s) {
+                s.contact->start = ContactStart::tip_velocity, s.contact->tip_velocity_m_s = {1e-3, 0};
+              }),
+              0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.effects.coriolis = false; }), 0u);
+    EXPECT_EQ(sentences([](Scenario& s) { s.site.latitude_deg = 90; }), 0u) << "no part of the Earth's rate is level";
+    EXPECT_EQ(sentences([](Scenario& s) { s.release.rates_relative_to = RatesRelativeTo::inertial; }), 0u);
+  }
+  Scenario tilted = on_table(40, 260, false);
+  tilted.release.tilt_deg = 1;
+  EXPECT_TRUE(run(tilted).why.empty());
+}
+
 TEST(Why, OfOtherPendulumsAndCompassesNothingIsSaid) {
   const auto of_pendulum = [](const auto& change) { return run(testing::changed(pendulum(35), change)).why.size(); };
   EXPECT_EQ(of_pendulum([](Scenario&) {}), 4u);
