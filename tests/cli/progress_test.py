@@ -26,6 +26,7 @@ TOOL, SCENARIOS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 ALL = "--all" in sys.argv
 SLICE_S = 0.08  # of processor time, and at least a tenth of what was used up so far
 FIRST_S, NEXT_S = 1.05, 0.27  # by the clock: the line is shown from the first second on, every quarter of one
+TOO_SHORT_S = 5 * SLICE_S  # of processor time: a command that ends before has too few slices to say anything about its share
 SHARE = re.compile(r"\r *(\d+)%  ([^\r]*)")
 faults = []
 
@@ -78,6 +79,10 @@ def check(name, arguments):
     status, seen, text, whole, stops = watched(arguments)
     if status not in (0, 1):
         return fault(f"{name}: status {status}: {text}")
+    if whole < TOO_SHORT_S:
+        if arguments[0] == "run" and arguments[2:4] == ["--out", "some"]:
+            return print(f"{name}: over after {whole:.2f} s, not looked at", flush=True)
+        return fault(f"{name}: over after {whole:.2f} s: a longer one must take its place")
     if len(seen) < max(3, stops * 2 // 3):
         return fault(f"{name}: only {len(seen)} looks in {whole:.2f} s of processor time and {stops} stops: {text!r}")
     shares = [share for _, share, _ in seen]
