@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Checks the files of the shipped scenarios: they are complete, and agree with the values of tests/headlines and with the
-/// README's table.
+/// table in scenarios/README.md.
 
 #include <gtest/gtest.h>
 
@@ -57,21 +57,21 @@ TEST(Collection, HeadlinesAreTheGeneratedValues) {
   }
 }
 
-/// The line for a scenario in the README.
+/// The line for a scenario in the manual of scenarios.
 std::string table_line(const Scenario& scenario) {
   const HeadlineSpec& headline = scenario.headline.value();
   const std::string time = fmt::format(" at {} s", headline.at_s.value_or(scenario.duration_s));
-  return fmt::format("| [`{0}`](scenarios/{0}.json) | {1} | `{2}`{3} | {4:.10g} ± {5:.0e} | {6} |", scenario.name,
+  return fmt::format("| [`{0}`]({0}.json) | {1} | `{2}`{3} | {4:.10g} ± {5:.0e} | {6} |", scenario.name,
                      scenario.title, headline.quantity, headline.quantity.find('.') == std::string::npos ? time : "",
                      headline.value, headline.tolerance, headline.origin.substr(0, headline.origin.find(':')));
 }
 
-TEST(Collection, ReadmeTableIsTrue) {
-  std::ifstream file(std::string(EARTHTOP_TESTS) + "/../README.md");
+TEST(Collection, ManualTableIsTrue) {
+  std::ifstream file(std::string(EARTHTOP_TESTS) + "/../scenarios/README.md");
   const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::string table;
   for (const auto& scenario : shipped_files()) table += table_line(parse_file(scenario)) + "\n";
-  EXPECT_NE(readme.find("\n" + table + "\n"), std::string::npos) << "The README's table of scenarios should be\n" << table;
+  EXPECT_NE(readme.find("\n" + table + "\n"), std::string::npos) << "The table of scenarios in scenarios/README.md should be\n" << table;
 }
 
 }  // namespace

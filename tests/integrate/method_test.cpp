@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of methods: each has one row, whose places are all different, and README's table of what they are worth is its own.
+// The table of methods: each has one row, whose places are all different, and the manual's table of what they are worth is made of
+// these rows.
 #include "earthtop/integrate/method.hpp"
 
 #include <gtest/gtest.h>
@@ -40,13 +41,13 @@ TEST(Methods, AreOfferedByTheWordsOfTheirRows) {
   EXPECT_FALSE(is_exact(Method::abm8));
 }
 
-TEST(Methods, TheReadmeSaysWhatEachIsWorth) {
+TEST(Methods, TheManualSaysWhatEachIsWorth) {
   std::string table = "| method | what you would lose without it |\n| --- | --- |\n";
   for (const Method method : methods_by(&MethodRow::place_in_bench))
     table += "| `" + std::string(to_string(method)) + "` | " + std::string(row_of(method).worth) + " |\n";
-  std::ifstream file(std::string(EARTHTOP_TESTS) + "/../README.md");
+  std::ifstream file(std::string(EARTHTOP_TESTS) + "/../include/earthtop/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(readme.find("\n" + table), std::string::npos) << "README's table of methods should be\n" << table;
+  EXPECT_NE(readme.find("\n" + table), std::string::npos) << "The table of methods in include/earthtop/README.md should be\n" << table;
 }
 
 }  // namespace

@@ -60,16 +60,17 @@ TEST(ScenarioReference, EveryPointerCanBeSet) {
   }
 }
 
-TEST(ScenarioReference, ReadmeHoldsTheTable) {
-  const std::string readme = text_of(std::filesystem::path(EARTHTOP_SCENARIOS) / ".." / "README.md");
-  EXPECT_NE(readme.find(scenario_reference_markdown()), std::string::npos)
-      << "put the output of `earthtop schema --markdown` into README.md";
-  EXPECT_NE(readme.find(study_reference_markdown()), std::string::npos)
-      << "put the output of `earthtop schema --study --markdown` into README.md";
-  EXPECT_NE(readme.find(mapping_reference_markdown()), std::string::npos)
-      << "put the output of `earthtop schema --mapping --markdown` into README.md";
-  EXPECT_NE(readme.find(tolerances_reference_markdown()), std::string::npos)
-      << "put the output of `earthtop schema --tolerances --markdown` into README.md";
+TEST(ScenarioReference, ManualsHoldTheTables) {
+  const std::filesystem::path scenarios = EARTHTOP_SCENARIOS;
+  EXPECT_NE(text_of(scenarios / "README.md").find(scenario_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --markdown` into scenarios/README.md";
+  const std::string tools_manual = text_of(scenarios / ".." / "tools" / "README.md");
+  EXPECT_NE(tools_manual.find(study_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --study --markdown` into tools/README.md";
+  EXPECT_NE(tools_manual.find(mapping_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --mapping --markdown` into tools/README.md";
+  EXPECT_NE(tools_manual.find(tolerances_reference_markdown()), std::string::npos)
+      << "put the output of `earthtop schema --tolerances --markdown` into tools/README.md";
 }
 
 }  // namespace
