@@ -97,7 +97,7 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
   if (!options.force && !replaced)
     refuse(file,
            "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
-           "throw them away and start anew");
+           "discard them and start again");
   remove_store(file);
   return Store::create(file, study, options.shard);
 }
@@ -302,7 +302,7 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force) {
   using namespace earthtop::study;
-  if (stores.empty()) throw ScenarioError("", "no store to merge");
+  if (stores.empty()) throw ScenarioError("", "there is no store to merge");
   const fs::path target = study_store(dir);
   for (const fs::path& part : stores) {
     std::error_code error;
