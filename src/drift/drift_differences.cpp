@@ -18,7 +18,7 @@ using Problem = DriftProblem<double>;
 /// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the
 /// order of its square; the rounding of a drift, 1e-10 of it, is divided by it.
 constexpr double kAim = 1e-3;
-constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are taken as they come (rad, 1)
+constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are used as they are (rad, 1)
 constexpr double kLargestStep = 1e-2;                                   // largest step in an input, in its own scale
 constexpr double kRateStep = 0.05;                                      // step in the Earth's rate, as a share of it
 constexpr double kLargeDrift = 1e-4;                // drift that a difference of two axes shows with seven digits (rad)
@@ -310,7 +310,7 @@ class Differences {
     response.add(1 / (2 * h), high);
     response.add(-1 / (2 * h), low);
     for (Vec3<double>& drift : response.drift) drift *= epsilon();
-    // A change that is no more than rounding is no response.
+    // A change that is no more than rounding is not a response.
     const auto clear = [](std::vector<Vec3<double>>& vectors) { std::ranges::fill(vectors, Vec3<double>::Zero()); };
     if (h * largest_of(response.reference) < kAxisRounding) clear(response.reference);
     if (h * largest_of(response.drift) < kDriftRounding * drift_) clear(response.drift);

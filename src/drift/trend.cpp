@@ -13,9 +13,9 @@
 namespace earthtop {
 namespace {
 
-/// Which swings a fit has beside the line: those at 1 to `precessions` times the precession, and those at 1 to `nutations` times
+/// Which swings a fit has besides the line: those at 1 to `precessions` times the precession, and those at 1 to `nutations` times
 /// the nutation, alone and with up to `sums` times the precession added or taken away; of the nutations' first `growing` also
-/// those that grow with the time.
+/// those that grow with time.
 struct Swings {
   int precessions, nutations, sums, growing;
   double edge;            ///< part of the window over which the weights fall to zero at either end
@@ -29,7 +29,7 @@ constexpr std::array kRough{Swings{2, 0, 0, 0, 0.25, 0}, kFits[0]};
 /// A swing, as an odd function of the time from the middle of the window.
 struct Swing {
   double rate;  ///< rad/s
-  bool grows;   ///< with the time: time x cosine instead of a sine
+  bool grows;   ///< with time: time x cosine instead of a sine
   double size;  ///< expected, relative to the others
 };
 

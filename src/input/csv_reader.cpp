@@ -21,7 +21,7 @@ namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is no table of numbers
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is not a table of numbers
 constexpr FileUse kCsvFile = {"CSV file", false};
 constexpr int kNoFile = -1;  // in place of a descriptor: all there is to read is in the buffer
 

@@ -35,7 +35,7 @@ void require_regular(const struct stat& status, const std::string& name, const F
   refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
 }
 
-/// @throws always, according to the errno value `error`: what the caller can mend is refused, the rest is the disk's fault
+/// @throws always, according to the errno value `error`: what the caller can correct is refused, the rest is the disk's fault
 [[noreturn]] void fail_to_look(const std::string& path, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
   for (const int mendable : {EACCES, EPERM, ELOOP, ENAMETOOLONG, ENOENT, ENOTDIR})

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 
-/// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is no array of plain values.
+/// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is not an array of plain values.
 std::vector<std::size_t> lengths_of(FieldKind kind) {
   switch (kind) {
     case FieldKind::vector2: return {2};

@@ -25,7 +25,7 @@ struct FitProblem {
   std::vector<double> standard_error;  ///< for each residual (rad)
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
   Whitening whitening;                 ///< of the residuals divided by their standard errors
-  std::vector<FitPrior> priors;        ///< each is a datum beside the residuals
+  std::vector<FitPrior> priors;        ///< each is a datum besides the residuals
   /// Computes the residuals. @returns whether there is a prediction for these parameters; if not, `residuals` has no meaning
   std::function<bool(const std::vector<double>& parameters, std::vector<double>& residuals)> residuals_at;
   std::function<bool()> stopped;

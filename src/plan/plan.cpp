@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes what a planned measurement would tell.
+// Computes what a planned measurement would show.
 #include "earthtop/plan/plan.hpp"
 
 #include <fmt/format.h>

@@ -19,7 +19,7 @@ namespace {
 using InputsOf = std::function<EstimatedInputs(const std::vector<std::string>&)>;
 
 /// Adds a prior on an input, and the input if it is not estimated yet. @param why  is set to the reason of the first refusal
-/// @returns whether the scenario has this input, and it can be estimated beside the others
+/// @returns whether the scenario has this input, and it can be estimated besides the others
 bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standard_error, const InputsOf& inputs_of,
                std::string& why) {
   try {

@@ -44,7 +44,7 @@ std::string scenario_of(const fs::path& summary) {
     const nlohmann::ordered_json json = input::read_document(text, summary.string(), {"summary"});
     const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
     return json.contains(hash) && json.at(hash).is_string() ? json.at(hash).get<std::string>() : "";
-  } catch (const ScenarioError&) {  // it is no file, cannot be opened, or is no document
+  } catch (const ScenarioError&) {  // it is not a file, cannot be opened, or is not a document
     return "";
   }
 }
@@ -132,8 +132,8 @@ void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
       refuse_damaged(dir / name);
 }
 
-/// Reads a table to its end. @throws ScenarioError for a line with another number of cells than the header, and for a cell that
-/// is not of its column's kind   @param kinds  the columns that it may have; others are passed over
+/// Reads a table to its end. @throws ScenarioError for a line whose number of cells differs from that of the header, and for a
+/// cell that is not of its column's kind   @param kinds  the columns that it may have; others are passed over
 void check_table(const fs::path& file, const std::string& text, const std::vector<RowArray>& kinds) {
   if (text.find('"') != text.npos) refuse(file, "has quotation marks, which no table of results has; run the scenario again");
   constexpr input::CsvFormat kWithoutComments = {',', '\0', false};

@@ -37,7 +37,7 @@ IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions option
   return options;
 }
 
-/// The second integration on a thread of its own, beside the first one.
+/// The second integration on a thread of its own, alongside the first one.
 template <class T>
 class SecondBeside {
  public:

@@ -176,7 +176,7 @@ TrendPlan plan_trend(const Scene& scene) {
     plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
     const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
     if (turns < 1) return plan;
-    // A tilt that is no simple sine has many multiples of its frequency, all of which must be seen.
+    // A tilt that is not a simple sine has many multiples of its frequency, all of which must be seen.
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
     const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;

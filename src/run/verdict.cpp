@@ -99,7 +99,7 @@ std::string when(std::optional<double> time_s, std::string_view what) {
   return time_s ? fmt::format("; {} at {:.4g} s", what, *time_s) : "";
 }
 
-/// Returns the first time (s) from which on the largest drift so far, of axis or attitude, is not well above its bound.
+/// Returns the first time (s) from which the largest drift so far, of axis or attitude, is not well above its bound.
 std::optional<double> noise_from_s(const RunResult& result) {
   double axis = 0, attitude = 0;
   std::optional<double> from_s;

@@ -54,7 +54,7 @@ inline void tell_earth_turns(Told& told) {
            {{"earth_angle_rad", angle}});
 }
 
-/// Of a rate about Up.
+/// The sense of a rate about Up.
 inline std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
 
 /// The kinds of tops. Each adds its sentences, or none where its own theory does not apply.

@@ -131,7 +131,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
       const std::uint64_t count = point_count(study).value_or(0);
       for (std::uint64_t first = 0; first < count; first += kSpan)
         copy_intact(damaged, fresh, first, std::min(count, first + kSpan) - 1);
-    } catch (const FileError&) {  // it is no database any more: nothing can be kept
+    } catch (const FileError&) {  // it is not a database any more: nothing can be kept
     }
     fresh.commit();
     fresh.finish();
@@ -220,7 +220,7 @@ StudyProgress run_points(const Study& study, const StudyRunOptions& options, Sto
   MissingPoints missing(study, count, shard, store);
   ChunkSize size(seconds_a_point, workers);
   const auto start = Clock::now();
-  auto last_told = start, last_commit = start - std::chrono::hours(1);  // so that the first results are stored at once
+  auto last_told = start, last_commit = start - std::chrono::hours(1);  // so that the first results are stored immediately
   bool open_transaction = false;
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {

@@ -34,7 +34,7 @@ class Store {
  public:
   /// Creates an empty store. @throws WriteError
   static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard);
-  /// Opens an existing store. @throws ScenarioError if the file is no store of this format; ReadError, WriteError
+  /// Opens an existing store. @throws ScenarioError if the file is not a store of this format; ReadError, WriteError
   static Store open(const std::filesystem::path& file, sqlite::Connection::Mode mode);
 
   /// Opens what is left of a damaged store, to read its intact points: those whose checksum fits this study's.

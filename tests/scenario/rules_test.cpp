@@ -285,7 +285,8 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
   const Scenario composed = parse(kMinimal, {{"/numerics", R"({"method": "splitting", "composition": "aba864"})"}});
   EXPECT_EQ(composed.numerics.composition, Composition::aba864);
   EXPECT_EQ(parse(canonical_json(composed)).numerics.composition, Composition::aba864);
-  expect_set({{"/numerics", R"({"method": "rkf78", "composition": "aba864"})"}}, "/numerics/composition", "does not compose flows");
+  expect_set({{"/numerics", R"({"method": "rkf78", "composition": "aba864"})"}}, "/numerics/composition",
+             "does not compose flows");
   expect_set({{"/numerics", R"({"method": "splitting", "observer": "body"})"}}, "/numerics/method", "has no body axes");
   for (const std::string method : {"auto", "dopri5", "rkf78", "bulirsch_stoer", "dop853"}) {
     EXPECT_EQ(to_string(parse(kMinimal, {{"/numerics/method", method}}).numerics.method), method);

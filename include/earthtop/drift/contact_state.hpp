@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a drift state (drift_integration.hpp) of a top on a table beside attitudes and rates.
+/// The part of a drift state (drift_integration.hpp) of a top on a table besides attitudes and rates.
 #pragma once
 
 #include <array>

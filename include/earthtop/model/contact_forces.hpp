@@ -92,7 +92,7 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
 }
 
 /// The acceleration -2 W x v_C - W x (W x p_C) + Gamma p_C that a field uniform in inertial space, seen from the laboratory, and
-/// the gradient of gravitation give the centre of mass beside apparent gravity.
+/// the gradient of gravitation give the centre of mass besides apparent gravity.
 /// @param p_C, v_C  position and velocity of C relative to the laboratory
 template <class S>
 Vec3<S> field_beside_gravity(const Contact<S>& contact, const ContactSurroundings<S>& around, const Vec3<S>& p_C,

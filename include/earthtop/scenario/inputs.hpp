@@ -23,7 +23,7 @@ struct InputRow {
   std::string_view of;       ///< JSON pointer of the number itself; empty where the input is several numbers
   std::string_view unit;
   double most;           ///< largest standard error that a scenario may state
-  std::string_view doc;  ///< ends the sentence "standard error ..."
+  std::string_view doc;  ///< what it is: "standard error of ..."
   InputKind kind = InputKind::number;
   /// For InputKind::number: the number in a scenario, null where the scenario does not have it.
   double* (*number)(Scenario&) = nullptr;

@@ -60,7 +60,7 @@ std::filesystem::path study_store(const std::filesystem::path& dir, const StudyS
 
 /// Computes those points of a study that its store lacks. Each point's result depends on that point alone, and is stored within
 /// about a second after it has been computed. A store of another study is replaced if none of its runs came to its end.
-/// Every point that the store has already is held against its checksum first.
+/// Every point that the store has already is first checked against its checksum.
 /// @throws ScenarioError if the study exceeds its limits or the space left on the disk, if all points of `sample_points` are
 /// refused for the same reason and no run of this study has come to its end yet (unless `keep_going`), if the store holds
 /// another study (unless `force`), if it is damaged (unless `repair`), or if another process writes to the store
@@ -80,7 +80,7 @@ struct StudyStoreCheck {
   bool has_checksums = true;  ///< false: a store from before points were stored with checksums, of which nothing is known
 };
 /// Reads all points of a store and holds them against their checksums.
-/// @throws ScenarioError if it is no store, or if what it says of its study is damaged
+/// @throws ScenarioError if it is not a store, or if its record of its study is damaged
 StudyStoreCheck check_study_store(const std::filesystem::path& store);
 
 /// The study of a store and its results so far, as JSON: counts, statistics, fits, Sobol indices, figures, and every single

@@ -3,8 +3,8 @@
 /// one, leaves the list of its operations (operations.hpp), from which its Taylor series is computed. So each torque is written
 /// once, and has a series as soon as it is written.
 ///
-/// Operations on numbers are carried out at once; adding 0, multiplying by 0 or 1, and repeating an operation add nothing to the
-/// list. As a formula may branch, every result also has the value that it had in the recorded evaluation; comparisons are
+/// Operations on numbers are carried out immediately; adding 0, multiplying by 0 or 1, and repeating an operation add nothing
+/// to the list. As a formula may branch, every result also has the value that it had in the recorded evaluation; comparisons are
 /// decided by these values and noted as guards.
 ///
 /// The scalar lives in the namespace `real`. This header has to be included before any header whose templates call the
