@@ -151,7 +151,7 @@ std::vector<ReplacedFile> read_journal(const fs::path& root, const fs::path& jou
   return changes;
 }
 
-/// Brings an update to its end that a process left; the root is locked.
+/// Completes an update that a process left; the root is locked.
 void resume(const fs::path& root) try {
   const fs::path stage = root / kStagingName, journal = stage / kJournal, undo = stage / kUndo;
   const CommitMoment moment;

@@ -209,7 +209,7 @@ constexpr std::array kJudging{Window{0, 0.92}, Window{0.08, 1}, Window{0.04, 0.9
 /// The bound over the scatter of the slopes, and the share that the next best fit has in the scatter.
 constexpr double kSafety = 1.5, kOfNext = 0.05;
 /// The windows of a fit that agrees far better than the next do so because it has the swings that matter; their scatter then
-/// overstates the error, the more the better the fit. The bound goes with this power of the ratio of the two.
+/// overstates the error, the more the better the fit. The bound is proportional to this power of the ratio of the two.
 constexpr double kOfDistinction = 0.4;
 /// Where precession is nearly as fast as nutation, swings of higher order are slow, and the windows agree on what is none of the trend.
 constexpr double kOfNearness = 4, kNearest = 0.6;

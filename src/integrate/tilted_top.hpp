@@ -20,7 +20,7 @@
 /// apart, and the tilt is brought back to it after each flow.
 ///
 /// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it.
-/// The body is F turned about n by w3 t less the integral of W.n. The large flow gives that integral, except for the part of n
+/// The body is F turned about n by w3 t minus the integral of W.n. The large flow gives that integral, except for the part of n
 /// along G, from the change of M: the integral of the part of n across G is -G x (change of M) / G^2.
 #pragma once
 

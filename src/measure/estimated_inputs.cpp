@@ -74,7 +74,7 @@ EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::p
   refuse_conflicts();
 }
 
-/// Refuses inputs beside others that stand for the same numbers.
+/// Refuses inputs together with others that stand for the same numbers.
 void EstimatedInputs::refuse_conflicts() const {
   const auto has = [&](std::string_view pointer) {
     return std::any_of(list_.begin(), list_.end(), [&](const EstimatedInput& input) { return input.pointer == pointer; });

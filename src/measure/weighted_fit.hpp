@@ -18,7 +18,7 @@ struct FitPrior {
   double standard_error = 0;  ///< above 0, in the parameter's unit
 };
 
-/// A problem of weighted least squares. A residual is a measured angle less the predicted one (rad).
+/// A problem of weighted least squares. A residual is a measured angle minus the predicted one (rad).
 struct FitProblem {
   std::vector<double> start;
   std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change

@@ -28,7 +28,7 @@ bool is_integrable_on_table(const DriftProblem<double>& problem) {
   return contact.law == ContactLaw::frictionless || (contact.law == ContactLaw::rolling && level);
 }
 
-/// Whether a symmetric top stands well above its critical spin all along, with its centre of mass above that of the tip's sphere
+/// Whether a symmetric top stands well above its critical spin throughout, with its centre of mass above that of the tip's sphere
 /// and the tip smaller than that height: it does not fall, and does not turn over as a tippe top.
 bool stands_fast(const DriftProblem<double>& problem, const std::vector<DriftRow>& rows) {
   constexpr double kFast = 2;  // square of the spin over the critical one
@@ -57,7 +57,7 @@ DriftProblem<double> rolling_on(DriftProblem<double> problem, const DriftRow& ro
 }
 
 /// Follows disturbances of a run. Exact dry friction has no derivative where the slip stops: they are followed to just before it,
-/// and anew from the first row at which both predictions roll.
+/// and again from the first row at which both predictions roll.
 ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
   const bool slides = !rolls(result.rows.front()) || problem.table->contact.law == ContactLaw::rolling;
   const auto stop_s = first_event(result, ContactEventKind::slip_stopped);

@@ -19,7 +19,7 @@ namespace {
 
 using input::Section;
 
-/// The fastest relaxation of a slip (1/s) that steps are let follow. A minute of it is some 1e7 steps.
+/// The fastest relaxation of a slip (1/s) that steps are allowed to follow. A minute of it is some 1e7 steps.
 constexpr double kFastestRelaxation = 1e5;
 
 /// The release of both predictions on the table, in its axes and SI units.

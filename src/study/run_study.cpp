@@ -61,7 +61,7 @@ void require_room(const fs::path& dir, double bytes) {
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
-/// Whether the store holds a point whose run came to its end, or cannot say.
+/// Whether the store holds a point whose run was completed, or cannot say.
 bool may_hold_results(Store& store) {
   try {
     return store.ended_count() > 0;
@@ -70,7 +70,7 @@ bool may_hold_results(Store& store) {
   }
 }
 
-/// Whether the store holds a point of this study whose run came to its end.
+/// Whether the store holds a point of this study whose run was completed.
 bool is_under_way(const fs::path& file, const Study& study) {
   std::error_code error;
   if (!fs::exists(file, error) || is_blank(file)) return false;
@@ -78,7 +78,7 @@ bool is_under_way(const fs::path& file, const Study& study) {
   return store.sha256() == study_sha256(study) && may_hold_results(store);
 }
 
-/// @param replaced set if a store of another study was replaced because none of its runs had come to its end
+/// @param replaced set if a store of another study was replaced because none of its runs had been completed
 Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
   std::error_code error;
   if (fs::exists(file, error) && is_blank(file)) remove_store(file);

@@ -49,7 +49,7 @@ class Store {
   const StudyShard& shard() const { return shard_; }
 
   std::uint64_t count() { return counted(""); }
-  /// Number of points whose run came to its end, so that it has values.
+  /// Number of points whose run was completed, so that it has values.
   std::uint64_t ended_count() { return counted(" WHERE status IN ('completed', 'accuracy_not_reached')"); }
   std::uint64_t failed_count() { return counted(" WHERE status <> 'completed'"); }
 

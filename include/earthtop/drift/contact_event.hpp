@@ -52,7 +52,7 @@ struct ContactEvent {
   ContactEventKind kind = ContactEventKind::slip_stopped;
   Prediction prediction = Prediction::reference;
   double t_s = 0;
-  /// Time of this event in the rotating motion less that in the reference, without cancellation (s); none where only one of the
+  /// Time of this event in the rotating motion minus that in the reference, without cancellation (s); none where only one of the
   /// two has it.
   std::optional<double> time_difference_s{};
   std::optional<double> bound_s{};  ///< bound on the error of `t_s`

@@ -20,7 +20,7 @@ struct ContactIntegrals {
 template <class T>
 struct ContactDriftState {
   Vec3<Paired<T>> axis_L;  ///< body axis 3
-  Vec3<Paired<T>> tip_L;   ///< centre of the tip's sphere, less its radius along the table's normal: the contact point
+  Vec3<Paired<T>> tip_L;   ///< centre of the tip's sphere, minus its radius along the table's normal: the contact point
   Vec3<Paired<T>> slip_L;
   Paired<T> slip;                       ///< its size
   Paired<T> spin;                       ///< inertial rate about axis 3

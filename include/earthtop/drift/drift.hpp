@@ -76,7 +76,7 @@ struct SecularDrift {
 enum class ThresholdCrossing {
   not_reached,
   clear,       ///< the drift passes, and its error moves the time by no more than the bound that is given
-  tangential,  ///< it turns back so near the threshold that, within its error, it may not pass, or at quite another time
+  tangential,  ///< it turns back so near the threshold that, within its error, it may not pass, or at a quite different time
   uncertain    ///< the run ends too near the threshold to tell, or the error is no smaller than the threshold
 };
 std::string_view to_string(ThresholdCrossing crossing);

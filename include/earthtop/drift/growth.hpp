@@ -46,7 +46,7 @@ struct GrowthReport {
 
 /// The tolerance at which growth is followed first, and the smaller one at which the growth found is confirmed.
 inline constexpr double kCoarseGrowthTolerance = 1e-7, kConfirmingGrowthTolerance = 1e-10;
-/// Growth is followed for at most so many steps.
+/// Growth is followed for at most this many steps.
 inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
 
 /// The tolerance at which the growth along a problem's motions is to be followed first; none where nothing has to be followed:

@@ -14,7 +14,7 @@
 /// | rolling      | of the constraint v_P = 0            | 0                                                          |
 ///
 /// with a = 8/(3 pi), b = 15 pi/16: both limits, of slip and of spin, are those of a patch of radius R under Hertz pressure.
-/// Under any law, spinning friction adds -c_s N w_z/sqrt(w_z^2 + floor^2) z, and rolling resistance the same of w's horizontal
+/// Under any law, spinning friction adds -c_s N w_z/sqrt(w_z^2 + floor^2) z, and rolling resistance the same for w's horizontal
 /// part. w is the rate relative to the table, v_P the velocity of the body's point at P relative to it.
 #pragma once
 

@@ -147,7 +147,7 @@ class Recorded {
     if (x.is_number()) return scaled(y, x.number_);
     if (y.is_number()) return scaled(x, y.number_);
     // Factors come out of the product, so that x y, y x and (2 x) y share one operation. A product's series is summed from its
-    // first factor on: which one comes first must not hang on the order in which a compiler has x y and y x computed.
+    // first factor on: which one comes first must not depend on the order in which a compiler has x y and y x computed.
     Recording& recording = *x.recording_;
     const auto [u, f] = recording.unscaled(x.place_);
     const auto [v, g] = recording.unscaled(y.place_);
