@@ -207,7 +207,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   const double until = std::min(result.reached_s, result.verdict.reliable_until_s);
   const auto under_one_turn = [&](double turns) {
     trend.turns_seen = turns;
-    trend.reason = fmt::format("the run covers {:.2g} turns of precession, and a trend takes one", turns);
+    trend.reason = fmt::format("the run covers {:.2g} turns of precession, and a trend needs at least one", turns);
     return trend;
   };
   trend.window_s = {0, until};
@@ -215,7 +215,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
       return under_one_turn(turns);
 
-  trend.reason = "no looks at the motion were planned";
+  trend.reason = "no samples of the azimuth were planned";
   if (plan.times_s.size() < 2) return trend;
   std::vector<AzimuthSample> made;
   if (seen.empty()) {

@@ -223,7 +223,7 @@ void check_relaxation(const Section& contact, const Touchdown& touchdown) {
   if (spec.law == ContactLaw::coulomb)
     contact.refuse(
         "regularisation_m_s",
-        fmt::format("{} m/s lets a slip die out at {:.3g} per second, {}; at least {} m/s, for {:g} per second, or 0 for "
+        fmt::format("{} m/s makes a slip die out at {:.3g} per second, {}; at least {} m/s, for {:g} per second, or 0 for "
                     "the exact law, whose stops are events",
                     spec.regularisation_m_s, std::min(rate, kLargestShown), followed,
                     rounded_up(touchdown.largest_friction_N() * touchdown.mobility() / kFastestRelaxation),
