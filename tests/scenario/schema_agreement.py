@@ -187,7 +187,7 @@ BEYOND_THE_SCHEMA = [
     ({"contact": {**SLIDING, "max_tilt_deg": 10}}, "is not above the tilt of the release"),
     ({"contact": {**SLIDING, "friction_coefficient": 1e3, "tip_velocity_m_s": [0, -1]}}, "Painleve"),
     ({"contact": SLIDING, "release": {"tilt_deg": 60, "angular_velocity_body_rad_s": [0, -100, 0]}}, "leaves the table"),
-    ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "lets a slip die out"),
+    ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "makes a slip die out"),
     ({"contact": SLIDING, "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {
         "about": "center_of_mass", "principal_kg_m2": [0, 1e-4, 1e-4]}}}, "all three must be above 0"),
     ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),
