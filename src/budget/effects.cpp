@@ -34,7 +34,7 @@ std::string dated(const Scene& scene) { return scene.scenario().start_utc ? "" :
 
 Candidate coriolis(const Scene& scene) {
   Candidate c;
-  c.reason = scene.scenario().effects.coriolis ? "part of the Earth's rotation: on unless switched off" : "switched off";
+  c.reason = scene.scenario().effects.coriolis ? "an effect of the Earth's rotation: on unless switched off" : "switched off";
   c.input.coriolis = 1;
   c.torque = [scene](const FollowedStep& s) {
     const Model<double>& m = scene.problem<double>().model;

@@ -51,7 +51,8 @@ constexpr Field kMappingFields[] = {
 constexpr Field kTolerancesFields[] = {
     {"/$schema", word, "", kFree, "earthtop-tolerances-1.json", "\"earthtop-tolerances-1.json\"", "version of this format"},
     {"/about", text, "", kFree, "", "\"\"", "what the tolerances are for"},
-    {"/profile", word, "", kFree, "bitwise|regression|physics", "\"regression\"", "the tolerances where none is given"},
+    {"/profile", word, "", kFree, "bitwise|regression|physics", "\"regression\"",
+     "tolerances of the quantities for which none is given"},
     {"/quantities", anything, "", kFree, "", "{}",
      "by name, e.g. {\"drift_axis_rad\": {\"absolute\": 1e-10, \"relative\": 1e-6, \"bounds\": 2}}: a difference passes up to "
      "the largest of absolute (unit of the quantity), relative x its largest size in the reference, and bounds x the sum of "

@@ -134,7 +134,7 @@ void look_for_shift(const Measure& measure, std::span<const SeenPair> seen, doub
                     std::vector<std::string>& found) {
   for (const int later : {-1, 1})
     if (seen.size() > 3 && largest_difference(measure, seen, later) < kExplains * difference)
-      found.push_back(fmt::format("{}: each new row is the reference's row one {}: are the times shifted by a sample?",
+      found.push_back(fmt::format("{}: each new row is that of the reference one row {}: are the times shifted by a sample?",
                                   measure.name, later > 0 ? "later" : "before"));
 }
 

@@ -241,8 +241,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
     throw ScenarioError("--priors", "applies only to numbers that are estimated; name them with --estimate");
   const Scene given = parse_scene(source, overrides);
   if (given.scenario().effects.automatic)
-    throw ScenarioError("/effects",
-                        "the choice of effects is left to the program; name the effects, to compare with a measurement");
+    throw ScenarioError("/effects", "the choice of effects is left to the program; to compare with a measurement, name them");
   const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
   const Scene scene = parse_scene(source, longer);
   const EstimatedInputs inputs(source, longer, scene, estimates);

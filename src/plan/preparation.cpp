@@ -48,7 +48,7 @@ bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standa
 Scene scene_to_measure(const ScenarioSource& source, const Overrides& overrides) {
   Scene scene = parse_scene(source, overrides);
   if (scene.scenario().effects.automatic)
-    throw ScenarioError("/effects", "the choice of effects is left to the program; name the effects, to plan a measurement");
+    throw ScenarioError("/effects", "the choice of effects is left to the program; to plan a measurement, name them");
   return scene;
 }
 

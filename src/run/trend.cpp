@@ -229,7 +229,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   if (static_cast<double>(count) < kFewestAzimuths) return trend;
   trend.reason = "an axis passes through the vertical";
   if (!std::ranges::all_of(azimuths, &AzimuthSample::defined)) return trend;
-  trend.reason = "the Earth moves the axis by about as much as the axis is away from the vertical";
+  trend.reason = "the Earth moves the axis about as far as the axis is from the vertical";
   if (!azimuths_tell(azimuths)) return trend;
 
   const double step = plan.times_s[1];

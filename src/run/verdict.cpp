@@ -160,8 +160,8 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
     report.reason = goes_on ? fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
                                           growth.mean_exponent_1_s, earth, rounding, loose)
                             : fmt::format(
-                                  "disturbances of this motion grow exponentially for a while, after {:.4g} s to more than a "
-                                  "hundred times what its own angles make of them{}{}{}",
+                                  "disturbances of this motion grow exponentially for a while: after {:.4g} s they are more "
+                                  "than a hundred times as large as its own angles would make them{}{}{}",
                                   *growth.exponential_s, earth, rounding, loose);
   } else {
     report.verdict = Verdict::chaotic;

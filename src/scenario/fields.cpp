@@ -51,7 +51,8 @@ constexpr Field kOwnFields[] = {
     describing({"/criteria", list, "", any(), "", "",
                 "what the results must satisfy, known independently of any run; earthtop verify checks it"}),
     {"/criteria/*", object, "", any(), "", "", "one criterion"},
-    {"/criteria/*/kind", word, "", any(), WordsOf<kCriterionRules>::text, "", "what kind of knowledge it is", kRequired},
+    {"/criteria/*/kind", word, "", any(), WordsOf<kCriterionRules>::text, "", "the kind of knowledge that it rests on",
+     kRequired},
     {"/criteria/*/quantity", word, "", any(), kAllQuantities, "",
      "what is judged; for an equivalence, how the two runs are related; each kind has its own quantities"},
     {"/criteria/*/set", changes, "", any(), "", "",
@@ -126,7 +127,7 @@ constexpr Field kOwnFields[] = {
 
     {"/platform", object, "", any(), "", "", "a platform that carries the pivot; none if left out"},
     {"/platform/motion", word, "", any(), WordsOf<kMotionRules>::text, "", "kind of motion", kRequired},
-    {"/platform/axis", vector3, "", kLengths, "", "[0, 0, 1]", "axis in laboratory axes, any length but 0"},
+    {"/platform/axis", vector3, "", kLengths, "", "[0, 0, 1]", "axis of rotation, in laboratory axes; any length but 0"},
     {"/platform/rate_rad_s", number, "rad/s", kRates, "", "0", "constant, ramp: rate at t = 0"},
     {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "0", "ramp: angular acceleration"},
     {"/platform/amplitude_rad", number, "rad", from(-1e6, 1e6), "", "0", "harmonic: amplitude"},
@@ -210,7 +211,7 @@ constexpr Field kOwnFields[] = {
      "k in the torque -k w, where w is the rate relative to the platform, or else to the laboratory"},
     {"/effects/quadratic_torque_N_m_s2", number, "N m s^2", from(0, 1e9), "", "0", "c in the torque -c |w| w"},
     {"/effects/coulomb_torque_N_m", number, "N m", from(0, 1e9), "", "0",
-     "T in the pivot's dry friction -T w/|w|, and the largest torque that it holds at rest"},
+     "T in the pivot's dry friction -T w/|w|, which at rest withstands torques up to T"},
     {"/effects/air_drag", object, "", any(), "", "",
      "drag on a disc that spins about body axis 3 in still air, after von Karman"},
     {"/effects/air_drag/disc_radius_m", number, "m", above(0, 1e3), "", "", "radius of the disc", kRequired},
@@ -258,7 +259,7 @@ constexpr Field kOwnFields[] = {
      "whether to report the derivatives of the last reliable drift with respect to the inputs"},
 
     {"/uncertainty", object, "", any(), "", "",
-     "standard errors of the inputs; the standard error that they give the drift is reported"},
+     "standard errors of the inputs, from which that of the drift is computed and reported"},
 };
 
 /// All fields: those above and, at their end, the standard errors of the inputs.
