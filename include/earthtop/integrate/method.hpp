@@ -83,7 +83,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 0,
      .place_in_bench = 0,
      .cost = {.stable_phase = 3},
-     .worth = "the method that takes the least work is chosen"},
+     .worth = "the choice of the method that takes the least work"},
     {.method = Method::dopri5,
      .word = "dopri5",
      .bench_tolerances = {1e-5, 1e-8, 1e-10},
@@ -107,7 +107,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 6,
      .look = "orange square",
      .cost = {.radians = 0.22, .at = 1e-14, .order_inverse = 1.0 / 8, .stable_phase = 3},
-     .worth = "its short steps find where dry friction stops a motion, and it is the second method from which the bounds of "
+     .worth = "short steps, which find where dry friction stops a motion, and the second method, from which the bounds of "
               "extrapolation come"},
     {.method = Method::bulirsch_stoer,
      .word = "bulirsch_stoer",
@@ -135,8 +135,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_near_round_off = 0.2,
               .evaluations_a_row = 40,
               .is_watched = true},
-     .worth = "its order follows the tolerance: it gives 34 digits in any scenario, and is the second integration behind the "
-              "bounds of all methods but taylor and long_horizon"},
+     .worth = "an order that follows the tolerance: 34 digits in any scenario, and the second integration behind the bounds of "
+              "all methods but taylor and long_horizon"},
     {.method = Method::abm8,
      .word = "abm8",
      .step_s = Need::required,
@@ -203,7 +203,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .stable_phase = 10,
               .evaluations_a_row = 1,
               .steps_past_rows = true},
-     .worth = "it takes the fewest operations at every error, and its error can be rounding alone"},
+     .worth = "the fewest operations at every error, down to rounding"},
     {.method = Method::closed_form,
      .word = "closed_form",
      .most_digits = Precision::bits113,
@@ -222,7 +222,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 10,
      .place_in_bench = 2,
      .look = "vermillion circle",
-     .worth = "days of a fast top are computed in seconds: its steps follow the precession, not the nutation"},
+     .worth = "days of a fast top in seconds: its steps follow the precession, not the nutation"},
 }};
 
 /// Returns the table row of a method.
