@@ -29,21 +29,20 @@ std::string arithmetic_faults() {
          "subnormal numbers are flushed to zero");
   // (1 + u)^2 = 1 + 2u + u^2 is rounded to 1 + 2u; only a fused multiply-add would see the u^2.
   const double u = 0x1p-30, a = opaque(1 + u), b = opaque(-(1 + 2 * u));
-  expect(a * a + b == 0, "products are contracted into sums");
+  expect(a * a + b == 0, "products and sums are contracted");
   const double one = opaque(1), tiny = opaque(0x1p-60);
   expect((one + tiny) - one == 0, "sums are reassociated");
   const double zero = opaque(0), nan = opaque(std::numeric_limits<double>::quiet_NaN());
-  expect(nan != nan && !(nan == nan), "NaN is not kept");
-  expect(std::signbit(opaque(-zero)) && std::signbit(-zero * one), "signed zeros are not kept");
+  expect(nan != nan && !(nan == nan), "NaN is not preserved");
+  expect(std::signbit(opaque(-zero)) && std::signbit(-zero * one), "signed zeros are not preserved");
   return faults;
 }
 
 void require_ieee_arithmetic() {
   if (const std::string faults = arithmetic_faults(); !faults.empty())
-    throw ArithmeticError(
-        "the arithmetic is not that of IEEE 754: " + faults +
-        "; the results would have other digits: build without -ffast-math and -ffp-contract, and let nothing in "
-        "the process change rounding or subnormal numbers");
+    throw ArithmeticError("the arithmetic is not that of IEEE 754: " + faults +
+                          "; the digits of the results would differ: build without -ffast-math and -ffp-contract, and let "
+                          "nothing in the process change the rounding mode or the treatment of subnormal numbers");
 }
 
 }  // namespace earthtop

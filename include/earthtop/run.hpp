@@ -81,9 +81,9 @@ std::string_view to_string(Verdict verdict);
 
 struct VerdictReport {
   Verdict verdict = Verdict::reliable;
-  /// Time (s) from which on the drift cannot be trusted; empty where it can be trusted to the end of the run.
+  /// Time (s) from which the drift cannot be trusted; empty where it can be trusted to the end of the run.
   std::optional<double> from_s;
-  /// Time (s) from which on it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
+  /// Time (s) from which it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
   std::optional<double> until_s{};
   double reliable_until_s = 0;  ///< `from_s`, or the end of the run
   /// Whether the drift at this time can be trusted: it is before `from_s`, or not before `until_s`.
@@ -106,7 +106,7 @@ struct InputSensitivity {
   std::optional<double> azimuth_rad{};  ///< empty where an axis is vertical
   double axis_error_rad = 0;            ///< standard error of the axis drift due to this input (rad); 0 if none is given
   double axis_bound_rad = 0;            ///< bound on the error of `axis_rad` itself
-  std::string unavailable{};            ///< why there is no derivative by this input; empty if there is
+  std::string unavailable{};            ///< why there is no derivative with respect to this input; empty if there is
 };
 struct SensitivityReport {
   double at_s = 0;
@@ -143,7 +143,7 @@ struct ContactReport {
   ContactBalances rotating{}, reference{};
 };
 
-/// Tells whether the requested error was reached, counting both the error bound and the effects left out.
+/// States whether the requested error was reached, counting both the error bound and the effects left out.
 struct AccuracyReport {
   double asked_rad = 0;
   double reached_rad = 0;
@@ -193,14 +193,14 @@ std::string why_limited(const RunResult& result);
 /// Returns whether an integration was stopped by the limit derived from its estimated work, not by the general step limit.
 bool stopped_beyond_estimate(const RunResult& result);
 
-/// Returns the last row before the time from which on the drift is unreliable; null where there is none.
+/// Returns the last row before the time from which the drift is unreliable; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);
 
 struct RunOptions {
   Watch watch;  ///< receives the progress and may stop the run
   /// Whether a run that is interrupted after its solution is complete keeps its rows, without error bounds and verdict.
   bool partial = false;
-  /// Number of threads, 1 or more. With two, the second integration, which gives the bounds, runs beside the first. The result
+  /// Number of threads, 1 or more. With two, the second integration, which gives the bounds, runs alongside the first. The result
   /// is the same.
   unsigned jobs = 1;
 };

@@ -11,7 +11,7 @@
 // were compiled without the macro, that copy might be the user's, which sums in another order (vector instructions): the last
 // digits of results would then depend on the order of linking.
 #ifndef EIGEN_DONT_VECTORIZE
-#error "earthtop's headers need EIGEN_DONT_VECTORIZE; its CMake targets and pkg-config files define it"
+#error "earthtop's headers need EIGEN_DONT_VECTORIZE, which its CMake targets and pkg-config files define"
 #endif
 
 namespace earthtop {

@@ -96,9 +96,9 @@ void prepare(const Contender& contender, const Scene& scene, const std::vector<d
 /// @throws std::invalid_argument for a method that does not fit the scene
 /// @param scene  without numerics of its own
 void require_fit(const Contender& contender, const Scene& scene) {
-  if (scene.scenario().contact) throw std::invalid_argument("bench: a top on a table is not timed; leave the contact out");
+  if (scene.scenario().contact) throw std::invalid_argument("bench: a top on a table cannot be timed; leave the contact out");
   if (contender.peer) {
-    if (!scene.is_plain()) throw std::invalid_argument("bench: no peer is made for this scene");
+    if (!scene.is_plain()) throw std::invalid_argument("bench: no peer can integrate this scenario");
   } else if (const auto& reason = scene.method_refusal(contender.options.method)) {
     throw std::invalid_argument("bench: " + *reason);
   }

@@ -91,9 +91,9 @@ Line front_line(const BenchReport& report, ErrorKind kind) {
 Figure bench_figure(const BenchReport& report) {
   const ErrorKind kind = report.compared;
   Figure figure;
-  figure.title = fmt::format("{}, {:g} s: error against cost", report.scenario, report.duration_s);
+  figure.title = fmt::format("{}, {:g} s: error versus cost", report.scenario, report.duration_s);
   figure.subtitle =
-      fmt::format("{}; {}; dashed: general form; dotted: beyond double precision",
+      fmt::format("{}; {}; dashed: general form; dotted: more than double precision",
                   report.workload == Workload::drift ? "both motions and the drift" : "one motion", processor_description());
   figure.x = {"processor time", "s", AxisScale::logarithmic};
   Panel panel{{fmt::format("largest error of the {}", to_string(kind)), "rad", AxisScale::logarithmic}, {}, 430};

@@ -15,7 +15,7 @@ struct Look {
   bool operator==(const Look&) const = default;
 };
 
-/// Colour and marker of a method, from its row in the table of methods; none for what is no method or has no look.
+/// Colour and marker of a method, from its row in the table of methods; none for what is not a method or has no look.
 std::optional<Look> look_of_method(std::string_view word);
 
 }  // namespace earthtop

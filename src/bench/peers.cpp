@@ -36,7 +36,7 @@ std::string peers_description() {
 MotionTrajectory<double> integrate_with_peer(const Peer& peer, const MotionProblem<double>& problem, double tolerance,
                                              const Watch& watch) {
   if (problem.model.kind != SceneKind::plain)
-    throw std::invalid_argument("bench: peers are made for scenes without a platform, with all torques");
+    throw std::invalid_argument("bench: peers integrate only scenarios without a platform and with all torques");
   return peer.integrate(problem, tolerance, watch);
 }
 

@@ -29,7 +29,7 @@ std::vector<std::string> file_names(std::span<const std::string> scenarios) {
 }  // namespace
 
 void check_bench_directory(const fs::path& dir, std::span<const std::string> scenarios, bool force) {
-  if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
+  if (dir.empty()) refuse("--out", "the directory's name is empty; give a name");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
   while (!fs::exists(fs::symlink_status(present, error)) && present.has_relative_path()) present = present.parent_path();
@@ -38,7 +38,7 @@ void check_bench_directory(const fs::path& dir, std::span<const std::string> sce
   for (const std::string& name : file_names(scenarios)) {
     const fs::file_status status = fs::symlink_status(dir / name, error);
     if (fs::is_directory(status)) refuse(dir / name, "is a directory; choose another --out");
-    if (!force && fs::exists(status)) refuse(dir / name, "is there already; choose another --out, or --force to overwrite it");
+    if (!force && fs::exists(status)) refuse(dir / name, "already exists; choose another --out, or --force to overwrite it");
   }
 }
 

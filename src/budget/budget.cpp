@@ -205,7 +205,8 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
     return std::max(entry.drift_rad.value_or(0), entry.displacement_rad.value_or(0)) > 1;
   };
   if (std::any_of(effects.begin(), effects.end(), lost))
-    warnings.emplace_back("sizes above 1 rad say only that the effect carries the motion away: they are of the first order");
+    warnings.emplace_back(
+        "sizes above 1 rad are of first order only: they say no more than that the effect changes the motion altogether");
   for (const EffectEntry& omitted : effects) {
     if (omitted.modelled || omitted.assumed || !omitted.torque_largest_N_m || omitted.name == kAxisPrecession) continue;
     const EffectEntry* smallest = nullptr;
@@ -217,8 +218,7 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
     }
     if (smallest != nullptr)
       warnings.push_back(
-          fmt::format("the scene models {} ({:.2g} N m at its largest) and leaves out {} ({:.2g} N m), which is "
-                      "larger",
+          fmt::format("the scenario models {} ({:.2g} N m at its largest) and leaves out {} ({:.2g} N m), which is larger",
                       smallest->name, *smallest->torque_largest_N_m, omitted.name, *omitted.torque_largest_N_m));
   }
   return warnings;
@@ -261,8 +261,8 @@ struct Preparation {
 void require_fixed_pivot(const Scene& scene) {
   if (scene.scenario().contact)
     throw ScenarioError("/contact",
-                        "the effects are sized for a top on a fixed pivot only; run the scenario with and without an "
-                        "effect to see what it does on a table");
+                        "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the "
+                        "scenario with and without it");
 }
 
 }  // namespace
@@ -297,10 +297,11 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
   }
   budget.warnings = warnings_of(budget.effects);
   if (!completed)
-    budget.warnings.push_back(fmt::format("the motion could be followed for {:.4g} s only ({}): drifts are not known",
-                                          budget.followed_s, to_string(up.drift.status)));
+    budget.warnings.push_back(
+        fmt::format("the motion could be followed for {:.4g} s only ({}), so that the drifts are not known", budget.followed_s,
+                    to_string(up.drift.status)));
   if (scene.rotation_rate_rad_s() == 0)
-    budget.inputs_unavailable = "the Earth does not turn: there is no effect to be seen";
+    budget.inputs_unavailable = "the Earth does not turn, so that there is no effect to see";
   else if (up.inputs_status != RunStatus::completed)
     budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.inputs_status));
   else

@@ -30,13 +30,11 @@ bool has_deflection(const Scene& scene) {
   return scene.site().deflection.north_arcsec != 0 || scene.site().deflection.east_arcsec != 0;
 }
 /// Returns the words that name the day for which an effect is sized, if the scene gives none.
-std::string dated(const Scene& scene) {
-  return scene.scenario().start_utc ? "" : fmt::format(", sized as on {}", kWithoutDate);
-}
+std::string dated(const Scene& scene) { return scene.scenario().start_utc ? "" : fmt::format(", sized for {}", kWithoutDate); }
 
 Candidate coriolis(const Scene& scene) {
   Candidate c;
-  c.reason = scene.scenario().effects.coriolis ? "the Earth's rotation: on unless switched off" : "switched off";
+  c.reason = scene.scenario().effects.coriolis ? "an effect of the Earth's rotation: on unless switched off" : "switched off";
   c.input.coriolis = 1;
   c.torque = [scene](const FollowedStep& s) {
     const Model<double>& m = scene.problem<double>().model;
@@ -47,8 +45,9 @@ Candidate coriolis(const Scene& scene) {
 
 Candidate centrifugal(const Scene& scene) {
   Candidate c;
-  c.reason = scene.scenario().effects.centrifugal ? "of second order in the Earth's rate; the first is in apparent gravity"
-                                                  : "switched off";
+  c.reason = scene.scenario().effects.centrifugal
+                 ? "of second order in the Earth's rate; the first-order part is in apparent gravity"
+                 : "switched off";
   c.input.centrifugal = 1;
   c.torque = [scene](const FollowedStep& s) {
     return norm(centrifugal_torque(seen_from(s, scene.problem<double>().model.W_IL_L), scene.problem<double>().model.S_BP_B));
@@ -59,7 +58,8 @@ Candidate centrifugal(const Scene& scene) {
 /// A release at equal inertial rates differs, in the laboratory, from one at equal laboratory rates by the rate -W.
 Candidate release_matching(const Scene&) {
   Candidate c;
-  c.reason = "the two predictions start with the same inertial rates, which differ by the Earth's in the laboratory";
+  c.reason =
+      "the two predictions start with the same inertial rates, so that their rates in the laboratory differ by the Earth's";
   c.input.release = 1;
   c.torque = [](const FollowedStep&) { return 0.0; };
   return c;
@@ -90,7 +90,7 @@ Candidate polar_motion(const Scene& scene) {
   const bool modelled = has_pole(scene);
   const PolarMotion pole = modelled ? scene.site().pole : secular_pole(julian_epoch_year(start_of(scene)));
   Candidate c = earth_rate_change(axis_change(scene, pole, {}), scene);
-  c.reason = modelled ? "as given" : "left out; sized by the secular pole" + dated(scene);
+  c.reason = modelled ? "as given" : "left out; sized for the secular pole" + dated(scene);
   return c;
 }
 
@@ -99,7 +99,7 @@ Candidate length_of_day(const Scene& scene) {
   const double excess_s = given_s != 0 ? given_s : kUsualExcess_s;
   Candidate c = earth_rate_change(Vec3<double>(excess_s / 86400 * celestial_axis_L<double>(scene.site())), scene);
   c.assumed = given_s == 0;
-  c.reason = c.assumed ? "left out; sized by a day longer by 1 ms" : "as given";
+  c.reason = c.assumed ? "left out; sized for a day that is longer by 1 ms" : "as given";
   return c;
 }
 
@@ -108,7 +108,7 @@ Candidate deflection(const Scene& scene) {
   const VerticalDeflection sized = modelled ? scene.site().deflection : VerticalDeflection{kUsualDeflection_arcsec, 0};
   Candidate c = earth_rate_change(axis_change(scene, {}, sized), scene);
   c.assumed = !modelled;
-  c.reason = modelled ? "as given" : fmt::format("left out; sized by {} arcsec to the North", kUsualDeflection_arcsec);
+  c.reason = modelled ? "as given" : fmt::format("left out; sized for {} arcsec to the North", kUsualDeflection_arcsec);
   return c;
 }
 
@@ -117,7 +117,7 @@ Candidate axis_precession(const Scene& scene) {
   const Vec3<double> precession_L = precession_rate_L(scene.site(), start_of(scene));
   const Vec3<double> share_L = rate > 0 ? Vec3<double>(precession_L / rate) : Vec3<double>(Vec3<double>::Zero());
   Candidate c = earth_rate_change(share_L, scene);
-  c.reason = "never modelled: the axis goes round in 26,000 years, 4e-8 of the Earth's rate";
+  c.reason = "never modelled: the Earth's axis precesses once in 26,000 years, at 4e-8 of the Earth's rate";
   return c;
 }
 
@@ -155,7 +155,7 @@ Candidate gravity_gradient(const Scene& scene) {
     return none;
   }
   Candidate c = torque_in_both(applied, strength * largest_moment(scene), scene);
-  c.reason = given ? "asked for" : "left out; sized by the tensor of the normal field";
+  c.reason = given ? "asked for" : "left out; sized for the tensor of the normal field";
   return c;
 }
 
@@ -163,7 +163,7 @@ Candidate tide(const Scene& scene) {
   Candidate c;
   c.in_difference = false;
   const bool modelled = scene.scenario().effects.tide.has_value();
-  c.reason = modelled ? "asked for" : "left out; sized on a rigid Earth" + dated(scene);
+  c.reason = modelled ? "asked for" : "left out; sized for a rigid Earth" + dated(scene);
   constexpr double kLongest_s = 86400;  // one day is enough to see the size of the tide
   TideSeries<double> series;
   if (modelled)
@@ -218,7 +218,7 @@ std::optional<Candidate> sized(const Scene& scene) {
   return size(scene);
 }
 
-constexpr std::string_view kNoCoefficient = "left out; the scene gives no coefficient";
+constexpr std::string_view kNoCoefficient = "left out; the scenario gives no coefficient";
 
 bool always(const Scene&) { return true; }
 bool never(const Scene&) { return false; }
@@ -241,7 +241,7 @@ const Effect kEffects[] = {
     {.name = "platform_motion",
      .key = "/platform",
      .is_modelled = [](const Scene& s) { return s.scenario().platform.has_value(); },
-     .modelled_unsized = "both predictions ride on it: not sized",
+     .modelled_unsized = "not sized, since it carries both predictions",
      .left_out_unsized = "left out; the pivot is at rest in the laboratory"},
     {.name = "gravity_gradient",
      .key = "/effects/gravity_gradient",
@@ -298,7 +298,7 @@ const Effect kEffects[] = {
      .is_modelled = [](const Scene& s) { return effects(s).applied.gimbal.has_value(); },
      .listing = Listing::summary_and_where_modelled,
      .share = "gimbal",
-     .modelled_unsized = "holds the axis level: a constraint, not sized"},
+     .modelled_unsized = "not sized, since it is a constraint: it holds the axis level"},
     {"elasticity", "", never, Listing::summary},
 };
 

@@ -31,7 +31,7 @@ Quaternion<To> converted(const Quaternion<From>& q) {
   return {static_cast<To>(q.w), converted<To>(q.v)};
 }
 
-/// A phase less the nearest multiple of its period; `odd` tells whether that multiple is odd.
+/// A phase minus the nearest multiple of its period; `odd` tells whether that multiple is odd.
 template <class W>
 struct ReducedPhase {
   W phase;

@@ -41,7 +41,8 @@ class KeptRows : public RowSource {
 
 Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs::path& file) {
   if (!numbers.is_array() || numbers.size() != places.size() + 1 || !numbers[0].is_number())
-    refuse_path(file, "a row has another number of cells than there are columns, or no time; write the reference anew");
+    refuse_path(file,
+                "the number of cells in a row is not the number of columns, or a row has no time; write the reference again");
   Row row;
   row.t_s = numbers[0].get<double>();
   row.kind.fill(CellKind::empty);
@@ -98,25 +99,25 @@ Comparand open_compact_reference(const fs::path& file) {
   reference.path = file;
   const Json json = read_json_file(file, "reference", [&](std::string_view text) {
     const Seal seal = seal_of(text);
-    if (seal == Seal::broken) refuse_path(file, "is damaged: it is not what was written");
+    if (seal == Seal::broken) refuse_path(file, "is damaged: its contents are not what was written");
     reference.has_checksums = seal == Seal::fits;
   });
   if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
     refuse_path(file,
-                fmt::format("is no reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
+                fmt::format("is not a reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
                             "compare --update has written",
                             kReferenceSchema));
   for (const char* key : {"summary", "columns", "rows", "generator"})
-    if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference anew", key));
+    if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference again", key));
   reference.summary = json.at("summary");
   if (!reference.has_summary() || reference.word("/provenance/scenario_sha256").empty())
-    refuse_path(file, "its summary has no scenario hash; write the reference anew");
+    refuse_path(file, "its summary has no scenario hash; write the reference again");
   for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
     if (!reference.summary->contains(key))
-      refuse_path(file, fmt::format("its summary has no \"{}\"; write the reference anew", key));
+      refuse_path(file, fmt::format("its summary has no \"{}\"; write the reference again", key));
   if (!json.at("columns").is_array() || json.at("columns").empty() || json.at("columns").at(0) != "t_s" ||
       !json.at("rows").is_array())
-    refuse_path(file, "its columns do not begin with t_s, or it has no rows; write the reference anew");
+    refuse_path(file, "its columns do not begin with t_s, or it has no rows; write the reference again");
   reference.has_some_rows_only = true;
   reference.generator = json.at("generator").is_string() ? json.at("generator").get<std::string>() : "";
   const Table& table = trajectory_table();
@@ -126,7 +127,7 @@ Comparand open_compact_reference(const fs::path& file) {
     const Json& name = json.at("columns").at(i);
     const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
     if (!place || columns[*place])
-      refuse_path(file, fmt::format("its column {} is none of trajectory.csv, or stands twice", written(name)));
+      refuse_path(file, fmt::format("its column {} is not one of trajectory.csv, or occurs twice", written(name)));
     places.push_back(*place);
     columns[*place] = true;
   }
@@ -137,7 +138,7 @@ Comparand open_compact_reference(const fs::path& file) {
   }
   reference.stated_rows = rows->size();
   if (rows->empty() || json.value("row_count", Json()) != rows->size())
-    refuse_path(file, "has other rows than it states (row_count); write the reference anew");
+    refuse_path(file, "does not have as many rows as it states (row_count); write the reference again");
   reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
   return reference;
 }

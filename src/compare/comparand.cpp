@@ -61,10 +61,10 @@ Comparand open_results(const fs::path& directory) {
   results.summary = read_json_file(file, "summary",
                                    [&](std::string_view text) { results.has_checksums = check_result_files(directory, text); });
   if (results.word("/$schema") != kSummarySchema)
-    refuse_path(file, fmt::format("is no summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
+    refuse_path(file, fmt::format("is not a summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
   if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
-    refuse_path(file, "does not state its rows (/outcome/rows), a whole number; write the results anew");
+    refuse_path(file, "does not state its number of rows (/outcome/rows), a whole number; run the scenario again");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
   if (is_there(directory / "timing.json"))
     results.timing = read_json_file(directory / "timing.json", "timing", [&](std::string_view text) {
@@ -99,10 +99,11 @@ ComparandKind kind_of(const fs::path& path) {
                              DirectoryLock::Mode::shared);  // a run that is replacing its files has no summary for a moment
     if (is_there(path / "summary.json")) return ComparandKind::results;
     if (is_there(path / "trajectory.csv"))
-      refuse_path(path, "has a trajectory.csv without its summary.json: its writing was broken off; run the scenario again");
+      refuse_path(path, "has a trajectory.csv without its summary.json: writing it was interrupted; run the scenario again");
   }
   if (members(path).empty())
-    refuse_path(path, "holds no results: no summary.json, no study.sqlite, no directories with one, no compact references");
+    refuse_path(
+        path, "holds no results: it has no summary.json, no study.sqlite, no directories with one, and no compact references");
   return ComparandKind::collection;
 }
 

@@ -71,7 +71,7 @@ struct Comparand {
 Comparand open_comparand(const fs::path& path, const Mapping* mapping);
 
 /// The comparands in a directory of several, with their names: the paths below it (without .json for a compact reference).
-/// Sorted by name. Updates of them that were broken off are brought to their end first.
+/// Sorted by name. Updates of them that were interrupted are completed first.
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
 
 /// Reads a JSON file. @param noun  the kind of file, for messages   @throws ScenarioError where it is not JSON; ReadError

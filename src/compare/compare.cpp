@@ -53,7 +53,7 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
        scenario_changes(reference.summary->value("scenario", Json()), candidate.summary->value("scenario", Json())))
     (!same_hash && is_below(change.pointer, options.may_change) ? allowed : forbidden).push_back(std::move(change));
   if (same_hash && !forbidden.empty()) {
-    report.findings.push_back({"other scenario", "the scenarios are not those of their hash: " + listed(forbidden)});
+    report.findings.push_back({"other scenario", "the scenarios do not match their hash: " + listed(forbidden)});
     return;
   }
   if (same_hash) return;
@@ -121,8 +121,8 @@ void find_attitude_errors(const Comparand& reference, const Comparand& candidate
 void require_assessed(const Comparand& side) {
   if (side.word("/outcome/status") == to_string(RunStatus::interrupted))
     refuse_path(side.path,
-                "is a partial result: its run was interrupted before error bounds and verdict were there, and without them "
-                "nothing can be judged; run the scenario again");
+                "is a partial result: its run was interrupted before it had error bounds and a verdict, and nothing can be "
+                "judged without them; run the scenario again");
 }
 
 void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
@@ -156,7 +156,8 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     for (QuantityVerdict& figure :
          compare_figures(reference, candidate, {context.same_computation, !context.until_s, same_rows}, options))
       report.quantities.push_back(std::move(figure));
-    if (!same_rows) report.notes.emplace_back("not compared: largest values and means of the rows, which are others now");
+    if (!same_rows)
+      report.notes.emplace_back("not compared: largest values and means over the rows, since the rows are different now");
   }
   options.watch.reach(1);
   report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
@@ -178,29 +179,30 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
                                     printable(report.reference), printable(report.candidate)));
   const bool has_limit = options.tolerances.steps_ratio || options.tolerances.seconds_ratio;
   if (has_limit && (old_kind == ComparandKind::store || old_kind == ComparandKind::csv || new_kind == ComparandKind::csv))
-    throw ScenarioError("", "a limit on the cost needs results of `run` on both sides, which state theirs");
+    throw ScenarioError("", "a limit on the cost needs results of `run` on both sides, since only these state their cost");
   if (old_kind == ComparandKind::store)
     compare_stores(reference, candidate, options, report);
   else if (mapping && old_kind != ComparandKind::csv && new_kind != ComparandKind::csv)
-    throw ScenarioError("", "--mapping says what the columns of a CSV file mean, but none of the two is one");
+    throw ScenarioError("", "--mapping says what the columns of a CSV file mean, but neither of the two is a CSV file");
   else {
     const Comparand sides[] = {open_comparand(reference, mapping), open_comparand(candidate, mapping)};
     compare_runs(sides[0], sides[1], options, report);
     for (const Comparand& side : sides)
       if (side.has_summary() && !side.has_checksums)
-        report.notes.push_back(fmt::format("{} has no checksums, since an older earthtop wrote it: damage would not be noticed",
-                                           side.path.string()));
+        report.notes.push_back(fmt::format(
+            "{} has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", side.path.string()));
   }
   return report;
 } catch (const Json::exception& error) {
-  throw ScenarioError("", fmt::format("{} or {}: a JSON file in it is not as this program writes it; write it anew ({})",
-                                      printable(reference.string()), printable(candidate.string()), error.what()));
+  throw ScenarioError(
+      "", fmt::format("{} or {}: a JSON file in it is not in the form that this program writes; write it again ({})",
+                      printable(reference.string()), printable(candidate.string()), error.what()));
 }
 
 void require_distinct(const fs::path& directory, const std::vector<std::pair<std::string, fs::path>>& list) {
   for (std::size_t i = 1; i < list.size(); ++i)
     if (list[i].first == list[i - 1].first)
-      refuse_path(directory, fmt::format("holds \"{}\" twice, as {} and as {}; take one away", list[i].first,
+      refuse_path(directory, fmt::format("holds \"{}\" twice, as {} and as {}; remove one of them", list[i].first,
                                          list[i - 1].second.filename().string(), list[i].second.filename().string()));
 }
 
@@ -281,7 +283,7 @@ void note_unused_tolerances(const Tolerances& tolerances, CompareReport& report)
     });
     if (!used && !report.pairs.empty() && !report.refused())
       report.pairs.front().findings.push_back(
-          {"unused tolerance", fmt::format("{}: no quantity of this name was compared", name)});
+          {"unused tolerance", fmt::format("{}: no quantity with this name was compared", name)});
   }
 }
 
@@ -353,9 +355,8 @@ CompareReport compare_results(const std::filesystem::path& reference, const std:
       if (are_current(seals)) throw;
     }
   }
-  throw ScenarioError("",
-                      fmt::format("{} or {} is being written anew all the time; wait until that has ended, and compare again",
-                                  printable(reference.string()), printable(candidate.string())));
+  throw ScenarioError("", fmt::format("{} or {} keeps being rewritten; wait until that has ended, and compare again",
+                                      printable(reference.string()), printable(candidate.string())));
 }
 
 }  // namespace earthtop

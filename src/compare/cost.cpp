@@ -26,7 +26,7 @@ std::vector<CostRatio> compare_cost(const Comparand& reference, const Comparand&
     if (before && now)
       ratios.push_back({name, *before, *now, limit});
     else if (limit)
-      findings.push_back({"cost", fmt::format("a limit was asked for, but {} are not known of both results", name)});
+      findings.push_back({"cost", fmt::format("a limit was set, but {} are not known for both results", name)});
   };
   const auto steps = {"/solution/steps_accepted", "/solution/steps_rejected", "/certificate/steps_accepted",
                       "/certificate/steps_rejected"};

@@ -134,7 +134,7 @@ QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, c
                             kind == FigureKind::drift_spin || kind == FigureKind::attitude || kind == FigureKind::conserved;
   // A run without a row after the release has the verdict `unassessed`, and no numbers.
   const bool none_stated = a.is_null() && b.is_null() && reference.word("/drift/verdict") == to_string(Verdict::unassessed);
-  if (always_there && !none_stated && (a.is_null() || b.is_null())) return failed(name, "no finite number");
+  if (always_there && !none_stated && (a.is_null() || b.is_null())) return failed(name, "not a finite number");
   if (!a.is_number() || !b.is_number()) {
     if (a != b) return failed(name, fmt::format("{} in the reference, {} now", text_of(a), text_of(b)));
     QuantityVerdict same;

@@ -43,9 +43,9 @@ constexpr AttitudeMixUp kAttitudeMixUps[] = {
        return Attitude{q[3], q[0], q[1], q[2]};
      }},
     {"its world axes are taken as North, East, Down", [](const Attitude& q) { return product(kFromNed, q); }},
-    {"its world axes are taken as North, East, Down and its body axes 2 and 3 as turned round",
+    {"its world axes are taken as North, East, Down and its body axes 2 and 3 as reversed",
      [](const Attitude& q) { return product(product(kFromNed, q), kForwardDown); }},
-    {"its body axes 2 and 3 are taken as turned round", [](const Attitude& q) { return product(q, kForwardDown); }},
+    {"its body axes 2 and 3 are taken as reversed", [](const Attitude& q) { return product(q, kForwardDown); }},
     {"its body x is taken as the spin axis", [](const Attitude& q) { return product(q, kSpinIsX); }},
     {"its world axes are taken as North, East, Down and its quaternions as world-to-body",
      [](const Attitude& q) {
@@ -66,7 +66,7 @@ constexpr AxisMixUp kAxisMixUps[] = {
      [](const double* n) {
        return std::array{-n[1], n[0], n[2]};
      }},
-    {"the axis is turned round",
+    {"the axis is reversed",
      [](const double* n) {
        return std::array{-n[0], -n[1], -n[2]};
      }},
@@ -111,14 +111,14 @@ struct KnownRatio {
   const char* what;
 };
 constexpr KnownRatio kRatios[] = {
-    {180 / std::numbers::pi, "degrees for radians"},
-    {std::numbers::pi / 180, "radians for degrees"},
-    {648000 / std::numbers::pi, "arcseconds for radians"},
+    {180 / std::numbers::pi, "degrees instead of radians"},
+    {std::numbers::pi / 180, "radians instead of degrees"},
+    {648000 / std::numbers::pi, "arcseconds instead of radians"},
     {1e3, "a unit a thousand times smaller"},
     {1e-3, "a unit a thousand times larger"},
-    {0.5 / std::numbers::pi, "turns for radians"},
-    {30 / std::numbers::pi, "turns a minute for radians a second"},
-    {-1, "the other sign"},
+    {0.5 / std::numbers::pi, "turns instead of radians"},
+    {30 / std::numbers::pi, "turns per minute instead of radians per second"},
+    {-1, "the opposite sign"},
 };
 
 void look_for_ratio(const Measure& measure, std::span<const SeenPair> seen, std::vector<std::string>& found) {
@@ -134,8 +134,8 @@ void look_for_shift(const Measure& measure, std::span<const SeenPair> seen, doub
                     std::vector<std::string>& found) {
   for (const int later : {-1, 1})
     if (seen.size() > 3 && largest_difference(measure, seen, later) < kExplains * difference)
-      found.push_back(fmt::format("{}: each new row is the reference's of one row {}: times shifted by a sample?", measure.name,
-                                  later > 0 ? "later" : "before"));
+      found.push_back(fmt::format("{}: each new row is that of the reference one row {}: are the times shifted by a sample?",
+                                  measure.name, later > 0 ? "later" : "before"));
 }
 
 }  // namespace

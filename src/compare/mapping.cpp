@@ -89,9 +89,9 @@ AxisTurn decode_axes(const Section& root, std::string_view key, std::span<const 
   if (taken.size() != 3) {
     std::string allowed;
     for (const AxisWord& word : words) allowed += fmt::format("{}{}", allowed.empty() ? "" : ", ", word.word);
-    root.refuse(key, fmt::format("must be {}or an array of three of {}, each direction once", listed(names), allowed));
+    root.refuse(key, fmt::format("must be {}or an array of three of {}, with each direction once", listed(names), allowed));
   } else if (!is_right_handed(turn)) {
-    root.refuse(key, "is a left-handed frame; turn one of its axes round");
+    root.refuse(key, "is a left-handed frame; reverse one of its axes");
   }
   return turn;
 }
@@ -99,7 +99,7 @@ AxisTurn decode_axes(const Section& root, std::string_view key, std::span<const 
 char decode_character(const Section& root, std::string_view key) {
   const std::string text = root.word(key).value_or(",");
   const bool fits = text.size() == 1 && text.find_first_of("\r\n\".-+0123456789eE") == std::string::npos;
-  if (!fits) root.refuse(key, "must be one character that is in no number");
+  if (!fits) root.refuse(key, "must be one character that does not occur in numbers");
   return fits ? text.front() : ',';
 }
 
@@ -151,7 +151,8 @@ Mapping decode_mapping(const Section& root) {
   }
   if (root.has("axis")) mapping.axis = three_columns(root.section("axis"));
   if (!root.has("quaternion") && !root.has("rates") && !root.has("axis"))
-    root.missing("quaternion", "is missing, and so are rates and axis: there is nothing to compare; give one of them");
+    root.missing("quaternion",
+                 "is missing, and so are the rates and the axis, so that there is nothing to compare; give one of them");
   mapping.world = decode_axes(root, "world_axes", kWorldNames, kWorldWords);
   mapping.body = decode_axes(root, "body_axes", kBodyNames, kBodyWords);
   mapping.attitude_error_rad = root.number("attitude_error_rad");

@@ -109,7 +109,8 @@ void put_all_in_place(std::vector<ReplacedFile>& changes, const fs::path& root, 
     std::optional<DirectoryLock> lock;
     if (directory != root) lock.emplace(directory, DirectoryLock::Mode::exclusive);  // the root is locked already
     if (lock && lock->is_busy())
-      throw WriteError(directory.string(), "another run has been writing there for 10 s; wait for it, and update again");
+      throw WriteError(directory.string(),
+                       "another run has been writing there for 10 s; wait until it has ended, and update again");
     for (; from != to; ++from) put_in_place(*from, resumes);
     sync_directory(directory);
     if (directory != root) sync_directory(directory.parent_path());
@@ -130,7 +131,7 @@ bool is_below_root(const fs::path& name) {
 
 std::vector<ReplacedFile> read_journal(const fs::path& root, const fs::path& journal) {
   const auto damaged = [&]() {
-    refuse_path(journal, fmt::format("is damaged, and with it the reference; remove {}, and update the reference again",
+    refuse_path(journal, fmt::format("is damaged, and so is the reference; remove {}, and update the reference again",
                                      printable(journal.parent_path().string())));
   };
   constexpr std::size_t kLargest_MiB = 256;
@@ -150,7 +151,7 @@ std::vector<ReplacedFile> read_journal(const fs::path& root, const fs::path& jou
   return changes;
 }
 
-/// Brings an update to its end that a process left; the root is locked.
+/// Completes an update that a process left; the root is locked.
 void resume(const fs::path& root) try {
   const fs::path stage = root / kStagingName, journal = stage / kJournal, undo = stage / kUndo;
   const CommitMoment moment;
@@ -169,7 +170,7 @@ void resume(const fs::path& root) try {
   }
   remove_tree(stage);
 } catch (const WriteError& error) {
-  throw WriteError(error.file(), fmt::format("an update was broken off and cannot be brought to its end ({})", error.reason()));
+  throw WriteError(error.file(), fmt::format("an update was interrupted and cannot be completed ({})", error.reason()));
 }
 
 void require_own(const fs::path& root) {
@@ -180,7 +181,7 @@ void require_own(const fs::path& root) {
     throw ReadError(stage.string(), std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
-    refuse_path(stage, "belongs to an update that another user began; let that user give the command again");
+    refuse_path(stage, "belongs to an update that another user began; that user must repeat the command");
 }
 
 }  // namespace
@@ -193,7 +194,8 @@ Replacement::Replacement(fs::path root, const Watch& watch) : root_(std::move(ro
     make_directories(root_, made_, &temporary_names_);
     lock_.emplace(root_, DirectoryLock::Mode::exclusive, watch_);
     if (lock_->is_busy())
-      throw WriteError(root_.string(), "another process has been writing there for 10 s; wait for it, and update again");
+      throw WriteError(root_.string(),
+                       "another process has been writing there for 10 s; wait until it has ended, and update again");
     if (is_there(stage_)) {
       require_own(root_);
       resume(root_);
@@ -310,7 +312,7 @@ void Replacement::commit() {
     put_all_in_place(changes_, root_, false, made_);
   } catch (...) {
     if (::rename(journal_.c_str(), undo_.c_str()) != 0 || !put_back(changes_) || ::unlink(undo_.c_str()) != 0)
-      throw WriteError(root_.string(), "could be neither updated nor left as it was; the next compare there mends that");
+      throw WriteError(root_.string(), "could be neither updated nor restored; the next compare there repairs it");
     keeps_stage_ = keeps_root_ = false;
     throw;
   }
@@ -334,7 +336,7 @@ void finish_update_in(const fs::path& directory) {
     return;
   }
   const DirectoryLock lock(directory, DirectoryLock::Mode::exclusive);
-  if (lock.is_busy()) refuse_path(directory, "is being updated; wait until that has ended, and give the command again");
+  if (lock.is_busy()) refuse_path(directory, "is being updated; wait until that has ended, and repeat the command");
   if (!is_there(stage)) return;
   require_own(directory);
   resume(directory);

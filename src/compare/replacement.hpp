@@ -28,7 +28,7 @@ inline constexpr const char* kStagingName = ".earthtop-update";
 /// that is in both versions is missing at no moment.
 class Replacement {
  public:
-  /// Makes the root and locks it, brings an update that was broken off there to its end, and removes what a killed one left.
+  /// Makes the root and locks it, completes an update that was interrupted there, and removes what a killed one left.
   /// @throws WriteError; ScenarioError, as `finish_update`; Interrupted
   explicit Replacement(std::filesystem::path root, const Watch& watch = {});
   /// Unless committed, removes all that it made.
@@ -47,7 +47,7 @@ class Replacement {
   /// States that the next version has no such file.
   void remove(const std::filesystem::path& name);
 
-  /// Puts the next version in place. @throws WriteError; then everything is as it was before, unless the message says else
+  /// Puts the next version in place. @throws WriteError; then everything is as it was before, unless the message says otherwise
   void commit();
 
   /// A file that changes: its place, and where its next and its last version are kept. `was_there`: there is a last version.
@@ -69,7 +69,8 @@ class Replacement {
   bool keeps_root_ = false, keeps_stage_ = false;
 };
 
-/// Brings an update to its end that was broken off in this directory, or in one that holds this directory or file. What a killed update left before it changed anything is removed.
+/// Completes an update that was interrupted in this directory, or in one that holds this directory or file. What a killed
+/// update left before it changed anything is removed.
 /// @throws ScenarioError if the journal is damaged or belongs to another user; ReadError, WriteError
 void finish_update(const std::filesystem::path& path);
 /// The same for this directory alone.

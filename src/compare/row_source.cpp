@@ -20,7 +20,8 @@ namespace {
 
 /// Refuses a row that is not later than the row before: rows are paired in the order of their times.
 void require_later(const CsvReader& reader, double t_s, double& last_s) {
-  if (t_s <= last_s) refuse_at(reader, fmt::format("time {} s does not lie after that of the row before, {} s", t_s, last_s));
+  if (t_s <= last_s)
+    refuse_at(reader, fmt::format("the time {} s is not later than that of the row before, {} s", t_s, last_s));
   if (std::isfinite(t_s)) last_s = t_s;
 }
 
@@ -48,8 +49,8 @@ class OwnRows : public RowSource {
       wanted.push_back(at);
     }
     if (time == reader_.header().size() || columns_.empty())
-      refuse_at(reader_, fmt::format("none of the columns of {}, or no t_s; of another program's file say with --mapping what "
-                                     "its columns mean",
+      refuse_at(reader_, fmt::format("the header has none of the columns of {}, or no t_s; if another program wrote the file, "
+                                     "say with --mapping what its columns mean",
                                      table.file));
     reader_.want(std::move(wanted));
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -142,8 +143,8 @@ class MappedRows : public RowSource {
   void add(const std::string& column) {
     const std::size_t at = reader_.find(column);
     if (at == reader_.header().size())
-      refuse_at(reader_, fmt::format("no column \"{}\", which {} names; there are {}", input::excerpt(column), mapping_.file,
-                                     input::listed(reader_.header())));
+      refuse_at(reader_, fmt::format("there is no column \"{}\", which {} names; the columns are {}", input::excerpt(column),
+                                     mapping_.file, input::listed(reader_.header())));
     wanted_.push_back(at);
   }
   template <std::size_t n>

@@ -19,7 +19,7 @@ class RowSource {
   RowSource& operator=(const RowSource&) = delete;
 
   /// Reads the next row. @returns false at the end. The time of a row is later than that of the row before.
-  /// @throws ScenarioError where the file breaks off, or has a line that cannot be a row
+  /// @throws ScenarioError where the file ends too early, or has a line that cannot be a row
   virtual bool next(Row& row) = 0;
   virtual bool has_column(std::size_t column) const = 0;
   virtual std::string where() const = 0;  ///< file and line of the last row

@@ -95,7 +95,7 @@ class Judge {
     const double share = tolerance > 0 ? found / tolerance : passed ? 0 : std::numeric_limits<double>::infinity();
     verdict_.share = std::max(verdict_.share, share);
     if (!passed && verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
-    if (!same_digits_too && verdict_.reason.empty()) verdict_.reason = fmt::format("other digits at {}", at_time(t_s));
+    if (!same_digits_too && verdict_.reason.empty()) verdict_.reason = fmt::format("different digits at {}", at_time(t_s));
     if (found > 0 || !same_digits_too) {
       moved_ = true;
       above_ = above_ || (errors >= 0 && found > errors);
@@ -231,7 +231,9 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
       result_.findings.push_back(
           {"missing column",
            fmt::format("{} is missing in the new {}{}", measure.first_column, table_.file,
-                       foreign.empty() ? "" : fmt::format(", which has {} instead: another unit or name?", foreign))});
+                       foreign.empty()
+                           ? ""
+                           : fmt::format(", which has {} instead: is it in another unit, or under another name?", foreign))});
     } else if (!in_reference && in_candidate && context_.both_runs) {
       result_.findings.push_back(
           {"missing column", fmt::format("{} is missing in the {} of the reference", measure.first_column, table_.file)});
@@ -287,11 +289,10 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
 /// Refuses rows that are too far apart to interpolate between them.
 void Comparison::require_fine_rows(const Survey& known) const {
   const auto refuse = [&](const std::string& why) {
-    throw ScenarioError(
-        "", fmt::format("the two have rows at different times, and the reference's are too far apart to interpolate "
-                        "between: {}; give both the same times, run the reference with a shorter "
-                        "motion.output_step_s, or allow more (--tolerances)",
-                        why));
+    throw ScenarioError("", fmt::format("the two have rows at different times, and those of the reference are too far apart "
+                                        "for interpolation: {}; give both the same times, run the reference with a shorter "
+                                        "motion.output_step_s, or allow more (--tolerances)",
+                                        why));
   };
   const double turn = known.largest_rate_rad_s * known.largest_step_s;
   if (turn > kMostTurnBetweenRows) refuse(fmt::format("the body turns by {:.3g} rad from row to row", turn));
@@ -311,7 +312,7 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   if (interpolates) require_fine_rows(known);
   if (known.not_finite_times > 0)
     result_.findings.push_back(
-        {"not finite", fmt::format("{} times of the reference are no finite numbers", known.not_finite_times)});
+        {"not finite", fmt::format("{} times of the reference are not finite numbers", known.not_finite_times)});
   Pairing pairing(reference_rows, candidate_rows, known, reference.has_some_rows_only);
   constexpr std::uint64_t kTell = 1024;
   std::uint64_t interpolated = 0, elsewhere = 0, paired_rows = 0;
@@ -321,16 +322,16 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
     if (paired.kind == PairKind::end) break;
     if (paired.kind == PairKind::no_time) {
       if (not_finite_times_++ == 0)
-        result_.findings.push_back({"not finite", fmt::format("{}: the time is no finite number", candidate_rows.where())});
+        result_.findings.push_back({"not finite", fmt::format("{}: the time is not a finite number", candidate_rows.where())});
     } else if (paired.kind == PairKind::same_time) {
       judge(*paired.reference[1], *paired.candidate, false);
     } else if (paired.kind == PairKind::between) {
       if (context_.same_scenario) {
         if (elsewhere++ == 0)
           result_.findings.push_back(
-              {"other times", fmt::format("t = {} s is no time of the reference, though both are of the same "
-                                          "scenario",
-                                          paired.candidate->t_s)});
+              {"other times",
+               fmt::format("t = {} s is not a time of the reference, though both are results of the same scenario",
+                           paired.candidate->t_s)});
       } else if (!interpolates) {
         return false;
       } else {
@@ -356,14 +357,14 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
     result_.findings.push_back({"extra rows", "the new result has rows that the reference of the same scenario lacks"});
   if (interpolated > 0)
     result_.notes.push_back(
-        fmt::format("{} rows lie between the reference's: compared with its cubic Hermite interpolation, whose "
-                    "error (of rows twice as far apart) is counted to the tolerances",
+        fmt::format("{} rows lie between the reference's: they are compared with its cubic Hermite interpolation, whose error "
+                    "(for rows twice as far apart) is added to the tolerances",
                     interpolated));
   if (untrusted_ > 0)
-    result_.notes.push_back(
-        fmt::format("{} rows after t = {} s were not compared: a verdict does not trust them", untrusted_, *context_.until_s));
+    result_.notes.push_back(fmt::format("{} rows after t = {} s were not compared, since a verdict does not trust them",
+                                        untrusted_, *context_.until_s));
   if (other_signs_ > 0)
-    result_.notes.push_back(fmt::format("{} quaternions have the other sign: the same attitudes", other_signs_));
+    result_.notes.push_back(fmt::format("{} quaternions have the opposite sign, which is the same attitude", other_signs_));
   if (result_.rows == 0) result_.findings.push_back({"nothing in common", "no row of the new result was compared"});
   return true;
 }

@@ -21,7 +21,7 @@ FileIdentity identity_in(const struct stat& status) {
           status.st_ctim.tv_sec * kSecond + status.st_ctim.tv_nsec};
 }
 
-constexpr const char* kUnderWay = "a run is writing there; wait until it has ended, and give the command again";
+constexpr const char* kUnderWay = "a run is writing there; wait until it has ended, and repeat the command";
 
 }  // namespace
 

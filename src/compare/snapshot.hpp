@@ -22,7 +22,7 @@ struct FileIdentity {
   std::int64_t size = 0, modified_ns = 0, changed_ns = 0;
   bool operator==(const FileIdentity&) const = default;
 };
-/// Links are followed. @throws ReadError where the disk does not tell; ScenarioError where permissions forbid to look
+/// Links are followed. @throws ReadError where the disk does not say; ScenarioError where permissions forbid looking
 FileIdentity identity_of(const std::filesystem::path& file);
 
 /// Paths with the identities that files had there.

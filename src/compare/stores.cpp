@@ -183,10 +183,10 @@ void compare_points(Store& reference, Store& candidate, std::vector<SharedQuanti
         {"extra rows", fmt::format("{} points are in the new store alone, the first one {}", extra, first_extra)});
   if (moved > 0)
     report.findings.push_back(
-        {"other points", fmt::format("{} points have other values of the axes, the first one {}", moved, first_moved)});
+        {"other points", fmt::format("{} points have different values of the axes, the first one {}", moved, first_moved)});
   if (other_scenarios > 0)
-    report.findings.push_back(
-        {"other scenario", fmt::format("{} points are of other scenarios, the first one {}", other_scenarios, first_other)});
+    report.findings.push_back({"other scenario", fmt::format("{} points are of different scenarios, the first one {}",
+                                                             other_scenarios, first_other)});
   for (const auto& [what, count] : statuses)
     report.findings.push_back({"other status", fmt::format("{} points: {}", count, what)});
 }
@@ -201,7 +201,7 @@ void compare_stores(const std::filesystem::path& reference_path, const std::file
         fmt::format("study {} in the reference, {} now", reference.sha256().substr(0, 12), candidate.sha256().substr(0, 12));
     if (!is_below("/", options.may_change))
       report.findings.push_back(
-          {"other study", what + "; axes, design, quantities or base are not the same (--allow-change / allows it)"});
+          {"other study", what + "; axes, design, quantities or base differ (--allow-change / allows it)"});
     else
       report.notes.push_back(what + ", which was allowed");
   }

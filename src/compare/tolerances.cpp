@@ -118,7 +118,7 @@ std::optional<double> limit_of(const Node& node, std::string_view key, const std
 
 void decode_rules(const Node& quantities, Findings& findings, Tolerances& tolerances) {
   if (quantities.kind != JsonKind::object)
-    return findings.add(quantities.place, "/quantities", "must be an object of quantities' names and their tolerances");
+    return findings.add(quantities.place, "/quantities", "must be an object of quantity names and their tolerances");
   for (const Node& given : quantities.children) {
     if (is_comment(given.key)) continue;
     const std::string pointer = "/quantities" + pointer_step(given.key);
@@ -132,7 +132,7 @@ void decode_rules(const Node& quantities, Findings& findings, Tolerances& tolera
       for (const Measure& measure : trajectory_table().measures) names += fmt::format("{}, ", measure.name);
       for (const Measure& measure : torques_table().measures) names += fmt::format("{}, ", measure.name);
       findings.add(given.key_place, pointer,
-                   fmt::format("unknown quantity; there are {}and the dotted paths of summary.json", names));
+                   fmt::format("is not a known quantity; known are {}and the dotted paths of summary.json", names));
       continue;
     }
     if (given.kind != JsonKind::object) {

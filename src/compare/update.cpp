@@ -36,7 +36,7 @@ Json history_in(const fs::path& file) {
   const Json json = read_json_file(file, "reference");
   const std::string schema = json.value("$schema", Json()).is_string() ? json.at("$schema").get<std::string>() : "";
   if (schema != kReferenceSchema && schema != kNotesSchema)
-    refuse_path(file, "is there already, and is no reference; choose another place");
+    refuse_path(file, "already exists, and is not a reference; choose another place");
   return json.contains("history") && json.at("history").is_array() ? json.at("history") : Json::array();
 }
 
@@ -53,7 +53,7 @@ void require_sound(const fs::path& candidate, const Watch& watch) {
     if (kind_of(pair.candidate) != ComparandKind::results) continue;
     const Comparand results = open_comparand(pair.candidate, nullptr);
     if (results.word("/outcome/status") != "completed")
-      refuse_path(pair.candidate, "its run was not completed; no reference is made of it");
+      refuse_path(pair.candidate, "its run was not completed, so that it cannot become a reference");
     for (const char* key : {"scenario", "drift", "motion", "invariants", "solution", "provenance"})
       if (!results.summary->contains(key) || results.summary->at(key).is_null())
         refuse_path(pair.candidate, fmt::format("its summary has no \"{}\"; run the scenario again", key));
@@ -141,8 +141,8 @@ void require_at_rest(const fs::path& directory) {
   const fs::path store = study_store(directory);
   for (const char* log : {"-wal", "-shm", "-journal"})
     if (is_there(store.string() + log))
-      refuse_path(directory,
-                  fmt::format("{}{} in it says that its store is in use; wait for the end", store.filename().string(), log));
+      refuse_path(directory, fmt::format("{}{} in it says that its store is in use; wait until that has ended",
+                                         store.filename().string(), log));
   const int lock = ::open((store.string() + ".lock").c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   if (lock < 0) {
     if (errno == ENOENT || errno == ENOTDIR || errno == EACCES) return;
@@ -150,7 +150,7 @@ void require_at_rest(const fs::path& directory) {
   }
   const bool in_use = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(lock);
-  if (in_use) refuse_path(directory, "a study is writing there; wait until it has ended, and give the command again");
+  if (in_use) refuse_path(directory, "a study is writing there; wait until it has ended, and repeat the command");
 }
 
 /// Copies the store of a study, and writes its table, document and picture anew from the copy.
@@ -185,8 +185,9 @@ void require_kind(const fs::path& reference, ComparandKind kind) {
 }
 
 [[noreturn]] void refuse_as_reference(const fs::path& candidate) {
-  refuse_path(candidate,
-              "cannot be a reference; give a directory that `earthtop run` has written, a study's, or one of several");
+  refuse_path(
+      candidate,
+      "cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory of such directories");
 }
 
 /// Stages one of several references, or the only one. @param place  its path below the root; empty for the root itself
@@ -210,7 +211,7 @@ void update_compact(const fs::path& reference, const fs::path& candidate, const 
   std::string next;
   make_compact(reference, candidate, reason, watch, next);
   write_file(reference, [&] {
-    if (identity_of(reference) != before) refuse_path(reference, "has been changed meanwhile; give the command again");
+    if (identity_of(reference) != before) refuse_path(reference, "has been changed in the meantime; repeat the command");
     return next;
   });
 }
@@ -242,7 +243,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
   const bool holds_many =
       type == input::PathType::directory && !is_there(reference / "summary.json") && !is_there(study_store(reference));
   if (type != input::PathType::nothing && !holds_many)
-    refuse_path(reference, "is one reference, where the new results are several; give a directory");
+    refuse_path(reference, "is a single reference, but there are several new results; give a directory");
   if (holds_many) members(reference);  // brings updates of single ones to their end
   Replacement next(reference, watch);
   struct Member {
@@ -260,7 +261,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
     written.push_back((reference / place).string());
     all.push_back({place, path, kind});
   }
-  // What has been written anew since it was read is read again, until all of the results have been there together.
+  // What has been rewritten since it was read is read again, until all of the results have been there together.
   constexpr int kAttempts = 4;
   bool has_changed = true;
   for (int attempt = 1; has_changed && attempt <= kAttempts; ++attempt) {
@@ -273,7 +274,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
       has_changed = true;
     }
   }
-  if (has_changed) refuse_path(candidate, "runs are writing there; wait until they have ended, and give the command again");
+  if (has_changed) refuse_path(candidate, "runs are writing there; wait until they have ended, and repeat the command");
   next.commit();
   return written;
 }

@@ -16,7 +16,7 @@
 namespace earthtop {
 namespace {
 
-/// The two motions and their deviation at any time from the release on, in natural units.
+/// The two motions and their deviation at any time from the release onward, in natural units.
 template <class T>
 class ExactPair {
  public:

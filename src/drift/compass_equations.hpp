@@ -11,8 +11,8 @@
 /// are pairs (Paired): one of them is integrated, the base; the other is the base and the deviation. So no two nearly equal
 /// motions are subtracted.
 ///
-/// The state: [0] cos and [1] sin of half the base's angle since the release   [2] p   [3] w3 less that at release   [4] spin
-/// phase relative to the laboratory less that of a steady spin   [5] w and [6] y, of the turn (w, epsilon y z) about z from the
+/// The state: [0] cos and [1] sin of half the base's angle since the release   [2] p   [3] w3 minus that at release   [4] spin
+/// phase relative to the laboratory minus that of a steady spin   [5] w and [6] y, of the turn (w, epsilon y z) about z from the
 /// reference to the rotating motion   and over epsilon: [7] deviation of p   [8] of w3   [9] of the spin phase relative to the
 /// laboratory
 #pragma once

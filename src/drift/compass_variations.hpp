@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// A state is the motion: [0] cos and [1] sin of half the angle since the release, [2] p, [3] w3 less that at release; and for
+/// A state is the motion: [0] cos and [1] sin of half the angle since the release, [2] p, [3] w3 minus that at release; and for
 /// each disturbance the changes of the angle, of p, of w3, and of the spin phase.
 struct CompassVariationsShape {
   static constexpr std::size_t kMotionSize = 4, kSize = kMotionSize + 4 * kDisturbances;

@@ -13,7 +13,7 @@
 
 namespace earthtop {
 
-/// A bundle is followed for at most so many steps.
+/// A bundle is followed for at most this many steps.
 inline constexpr std::int64_t kMostBundleSteps = 20'000'000;
 
 /// The motion (the first half of a pair's state), then the derivatives, each like the second half.

@@ -36,7 +36,7 @@ struct ContactGeneralShape {
   static constexpr std::size_t kWork = kPosition + kLength;
   static constexpr std::size_t kHalf = kWork + (kHasIntegrals ? 1 : 0);
   static constexpr std::size_t kSize = 2 * kHalf;
-  /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
+  /// The program of these equations takes long for each order besides its products, and a slip that dies out keeps steps short.
   static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
     constexpr std::size_t kIntegrals = kHasIntegrals ? 1 : 0;  // in inertial axes their groups are empty

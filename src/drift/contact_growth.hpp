@@ -18,7 +18,7 @@ namespace earthtop {
 /// median): it changes the slip as well, which the three disturbances leave.
 struct ContactGrowth {
   std::optional<double> above_s;  ///< when it first exceeded kRegularContactGrowth (3 + s); none if it did not
-  std::optional<double> again_s;  ///< from when on it no longer did; none if it did so to the end
+  std::optional<double> again_s;  ///< from when it no longer did; none if it did so to the end
   double largest = 0;             ///< growth at most
   double largest_ratio = 0;       ///< the same over 3 + s
   double end_s = 0;               ///< time reached

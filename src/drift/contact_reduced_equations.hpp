@@ -5,7 +5,7 @@
 ///
 /// In axes H of the table (laboratory), the reference has, and the deviation has again:
 ///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a (reduced_top.hpp)
-///   [9] inertial spin w3, of the reference less that at release   [10] its integral over time
+///   [9] inertial spin w3, of the reference minus that at release   [10] its integral over time
 ///   [11,13) slip v_P   [13,15) tip position p_O
 ///   [15] work of friction   [16] change of Jellett's lambda, both of each motion by itself: the second is the rotating one's
 /// In inertial axes N, which are H's at release, slip and position have three components, [11,14) and [14,17), the position is
@@ -36,7 +36,7 @@ struct ContactReducedShape {
   static constexpr std::size_t kWork = kPosition + kLength, kJellett = kWork + 1;
   static constexpr std::size_t kHalf = kWork + (kHasIntegrals ? 2 : 0);  ///< components of the reference, and of the deviation
   static constexpr std::size_t kSize = 2 * kHalf;
-  /// The program of these equations takes long for each order beside its products, and a slip that dies out keeps steps short.
+  /// The program of these equations takes long for each order besides its products, and a slip that dies out keeps steps short.
   static constexpr double kOrderOffset = 12;
   static constexpr auto groups() {
     constexpr std::size_t kIntegrals = kHasIntegrals ? 2 : 0;  // in inertial axes their groups are empty
@@ -65,7 +65,7 @@ template <class T>
 struct PairedTop {
   ReducedContactState<Paired<T>> state;
   Vec3<Paired<T>> a;      ///< frame vector
-  T phase, phase_change;  ///< integral of w3 less that at release, and of its difference over epsilon
+  T phase, phase_change;  ///< integral of w3 minus that at release, and of its difference over epsilon
 };
 
 /// @tparam T  a number, or a scalar that records operations   @tparam O  laboratory, or inertial

@@ -12,7 +12,7 @@
 namespace earthtop {
 
 /// The state in laboratory axes (contact_reduced_equations.hpp), then the time of the reference, and that of the rotating motion
-/// less it, over epsilon. The two halves of the state are at the same sigma, not at the same time.
+/// minus it, over epsilon. The two halves of the state are at the same sigma, not at the same time.
 struct ContactSlipClockShape {
   using Slide = ContactReducedShape<Observer::laboratory>;
   static constexpr std::size_t kTime = Slide::kSize, kTimeDifference = kTime + 1, kSize = kTime + 2;

@@ -293,7 +293,7 @@ class ContactWatch {
     // The other motion's function at the one's event is +-epsilon times the difference.
     T Paired<T>::*other = from_reference ? &Paired<T>::rot : &Paired<T>::ref;
     const T here = from_reference ? g[2].diff : -g[2].diff;
-    // The other's function around there, less its value, is a polynomial through the five values; its argument is time over h.
+    // The other's function around there, minus its value, is a polynomial through the five values; its argument is time over h.
     const T odd = (g[3].*other - g[1].*other) / T(2), odd_far = (g[4].*other - g[0].*other) / T(2);
     const T even = (g[3].*other + g[1].*other) / T(2) - g[2].*other,
             even_far = (g[4].*other + g[0].*other) / T(2) - g[2].*other;

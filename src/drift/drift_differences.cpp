@@ -18,7 +18,7 @@ using Problem = DriftProblem<double>;
 /// Displacement of the axis, or relative change of the drift, that a difference aims at (rad, 1). The truncation error is of the
 /// order of its square; the rounding of a drift, 1e-10 of it, is divided by it.
 constexpr double kAim = 1e-3;
-constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are taken as they come (rad, 1)
+constexpr double kLeastMoved = 1e-5, kMostMoved = 4e-3, kMostAims = 4;  // moves that are used as they are (rad, 1)
 constexpr double kLargestStep = 1e-2;                                   // largest step in an input, in its own scale
 constexpr double kRateStep = 0.05;                                      // step in the Earth's rate, as a share of it
 constexpr double kLargeDrift = 1e-4;                // drift that a difference of two axes shows with seven digits (rad)
@@ -33,7 +33,7 @@ constexpr double kRowsPerTurn = 12;                 // of the precession, unless
 constexpr double kPartnerPeriods = 0.5;             // of the nutation from a partner to its row
 constexpr double kLeastInterval = 4;                // between two other rows, in periods of the nutation
 constexpr double kSeenTurning = 0.02;               // part of a displacement that has to turn with the nutation to count
-constexpr std::size_t kPaired = 4;                  // every so many rows one of them has a partner
+constexpr std::size_t kPaired = 4;                  // once in this many rows one of them has a partner
 constexpr double kAxisRounding = 1e-12;             // of an axis (rad)
 constexpr double kDriftRounding = 1e-10;            // of a drift, as a share of it
 constexpr double kPhaseError = 1e-3;                // twice what the nutation's phase may change by its size (rad)
@@ -310,7 +310,7 @@ class Differences {
     response.add(1 / (2 * h), high);
     response.add(-1 / (2 * h), low);
     for (Vec3<double>& drift : response.drift) drift *= epsilon();
-    // A change that is no more than rounding is no response.
+    // A change that is no more than rounding is not a response.
     const auto clear = [](std::vector<Vec3<double>>& vectors) { std::ranges::fill(vectors, Vec3<double>::Zero()); };
     if (h * largest_of(response.reference) < kAxisRounding) clear(response.reference);
     if (h * largest_of(response.drift) < kDriftRounding * drift_) clear(response.drift);

@@ -3,10 +3,10 @@
 /// They are those of reduced_drift_system.hpp, with two differences: the torques are found by the formulas of
 /// reduced_torques.hpp, as pairs; and the spin w3 and its deviation k change,
 ///
-///   dw3/dt = tau_n / I3 ,  dk/dt = (the same of the rotating motion - that of the reference) / epsilon
+///   dw3/dt = tau_n / I3 ,  dk/dt = (the same for the rotating motion - that of the reference) / epsilon
 ///
 /// The state, all in the axes of the observer:
-///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a   [9] w3 less that at release   [10] its integral over time
+///   [0,3) axis n   [3,6) transverse rate u   [6,9) frame vector a   [9] w3 minus that at release   [10] its integral over time
 ///   [11] w   [12,15) y   [15,18) V   [18] k
 #pragma once
 
@@ -75,7 +75,7 @@ struct DrivenReducedEquations {
   }
 
  private:
-  /// v less the rate of the axes over epsilon, turned back as the rotating motion sees it.
+  /// v minus the rate of the axes over epsilon, turned back as the rotating motion sees it.
   Vec3<T> relative_to_axes(const Vec3<T>& v, const Mat3<T>& M) const {
     if constexpr (O == Observer::inertial)
       return v;

@@ -124,7 +124,7 @@ class LongHorizonDrift {
     if (counters_.accepted > options_.step_limit) trajectory_status_ = RunStatus::step_limit;
     return trajectory_status_ == RunStatus::completed;
   }
-  /// Whether the step limit allows so many more steps to the next row.
+  /// Whether the step limit allows this many more steps to the next row.
   bool has_room_for(T steps) {
     if (static_cast<T>(counters_.accepted) + steps > static_cast<T>(options_.step_limit))
       trajectory_status_ = RunStatus::step_limit;

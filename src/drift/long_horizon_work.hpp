@@ -33,7 +33,7 @@ inline double node_tolerance(double tolerance) { return kNodeDrift * std::max(to
 /// twice the rate of a fast top's precession, which is what steps over many nutations follow.
 constexpr double look_angle(bool averages) { return averages ? 3 : 1.5; }
 /// The largest rate, in those of the Earth, at which a top that is averaged over its nutation may be integrated to find a small
-/// drift. The averaging error goes with the square of the rate; there it must not exceed the error of a difference.
+/// drift. The averaging error is proportional to the square of the rate; there it must not exceed the error of a difference.
 double largest_node(const TiltedTop<double>& top, double duration, Averaging averaging);
 
 }  // namespace long_horizon

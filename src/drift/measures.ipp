@@ -38,7 +38,7 @@ struct AxisPair {
     ref_defined = horizontal_ref > round_off;
     azimuth_defined = ref_defined && horizontal_rot > round_off;
   }
-  /// Sine, times a positive number, of the compass azimuth of n + d less that of n. It is a component of n x d, so that two
+  /// Sine, times a positive number, of the compass azimuth of n + d minus that of n. It is a component of n x d, so that two
   /// directions are never subtracted. Adding 0 turns -0 into 0.
   T azimuth_sine() const { return n[1] * d[0] - n[0] * d[1] + T(0); }
   T azimuth_cosine() const { return horizontal_ref * horizontal_ref + n[0] * d[0] + n[1] * d[1]; }

@@ -17,7 +17,7 @@ namespace earthtop {
 /// instead. As d is analytic in lambda,
 ///   d(lambda) = lambda/a [ (d(a) - d(-a))/2 + lambda/a (d(a) + d(-a))/2 ]    to second order.
 /// The change a is so small that |d(+-a)| <= 1e-11 and the second order is at most 1e-10 of the first; then the third order is
-/// at most 1e-20 of the first, and mostly 1e-22. As d grows with the time, a has to shrink and never grows again, so that times
+/// at most 1e-20 of the first, and mostly 1e-22. As d grows with time, a has to shrink and never grows again, so that times
 /// must not decrease by more than a step.
 class RateChange {
  public:

@@ -61,7 +61,7 @@ class RestingMotions {
     const Vec3<T> W_B = transposed_times(rotation_matrix(q_LB), model.W_IL_L);
     return T(8) * real::epsilon<T>() * norm(Vec3<T>(times(model.I_BP_B, W_B)));
   }
-  /// The time before a stop from which on a motion is taken to rest: a part of the time since the release or, where that is
+  /// The time before a stop from which a motion is taken to rest: a part of the time since the release or, where that is
   /// tiny, a few of the shortest steps.
   static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
 

@@ -24,7 +24,7 @@ enum class MeasureKind {
   vector,     ///< three components: two differ by the length of the difference
   direction,  ///< three components of a unit vector: two differ by the angle between them
   place,      ///< two horizontal components: two differ by the length of the difference
-  word,       ///< one of several words, which are equal or not; as a number its place among them, from 0 on
+  word,       ///< one of several words, which are equal or not; as a number its place among them, starting at 0
 };
 
 /// The error bound that holds for a quantity.

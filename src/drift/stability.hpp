@@ -27,7 +27,7 @@ struct UprightTop {
 /// The top of this problem, if it is released upright (within a twentieth of a radian) and with a transverse rate of at most a
 /// twentieth of sqrt(m g l / I1); none otherwise, and for other bodies.
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem);
-/// An upright top so near its critical spin, to a thousandth of the ratio, that whether it stands or falls hangs on digits of
+/// An upright top so near its critical spin, to a thousandth of the ratio, that whether it stands or falls depends on digits of
 /// spin and moments that no experiment knows.
 std::optional<UprightTop> marginal_top(const MotionProblem<double>& problem);
 

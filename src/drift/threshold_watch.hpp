@@ -64,7 +64,7 @@ class ThresholdWatch {
   bool done() const { return record_.passing && next_beyond_ < 0; }
 
  private:
-  /// The longest piece over which the drift is taken for a cubic, as an angle of the motion (rad). For an oscillation of
+  /// The longest piece over which the drift is treated as a cubic, as an angle of the motion (rad). For an oscillation of
   /// amplitude A the error is then A 0.3^4/384, which is 2e-5 A.
   static constexpr double kFine = 0.3;
   /// Limits: more halvings than any piece of a run needs to become fine; the looks that may be taken at once, and the looks

@@ -13,9 +13,9 @@
 namespace earthtop {
 namespace {
 
-/// Which swings a fit has beside the line: those at 1 to `precessions` times the precession, and those at 1 to `nutations` times
+/// Which swings a fit has besides the line: those at 1 to `precessions` times the precession, and those at 1 to `nutations` times
 /// the nutation, alone and with up to `sums` times the precession added or taken away; of the nutations' first `growing` also
-/// those that grow with the time.
+/// those that grow with time.
 struct Swings {
   int precessions, nutations, sums, growing;
   double edge;            ///< part of the window over which the weights fall to zero at either end
@@ -29,7 +29,7 @@ constexpr std::array kRough{Swings{2, 0, 0, 0, 0.25, 0}, kFits[0]};
 /// A swing, as an odd function of the time from the middle of the window.
 struct Swing {
   double rate;  ///< rad/s
-  bool grows;   ///< with the time: time x cosine instead of a sine
+  bool grows;   ///< with time: time x cosine instead of a sine
   double size;  ///< expected, relative to the others
 };
 
@@ -209,7 +209,7 @@ constexpr std::array kJudging{Window{0, 0.92}, Window{0.08, 1}, Window{0.04, 0.9
 /// The bound over the scatter of the slopes, and the share that the next best fit has in the scatter.
 constexpr double kSafety = 1.5, kOfNext = 0.05;
 /// The windows of a fit that agrees far better than the next do so because it has the swings that matter; their scatter then
-/// overstates the error, the more the better the fit. The bound goes with this power of the ratio of the two.
+/// overstates the error, the more the better the fit. The bound is proportional to this power of the ratio of the two.
 constexpr double kOfDistinction = 0.4;
 /// Where precession is nearly as fast as nutation, swings of higher order are slow, and the windows agree on what is none of the trend.
 constexpr double kOfNearness = 4, kNearest = 0.6;

@@ -21,7 +21,7 @@ namespace earthtop::input {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // bytes read at once
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is no table of numbers
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes; a file without line ends is not a table of numbers
 constexpr FileUse kCsvFile = {"CSV file", false};
 constexpr int kNoFile = -1;  // in place of a descriptor: all there is to read is in the buffer
 
@@ -87,7 +87,7 @@ CsvReader::CsvReader(std::string file, CsvFormat format, Descriptor descriptor, 
   std::unordered_set<std::string_view> names;
   for (const std::string& name : header_)
     if (!name.empty() && !names.insert(name).second)
-      refuse(fmt::format("column \"{}\" stands twice in the header", excerpt(name)));
+      refuse(fmt::format("column \"{}\" occurs twice in the header", excerpt(name)));
 }
 
 std::size_t CsvReader::find(std::string_view column) const {
@@ -120,13 +120,13 @@ bool CsvReader::next() {
     if (!words_[i].empty() && !cell.empty()) {
       const auto word = std::find(words_[i].begin(), words_[i].end(), cell);
       if (word == words_[i].end())
-        refuse(fmt::format("column {}: \"{}\" is none of {}", excerpt(header_[wanted_[i]]), excerpt(cell),
+        refuse(fmt::format("column {}: \"{}\" is not one of {}", excerpt(header_[wanted_[i]]), excerpt(cell),
                            fmt::join(words_[i], ", ")),
                static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
       numbers_[i] = static_cast<double>(word - words_[i].begin());
       kinds_[i] = CellKind::number;
     } else if (!parse(cell, numbers_[i], kinds_[i]))
-      refuse(fmt::format("column {}: \"{}\" is no number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
+      refuse(fmt::format("column {}: \"{}\" is not a number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
                          has_decimal_comma(cell) ? kPointHint : ""),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
@@ -147,7 +147,7 @@ bool CsvReader::read_line(std::string_view& line) {
       if (got == 0 && end_ == 0) return false;
       if (got == 0) {
         ++line_;
-        refuse("the last line has no end, as if its writing had broken off; write the file anew");
+        refuse("the last line is incomplete, as if writing the file had been interrupted; write the file again");
       }
       end_ += got;
       read_ += got;

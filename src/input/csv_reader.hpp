@@ -38,14 +38,14 @@ class CsvReader {
 
   /// Selects the columns whose numbers `next` reads, and their order.
   void want(std::vector<std::size_t> columns);
-  /// Takes the cells of a wanted column for words: the number of each is its place among the words, from 0 on.
+  /// Takes the cells of a wanted column for words: the number of each is its place among the words, starting at 0.
   /// @param words  separated by '|'
   void take_words(std::size_t wanted, std::string_view words);
 
   /// Reads the numbers of the next line. @returns false at the end of the file
-  /// @throws ScenarioError, with line and column, for a cell that is no number, a line with another number of cells than the
-  /// header, a NUL byte, a byte that is not UTF-8, and a last line without a line end, as an interrupted write leaves it;
-  /// ReadError where reading fails
+  /// @throws ScenarioError, with line and column, for a cell that is not a number, a line whose number of cells differs from
+  /// that of the header, a NUL byte, a byte that is not UTF-8, and a last line without a line end, as an interrupted write
+  /// leaves it; ReadError where reading fails
   bool next();
   std::span<const double> numbers() const { return numbers_; }  ///< in the order of `want`; NaN for a cell without a number
   std::span<const CellKind> kinds() const { return kinds_; }

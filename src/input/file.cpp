@@ -28,14 +28,14 @@ void require_regular(const struct stat& status, const std::string& name, const F
   const auto* or_stdin = use.or_standard_input ? ", or '-' and redirect standard input" : "";
   if (S_ISDIR(status.st_mode)) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));
   if (S_ISFIFO(status.st_mode)) refuse_file(name, fmt::format("is a FIFO; give a file{}", or_stdin));
-  if (!S_ISREG(status.st_mode)) refuse_file(name, fmt::format("is no regular file; give a file{}", or_stdin));
+  if (!S_ISREG(status.st_mode)) refuse_file(name, fmt::format("is not a regular file; give a file{}", or_stdin));
 }
 
 [[noreturn]] void refuse_size(const std::string& name, const FileUse& use) {
   refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
 }
 
-/// @throws always, according to the errno value `error`: what the caller can mend is refused, the rest is the disk's fault
+/// @throws always, according to the errno value `error`: what the caller can correct is refused, the rest is the disk's fault
 [[noreturn]] void fail_to_look(const std::string& path, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
   for (const int mendable : {EACCES, EPERM, ELOOP, ENAMETOOLONG, ENOENT, ENOTDIR})
@@ -51,7 +51,7 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EISDIR) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));
     if (got < 0 && errno == EBADF) refuse_file(name, "is closed; give a file, or redirect standard input");
-    if (got < 0) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
+    if (got < 0) throw ReadError(name, fmt::format("reading failed ({}); check the file", std::strerror(errno)));
     if (got == 0) return text;
     text.append(chunk, 0, static_cast<std::size_t>(got));
     if (text.size() > use.most_MiB << 20U) refuse_size(name, use);
@@ -110,7 +110,7 @@ std::size_t read_some(const Descriptor& file, const std::string& name, char* byt
   for (;;) {
     const ssize_t got = ::read(file.get(), bytes, size);
     if (got >= 0) return static_cast<std::size_t>(got);
-    if (errno != EINTR) throw ReadError(name, fmt::format("reading broke off ({}); check the file", std::strerror(errno)));
+    if (errno != EINTR) throw ReadError(name, fmt::format("reading failed ({}); check the file", std::strerror(errno)));
   }
 }
 

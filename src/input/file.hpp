@@ -38,7 +38,7 @@ class Descriptor {
 
 /// What a path leads to, links followed. `other` is a FIFO, a device, or a link that leads nowhere.
 enum class PathType { nothing, file, directory, other };
-/// @throws ScenarioError where permissions or circular links forbid to look; ReadError where the disk does not tell
+/// @throws ScenarioError where permissions or circular links forbid looking; ReadError where the disk does not say
 PathType type_of(const std::string& path);
 
 /// The names in a directory, sorted, without "." and "..". @throws ScenarioError, ReadError as `type_of`

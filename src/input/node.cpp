@@ -15,7 +15,7 @@ std::string_view name_of(JsonKind kind) {
     case JsonKind::object: return "an object";
     case JsonKind::refused: break;
   }
-  return "no JSON value";
+  return "not a JSON value";
 }
 
 std::string excerpt(std::string_view text, std::size_t limit) {

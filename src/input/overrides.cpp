@@ -19,7 +19,7 @@ Node* step_into(Node& parent, const std::string& token, const std::string& point
   if (parent.kind == JsonKind::array) {
     if (const auto index = array_index(token, parent.children.size())) return &parent.children[*index];
     findings.add(kFromSet, pointer,
-                 fmt::format("--set: \"{}\" is no index of an array of {}", excerpt(token), parent.children.size()));
+                 fmt::format("--set: \"{}\" is not an index of an array of {}", excerpt(token), parent.children.size()));
     return nullptr;
   }
   if (parent.kind != JsonKind::object) {

@@ -23,7 +23,7 @@ struct TreeChange {
 void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings);
 
 /// Replaces or adds values in order and creates missing objects on the way. A value that is not JSON is taken as a string.
-/// Reports malformed pointers, pointers that lead through a value that is no object or array, and values outside a double's
+/// Reports malformed pointers, pointers that lead through a value that is not an object or array, and values outside a double's
 /// range.
 void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::string>>& overrides, Findings& findings);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 
-/// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is no array of plain values.
+/// Returns the lengths of the nested arrays in a value of this kind, outer first; empty if it is not an array of plain values.
 std::vector<std::size_t> lengths_of(FieldKind kind) {
   switch (kind) {
     case FieldKind::vector2: return {2};
@@ -35,8 +35,9 @@ bool may_be_object(FieldKind kind) {
 
 std::string no_index(std::string_view token, std::size_t size) {
   const std::string shown = excerpt(token);
-  return size == kAnyLength ? fmt::format("\"{}\" is no index of an array", shown)
-                            : fmt::format("\"{}\" is no index of an array of {}; allowed here: 0 to {}", shown, size, size - 1);
+  return size == kAnyLength
+             ? fmt::format("\"{}\" is not an index of an array", shown)
+             : fmt::format("\"{}\" is not an index of an array of {}; allowed here: 0 to {}", shown, size, size - 1);
 }
 
 /// The key that was probably meant. A quantity without unit, or with a misspelled one, means its first key; another key for the
@@ -104,7 +105,7 @@ PointerTarget pointer_target(const FieldTable& table, std::string_view pointer) 
     return target;
   };
   const auto tokens = tokens_of(pointer);
-  if (!tokens) return fault("is no JSON pointer; e.g. /site/latitude_deg");
+  if (!tokens) return fault("is not a JSON pointer; write e.g. /site/latitude_deg");
   std::string pattern;  // pattern of the value that the tokens so far lead to
   FieldKind kind = FieldKind::object;
   std::vector<std::size_t> lengths;  // lengths of the arrays that the next tokens index
@@ -126,7 +127,7 @@ PointerTarget pointer_target(const FieldTable& table, std::string_view pointer) 
         return fault(fmt::format("\"{}\": {}", excerpt(token), unknown_key(table, token, pattern).message));
       pattern += "/" + token;
     } else {
-      return fault(fmt::format("nothing lies below {}, so there is no \"{}\"", pattern, excerpt(token)));
+      return fault(fmt::format("{} has no members, so there is no \"{}\"", pattern, excerpt(token)));
     }
     target.field = table.find(pattern);
     kind = target.field->kind;

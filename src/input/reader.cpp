@@ -105,7 +105,7 @@ class Reader {
                   ReadOutcome::refused);
     const char c = peek();
     if ((c == '{' || c == '[') && depth > kGreatestDepth)
-      return stop(at_, fmt::format("nested more than {} deep; a {} needs far less", kGreatestDepth, kind_.noun),
+      return stop(at_, fmt::format("nested more than {} levels deep; a {} needs far fewer", kGreatestDepth, kind_.noun),
                   ReadOutcome::refused);
     if (c == '{') return object(node, depth);
     if (c == '[') return array(node, depth);
@@ -113,9 +113,9 @@ class Reader {
     if (c == '-' || is_digit(c)) return number(node);
     if (is_letter(c)) return literal(node);
     if (c == '+' || c == '.') return stop(at_, "a number begins with a digit or '-'; write 0.5, not .5 or +0.5");
-    if (c == '\'') return stop(at_, "single quotes; JSON strings stand in double quotes");
+    if (c == '\'') return stop(at_, "single quotes; JSON strings are written in double quotes");
     if (c == '/') return stop(at_, no_comments());
-    return stop(at_, unexpected() + "; a JSON value must stand here");
+    return stop(at_, unexpected() + "; a JSON value is expected here");
   }
 
   static std::string no_comments() { return "JSON has no comments; use a key that begins with \"//\" or \"_\""; }
@@ -128,9 +128,11 @@ class Reader {
     if (word == "null") return node.kind = JsonKind::null, true;
     if (is_not_finite(word)) return not_finite(node, start);
     at_ = start;
-    return stop(start, fmt::format("\"{}\" is no JSON value; strings stand in double quotes, and the literals are true, false "
-                                   "and null",
-                                   excerpt(word)));
+    return stop(
+        start,
+        fmt::format(
+            "\"{}\" is not a JSON value; strings are written in double quotes, and the literals are true, false and null",
+            excerpt(word)));
   }
 
   static bool is_not_finite(std::string_view word) {
@@ -209,7 +211,7 @@ class Reader {
     constexpr std::string_view kLetters = "\"\\/bfnrt", kMeanings = "\"\\/\b\f\n\r\t";
     if (const auto i = kLetters.find(c); at_ < text_.size() && i != std::string_view::npos)
       return ++at_, out += kMeanings[i], true;
-    if (c != 'u') return stop(start, "an escape that JSON does not know; allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
+    if (c != 'u') return stop(start, "an escape that JSON does not have; allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
     ++at_;
     char32_t code = 0;
     if (!hex4(code)) return stop(start, "\\u must be followed by four hexadecimal digits; write \\u00e9");
@@ -250,7 +252,7 @@ class Reader {
       pointer_.resize(parent);
       if (take(']')) return true;
       const std::size_t comma = at_;
-      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or ']' must stand here");
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or ']' is expected here");
       skip_space();
       if (peek() == ']') return stop(comma, "a comma after the last element; leave it out");
     }
@@ -264,7 +266,7 @@ class Reader {
     for (;;) {
       skip_space();
       if (peek() != '"')
-        return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; a key in double quotes must stand here");
+        return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; a key in double quotes is expected here");
       if (node.children.size() == kind_.most_members)
         return stop(at_, fmt::format("more than {} members in an object; a {} has far fewer", kind_.most_members, kind_.noun),
                     ReadOutcome::refused);
@@ -272,7 +274,7 @@ class Reader {
       member.key_place = place(at_);
       if (!string(member.key)) return false;
       pointer_ += pointer_step(member.key);
-      if (!take(':')) return stop(at_, unexpected() + "; ':' must stand here");
+      if (!take(':')) return stop(at_, unexpected() + "; ':' is expected here");
       const bool outer = std::exchange(in_comment_, in_comment_ || is_comment_here(member.key));
       if (!value(member, depth + 1)) return false;
       in_comment_ = outer;
@@ -284,7 +286,7 @@ class Reader {
         return true;
       }
       const std::size_t comma = at_;
-      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or '}' must stand here");
+      if (!take(',')) return stop(at_, peek() == '/' ? no_comments() : unexpected() + "; ',' or '}' is expected here");
       skip_space();
       if (peek() == '}') return stop(comma, "a comma after the last member; leave it out");
     }

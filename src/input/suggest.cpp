@@ -9,7 +9,7 @@
 namespace earthtop::input {
 namespace {
 
-constexpr std::size_t kLongestWord = 48;  // a longer word is no misspelling, and a hostile one would cost time
+constexpr std::size_t kLongestWord = 48;  // a longer word is not a misspelling, and a hostile one would cost time
 
 /// Returns the least number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal string
 /// alignment).

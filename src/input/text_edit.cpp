@@ -149,7 +149,7 @@ std::string without_member(std::string_view text, std::string_view pointer) {
 
 std::string with_value(std::string_view text, std::string_view pointer, std::string_view given) {
   const auto no_place = [&] {
-    return ScenarioError(std::string(pointer), "leads to no value of the scenario's text that could be changed there");
+    return ScenarioError(std::string(pointer), "does not lead to a value in the scenario's text that can be changed");
   };
   const auto tokens = tokens_of(pointer);
   if (!tokens || tokens->empty()) throw no_place();

@@ -65,7 +65,7 @@ constexpr std::array<Row, kStages> a = {{
      2.9475147891527723389556272149e0, -9.15095847217987001081870187138e0},
 }};
 
-/// Weights of the error estimates: of order 5, and of order 3 (the step's weights less those of a rule of order 3).
+/// Weights of the error estimates: of order 5, and of order 3 (the step's weights minus those of a rule of order 3).
 constexpr Row error5 = {0.1312004499419488073250102996e-01,
                         0,
                         0,

@@ -15,7 +15,7 @@
 
 namespace earthtop {
 
-/// All that the driver needs beside the system; times are in the system's own unit.
+/// All that the driver needs besides the system; times are in the system's own unit.
 template <class T>
 struct DriveOptions {
   Method method = Method::rkf78;

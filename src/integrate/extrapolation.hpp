@@ -26,7 +26,7 @@ class Extrapolation {
 
   Extrapolation(T relative_tolerance, const GroupScales<T, Shape>& scales)
       : tolerance_(relative_tolerance), scales_(&scales), limit_(least_column()) {
-    // High columns are differences of large terms. Columns whose round-off would be taken for an error are left out.
+    // High columns are differences of large terms. Columns whose round-off would be mistaken for an error are left out.
     const auto room = static_cast<double>(T(2) * relative_tolerance / real::epsilon<T>());
     while (limit_ < kColumns && round_off_growth(limit_ + 1) < room) ++limit_;
     const double digits = -real::log10(static_cast<double>(relative_tolerance));

@@ -50,7 +50,7 @@ class GaussStepper {
     known_ = true;
     return true;
   }
-  /// To be called before a step of another length, for which the last step's slopes tell nothing.
+  /// To be called before a step of another length, about which the last step's slopes say nothing.
   void reset() {
     known_ = false;
     carry_ = {};

@@ -93,7 +93,7 @@ std::array<long double, N> solved(std::array<std::array<long double, N>, N> A, s
 /// @param ratio  of the precession's frequency to the nutation's   @param spacing  no multiple of 5
 template <class T>
 KickFilter<T> fine(T period, T ratio, int spacing = 1) {
-  // In units of the period. A slower precession is as good as none, but its equations are nearly dependent.
+  // In units of the period. A slower precession counts as none, but its equations are nearly dependent.
   constexpr long double kLeastRatio = 1e-3L;
   const long double n = 2 * real::pi<long double>();
   const long double p = n * std::max(static_cast<long double>(ratio), kLeastRatio);
@@ -130,7 +130,7 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
     }
     return c;
   };
-  std::array<long double, kParts> sine{};  // of the nutation's phase over so many intervals
+  std::array<long double, kParts> sine{};  // of the nutation's phase over this many intervals
   for (std::size_t i = 0; i < kParts; ++i) sine[i] = real::sin(n * apart * static_cast<long double>(i));
   const auto secular = [&](const std::array<long double, kParts>& c) {
     long double sum = 0;

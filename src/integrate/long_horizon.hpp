@@ -61,7 +61,7 @@ struct LongHorizonWork {
   double steps = 0, evaluations = 0;
   Averaging averaging = Averaging::none;
 };
-/// The work of a walk through so many intervals; nothing is searched.
+/// The work of a walk through this many intervals; nothing is searched.
 template <class T>
 LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows);
 /// The work expected of the search and of a walk, from the guess with which `find_plan` begins.

@@ -10,7 +10,7 @@ namespace earthtop {
 namespace {
 
 /// The tolerance relative to the one at which `extrapolation` comes near the round-off of 113 bits, or 1 above it (as
-/// measured). Below, fewer columns remain usable, because each one loses digits, and so the steps are shorter.
+/// measured). Below, fewer columns remain usable, because each one costs digits, and so the steps are shorter.
 double near_round_off(double tolerance) { return std::min(1.0, tolerance / 1e-30); }
 
 /// The phase of the fastest motion that a step covers (rad), as measured on a fast top. The steps of a method of order p grow

@@ -26,7 +26,7 @@ class SplittingStepper {
   using State = typename Flows::State;
   SplittingStepper(const Flows& flows, const CompositionTable& table) : flows_(flows), table_(table) {}
 
-  /// Takes a step. If its length differs from that of the step before, the flows are prepared anew.
+  /// Takes a step. If its length differs from that of the step before, the flows are prepared again.
   template <class System>
   bool do_step(const System&, State& x, double t, double dt) {
     if (dt != prepared_) prepare(dt);

@@ -98,7 +98,7 @@ class StepLoops {
           else
             clock.advance(step);
           settle(x, lands ? times[row] : clock.now());
-          // A step that was cut short by the output time is no reason to try a shorter one than was proposed before.
+          // A step that was cut short by the output time is not a reason to try a shorter one than was proposed before.
           proposed = step < proposed ? std::max(dt, proposed) : dt;
           scales_.include(x);
           see_step(lands ? times[row] : clock.now(), x);

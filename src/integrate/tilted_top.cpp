@@ -45,7 +45,7 @@ TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Q
   kappa_ = kappa - T(2) * I1_ * mean_;
   q_LG_ = from_up(up);
   W_G_ = transposed_times(rotation_matrix(q_LG_), W_L);
-  // Where weight and gyroscopic torque nearly cancel, the change of M tells little about n.
+  // Where weight and gyroscopic torque nearly cancel, the change of M says little about n.
   exact_turn_ = G_ > T(1e-4) * (norm(weight) + real::abs(kappa) * norm(W_L));
 
   effective_ = {T(1), real::scale(T(1), kNoSpinExponent), G_ / I1_};
@@ -129,7 +129,7 @@ void TiltedTop<T>::keep_momentum_along_G(TiltedTopState<T>& x) const {
   if (kappa_ == T(0) || !(square > T(kLeastSine2))) return;
   const T excess = (momentum_along_G(R_GF, x.across) - x.M_G) - x.M_G_rest;
   const T by = -excess / (kappa_ * square);
-  if (!(real::abs(by) < T(kLargest))) return;  // not round-off: the weight is no large part of a slow top's momentum
+  if (!(real::abs(by) < T(kLargest))) return;  // not round-off: the weight is not a large part of a slow top's momentum
   x.q_GF = x.q_GF * Quaternion<T>{T(1), Vec3<T>(-by / T(2) * R_GF(2, 1), by / T(2) * R_GF(2, 0), T(0))};
 }
 

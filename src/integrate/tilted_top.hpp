@@ -20,7 +20,7 @@
 /// apart, and the tilt is brought back to it after each flow.
 ///
 /// The body turns at n x dn/dt + (w3 - W.n) n relative to the laboratory. A frame F is carried along n without rate along it.
-/// The body is F turned about n by w3 t less the integral of W.n. The large flow gives that integral, except for the part of n
+/// The body is F turned about n by w3 t minus the integral of W.n. The large flow gives that integral, except for the part of n
 /// along G, from the change of M: the integral of the part of n across G is -G x (change of M) / G^2.
 #pragma once
 
@@ -43,7 +43,7 @@ template <class T>
 class TiltedTop {
  public:
   /// @param top  must be symmetric about body axis 3   @param W_L  the rate of the Earth
-  /// @param w_XB_B  rate at release in the model's units, relative to the laboratory or to inertial space, as `X` tells
+  /// @param w_XB_B  rate at release in the model's units, relative to the laboratory or to inertial space, as `X` says
   TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B,
             RatesRelativeTo X, const Vec3<T>& W_L);
 

@@ -26,7 +26,7 @@ constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"}
 constexpr std::string_view kAllowedColumns =
     "allowed are t_s; azimuth, tilt, drift_azimuth and drift_tilt, each as azimuth_rad, azimuth_deg or azimuth_arcsec with "
     "azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; and names that begin "
-    "with _, which are passed over";
+    "with _, which are skipped";
 
 struct Column {
   std::size_t place;  // place in the header
@@ -49,10 +49,10 @@ class HeaderReader {
     if (const auto time = find("t_s"))
       want(*time);
     else
-      columns_.errors.emplace_back("no column t_s; it has the time since the release (s)");
+      columns_.errors.emplace_back("there is no column t_s, the time since the release (s)");
     for (const MeasuredQuantity quantity : kAllMeasured) read_quantity(quantity);
     if (columns_.quantities.empty() && columns_.errors.empty())
-      columns_.errors.push_back(fmt::format("no measured quantity; {}", kAllowedColumns));
+      columns_.errors.push_back(fmt::format("there is no measured quantity; {}", kAllowedColumns));
     return std::move(columns_);
   }
 
@@ -87,9 +87,9 @@ class HeaderReader {
       columns_.errors.push_back(fmt::format("{0} has no standard error; give {0}_se_rad, {0}_se_deg or {0}_se_arcsec", name));
     if (error && !value && !is_axis)
       columns_.errors.push_back(
-          fmt::format("{0} without a column {1}_rad, {1}_deg or {1}_arcsec", header_[error->place], name));
+          fmt::format("{0} is given without a column {1}_rad, {1}_deg or {1}_arcsec", header_[error->place], name));
     if (error && !value && is_axis)
-      columns_.errors.push_back(header_[error->place] + " without all of axis_L_x, axis_L_y, axis_L_z");
+      columns_.errors.push_back(header_[error->place] + " is given without all of axis_L_x, axis_L_y, axis_L_z");
     if (!value || !error) return;
     QuantityCells cells{quantity, want(value->place), value->rad, 0, error->rad};
     if (is_axis)
@@ -113,7 +113,7 @@ class HeaderReader {
       if (!place) continue;
       if (found)
         columns_.errors.push_back(
-            fmt::format("columns {} and {} are the same in two units; keep one", header_[found->place], name));
+            fmt::format("columns {} and {} give the same quantity in two units; keep one", header_[found->place], name));
       found = Column{*place, unit.rad};
     }
     return found;

@@ -69,22 +69,22 @@ std::optional<double> number_in(const input::Node& root, std::string_view pointe
 EstimatedInputs::EstimatedInputs(ScenarioSource source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                  const Scene& base, const std::vector<std::string>& names, std::size_t most)
     : document_(std::move(source), overrides), base_(base) {
-  if (names.size() > most) refuse_estimate(names[most], fmt::format("at most {} numbers are estimated at once", most));
+  if (names.size() > most) refuse_estimate(names[most], fmt::format("at most {} numbers can be estimated at once", most));
   for (const std::string& name : names) add(name);
   refuse_conflicts();
 }
 
-/// Refuses inputs beside others that stand for the same numbers.
+/// Refuses inputs together with others that stand for the same numbers.
 void EstimatedInputs::refuse_conflicts() const {
   const auto has = [&](std::string_view pointer) {
     return std::any_of(list_.begin(), list_.end(), [&](const EstimatedInput& input) { return input.pointer == pointer; });
   };
   if (has("/release/spin_rpm") && has("/release/spin_rad_s"))
-    refuse_estimate("/release/spin_rpm", "is the spin in another unit; estimate it, or spin_rad_s");
+    refuse_estimate("/release/spin_rpm", "is the spin in another unit; estimate either it or spin_rad_s");
   if (!has("/earth/rotation_rate_rad_s") && !has("/site/latitude_deg")) return;
   for (const EstimatedInput& input : list_)
     if (input.combined == CombinedInput::vertical_rate || input.combined == CombinedInput::northward_rate)
-      refuse_estimate(input.name, "stands for the rotation rate and the latitude; estimate it, or these");
+      refuse_estimate(input.name, "stands for the rotation rate and the latitude; estimate either it or these");
 }
 
 void EstimatedInputs::add(const std::string& name) {
@@ -103,7 +103,7 @@ void EstimatedInputs::add(const std::string& name) {
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }
   const input::Field* field = is_number_of_motion(pointer) ? field_of(pointer) : nullptr;
-  if (!field) refuse_estimate(name, fmt::format("is no number that the motion depends on; {}", kAllowedNames));
+  if (!field) refuse_estimate(name, fmt::format("is not a number on which the motion depends; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.
   ScenarioReport report = examine(document_, {{pointer, start}});
@@ -119,7 +119,7 @@ void EstimatedInputs::add_combined(CombinedInput combined, const std::string& na
     if (!base_.site().follows_ellipsoid())
       refuse_estimate(
           name,
-          "with polar motion or a deflection of the vertical the latitude is not that of the Earth's rate; estimate "
+          "with polar motion or a deflection of the vertical, the latitude is not the one of the Earth's rate; estimate "
           "rotation_rate_rad_s or latitude_deg");
     const Vec3<double> axis_L = celestial_axis_L<double>(base_.site());
     northward_rate_rad_s_ = base_.rotation_rate_rad_s() * axis_L[1];
@@ -147,7 +147,7 @@ double EstimatedInputs::number_at(const std::string& pointer, const std::string&
     if (const auto number = number_in(scenario::Document({"", canonical_json(base_.scenario())}).root(), pointer))
       return *number;
   }
-  refuse_estimate(name, "is not in the scenario; write it there, with the value to start from");
+  refuse_estimate(name, "is not in the scenario; add it there, with the value from which to start");
 }
 
 std::optional<double> EstimatedInputs::value_of(CombinedInput combined, const std::vector<double>& values) const {

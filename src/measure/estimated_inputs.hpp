@@ -15,7 +15,7 @@
 
 namespace earthtop::measure {
 
-/// An input that is no number of the scenario's text, but changes several of them together.
+/// An input that is not a number of the scenario's text, but changes several of them together.
 enum class CombinedInput {
   none,
   vertical_rate,   ///< the vertical component of the Earth's rate; the northward one and apparent gravity stay

@@ -167,7 +167,7 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
 
 Panel residual_panel(const MeasurementReport& report, const Series& series, LineColor color, double per_s) {
   const std::string name = spoken(series.front()->quantity);
-  Panel panel{{name + ": measured less model", "standard errors"}, {}, 150};
+  Panel panel{{name + ": measured minus model", "standard errors"}, {}, 150};
   Line line{label(report, series, "residual"), {}, {}, color, LineStyle::points, Marker::circle};
   for (const MeasurementResidual* residual : thinned(series)) {
     line.x.push_back(residual->t_s * per_s);
@@ -219,7 +219,7 @@ Figure residuals_histogram(const MeasurementReport& report) {
     ++bars.y[static_cast<std::size_t>(place)];
     beyond += std::abs(value) > kEnd ? 1 : 0;
   }
-  Line normal{"normal errors of the stated size", {}, {}, LineColor::vermillion};
+  Line normal{"normally distributed errors", {}, {}, LineColor::vermillion};
   for (int k = -100; k <= 100; ++k) {
     normal.x.push_back(kEnd * k / 100);
     normal.y.push_back(n * width * normal_density(normal.x.back()));
@@ -227,9 +227,9 @@ Figure residuals_histogram(const MeasurementReport& report) {
   std::vector<Line> lines{std::move(bars), std::move(normal)};
   std::vector<Panel> panels{{{"Number of values", ""}, std::move(lines), 240}};
   return {"How often each size occurs",
-          beyond > 0
-              ? fmt::format("{} of {} values are beyond 5 standard errors, and are counted at the ends", beyond, values.size())
-              : fmt::format("{} values", values.size()),
+          beyond > 0 ? fmt::format("{} of {} values lie beyond 5 standard errors and are counted in the bins at the ends",
+                                   beyond, values.size())
+                     : fmt::format("{} values", values.size()),
           {report.correlation_time_s > 0 ? "Whitened residual" : "Residual", "standard errors"},
           std::move(panels)};
 }

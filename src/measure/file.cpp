@@ -44,7 +44,7 @@ class MeasurementReader {
       read_row();
     }
     if (measurement_.values.empty() && count_ == 0)
-      refuse_at(1, "no measured value; a row has a time, a value and its standard error");
+      refuse_at(1, "there is no measured value; a row needs a time, a value and its standard error");
     throw_findings();
     return std::move(measurement_);
   }
@@ -56,7 +56,8 @@ class MeasurementReader {
       refuse(0, fmt::format("t_s must be a number from 0, the release, to {:g} (s)", kLatestTime_s));
       return;
     }
-    if (t_s < latest_s_) refuse(0, fmt::format("t_s is before the row above ({:g} s); sort the rows by time", latest_s_));
+    if (t_s < latest_s_)
+      refuse(0, fmt::format("t_s is earlier than in the row above ({:g} s); sort the rows by time", latest_s_));
     latest_s_ = std::max(latest_s_, t_s);
     for (const QuantityCells& cells : quantities_)
       if (is_measured(cells)) read_value(cells, t_s);
@@ -68,12 +69,13 @@ class MeasurementReader {
     std::size_t there = 0;
     for (std::size_t i = cells.value; i < cells.value + numbers; ++i) {
       if (reader_.kinds()[i] == CellKind::not_finite) {
-        refuse(i, "a measured value is a finite number; leave the cell empty where nothing was measured");
+        refuse(i, "a measured value must be a finite number; leave the cell empty where nothing was measured");
         return false;
       }
       if (reader_.kinds()[i] == CellKind::number) ++there;
     }
-    if (there > 0 && there < numbers) refuse(cells.value, "one or two of an axis's three components; give all or none");
+    if (there > 0 && there < numbers)
+      refuse(cells.value, "only one or two of an axis's three components are given; give all or none");
     return there == numbers;
   }
 

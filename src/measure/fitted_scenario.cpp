@@ -61,7 +61,7 @@ void require_writable_scenario(const ScenarioSource& source, const std::vector<s
   using namespace measure;
   const Scenario scenario = read_in_place(source, changed_text(source.text, overrides), file);
   if (!are_alike(scenario, parse_scenario(source, overrides)))
-    throw ScenarioError("", "the scenario would be another one there: does it name a file beside it?");
+    throw ScenarioError("", "the scenario would be a different one there: does it name a file in its own directory?");
 }
 
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
@@ -85,7 +85,7 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
     if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
   text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });
   if (!are_alike(read_in_place(source, text, file), fitted))
-    throw ScenarioError("", "no scenario's text has exactly these estimates");
+    throw ScenarioError("", "no scenario file can hold exactly these estimates");
   return text;
 }
 

@@ -31,7 +31,7 @@ struct PredictedMotion {
 
 /// A scenario's motion at given times, computed in double precision whatever precision the scenario asks for. The scenario's
 /// rows and other requests are ignored.
-/// @param times_s  ascending, from 0 on, none later than the scenario's duration
+/// @param times_s  ascending, starting at 0, none later than the scenario's duration
 /// @param drift  whether drifts are wanted: these need the non-rotating prediction as well, which makes the work threefold
 /// @param watch  may end the work early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days

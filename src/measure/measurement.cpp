@@ -133,7 +133,7 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
   for (const MeasuredValue& value : measurement.values)
     if (!verdict.trusts(value.t_s)) {
       const std::string message =
-          fmt::format("from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: {}; leave {} out",
+          fmt::format("after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; leave out {}",
                       *verdict.from_s, to_string(verdict.verdict), verdict.reason,
                       verdict.until_s ? fmt::format("the rows up to {:.6g} s", *verdict.until_s) : "later rows");
       throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement.file);
@@ -185,10 +185,10 @@ void note_correlated_errors(MeasurementReport& report) {
     }
     const double correlation = products / squares, step_s = usual_step_s(list);
     if (!(correlation > kSignificant / std::sqrt(n)) || !(correlation < 1) || !(step_s > 0)) continue;
-    report.notes.push_back(fmt::format(
-        "neighbouring residuals of {} are alike (correlation {:.2f}): if their errors last, as for some {:.1g} s, the "
-        "standard errors of estimates are too small; state it by --correlation-time",
-        quantity, correlation, -step_s / real::log(correlation)));
+    report.notes.push_back(
+        fmt::format("neighbouring residuals of {} are alike (correlation {:.2f}): if the errors persist, here for about {:.1g} "
+                    "s, the standard errors of the estimates are too small; state that time with --correlation-time",
+                    quantity, correlation, -step_s / real::log(correlation)));
   }
 }
 
@@ -196,13 +196,15 @@ void add_notes(MeasurementReport& report) {
   note_correlated_errors(report);
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
   if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
-    report.notes.emplace_back("the scatter is smaller than the standard errors say: are they too large, or the rows averages?");
+    report.notes.emplace_back(
+        "the scatter is smaller than the standard errors would make it: are they too large, or are the rows averages?");
   const bool far = std::any_of(report.residuals.begin(), report.residuals.end(), [](const MeasurementResidual& residual) {
     return period_of(residual) > 0 && std::abs(residual.residual_rad) > std::numbers::pi / 2;
   });
   if (far)
     report.notes.emplace_back(
-        "an azimuth is more than a quarter turn off: is it counted clockwise from North, and is a fit's start near enough?");
+        "an azimuth is off by more than a quarter turn: is it counted clockwise from North, and does the fit start close "
+        "enough?");
 }
 
 }  // namespace
@@ -236,10 +238,10 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   if (!(options.correlation_time_s >= 0) || !std::isfinite(options.correlation_time_s))
     throw ScenarioError("--correlation-time", "must be a time above 0 (s)");
   if (options.priors && estimates.empty())
-    throw ScenarioError("--priors", "is about numbers that are estimated; name them with --estimate");
+    throw ScenarioError("--priors", "applies only to numbers that are estimated; name them with --estimate");
   const Scene given = parse_scene(source, overrides);
   if (given.scenario().effects.automatic)
-    throw ScenarioError("/effects", "the choice of effects is left to the program; name those to hold a measurement against");
+    throw ScenarioError("/effects", "the choice of effects is left to the program; to compare with a measurement, name them");
   const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
   const Scene scene = parse_scene(source, longer);
   const EstimatedInputs inputs(source, longer, scene, estimates);

@@ -61,7 +61,7 @@ FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& i
       used = true;
     }
     if (!used)
-      found.unused.push_back({std::string(name), fmt::format("it is not estimated; --estimate {} lets it enter", name)});
+      found.unused.push_back({std::string(name), fmt::format("it is not estimated; add --estimate {} to use it", name)});
   }
   return found;
 }

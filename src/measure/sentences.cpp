@@ -68,8 +68,8 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
                                  with_standard_error(*given.estimate, error), given.unit.empty() ? "" : " ", given.unit);
   if (!(error > 0) || !std::isfinite(error)) return text;
   if (error > *given.standard_error)
-    text +=
-        fmt::format(" (the error by the scatter, {:.2g} times what the stated errors explain)", error / *given.standard_error);
+    text += fmt::format(" (the standard error that the scatter gives, {:.2g} times the one from the stated errors)",
+                        error / *given.standard_error);
   constexpr double kSeen = 3;  // below this number of standard errors, one in 370 absent effects looks as large
   if (is_known && known->may_be_seen) {
     const double distance = std::abs(*given.estimate) / error;

@@ -85,11 +85,10 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
 }
 
 std::string why_not_converged(bool no_progress, bool all_predicted) {
-  if (!no_progress) return "the sum of squares still falls";
-  return all_predicted
-             ? "no step lessens the sum of squares, which is not least in first order either"
-             : "the sum of squares falls towards values without a prediction: beyond a number's range, or without such a "
-               "motion";
+  if (!no_progress) return "the sum of squares is still decreasing";
+  return all_predicted ? "no step reduces the sum of squares, though to first order it is not at its minimum"
+                       : "the sum of squares decreases towards values that have no prediction: beyond a number's range, or "
+                         "where no such motion exists";
 }
 
 Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
@@ -109,7 +108,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
     }
     if (found == ScaledProblem::StepFound::no_prediction) {
       fit.outcome = FitOutcome::prediction_failed;
-      fit.reason = "beside the start there is no prediction";
+      fit.reason = "there is no prediction next to the values from which the fit starts";
       return fit;
     }
   }
@@ -134,7 +133,7 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
     if (callbacks.thrown) std::rethrow_exception(callbacks.thrown);
     if (status != GSL_SUCCESS && status != GSL_ENOPROG) {
       fit.outcome = FitOutcome::prediction_failed;
-      fit.reason = "on the way to the least sum of squares there is no prediction";
+      fit.reason = "on the way to the minimum of the sum of squares there is no prediction";
       return fit;
     }
     const Influences influences(workspace->J, workspace->f);

@@ -18,14 +18,14 @@ struct FitPrior {
   double standard_error = 0;  ///< above 0, in the parameter's unit
 };
 
-/// A problem of weighted least squares. A residual is a measured angle less the predicted one (rad).
+/// A problem of weighted least squares. A residual is a measured angle minus the predicted one (rad).
 struct FitProblem {
   std::vector<double> start;
   std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change
   std::vector<double> standard_error;  ///< for each residual (rad)
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
   Whitening whitening;                 ///< of the residuals divided by their standard errors
-  std::vector<FitPrior> priors;        ///< each is a datum beside the residuals
+  std::vector<FitPrior> priors;        ///< each is a datum besides the residuals
   /// Computes the residuals. @returns whether there is a prediction for these parameters; if not, `residuals` has no meaning
   std::function<bool(const std::vector<double>& parameters, std::vector<double>& residuals)> residuals_at;
   std::function<bool()> stopped;

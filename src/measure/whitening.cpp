@@ -24,7 +24,7 @@ Whitening::Whitening(const std::vector<MeasurementResidual>& residuals, double t
       link.memory = error_memory(residual.t_s - before.t_s, tau_s);
       if (!(link.memory.fresh > 0)) {
         const std::string message = fmt::format(
-            "{} at {:.9g} s stands on line {} too: with a correlation time their errors would be the same; keep one, or their "
+            "{} at {:.9g} s is on line {} too: with a correlation time, both would have the same error; keep one, or their "
             "mean",
             residual.quantity, residual.t_s, before.line);
         throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(residual.line), 1, "", message}}, file);

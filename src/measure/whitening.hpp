@@ -13,7 +13,7 @@
 namespace earthtop::measure {
 
 /// The errors of one quantity, in their standard errors, follow an Ornstein-Uhlenbeck process: two of them are correlated by
-/// rho = exp(-dt / tau), and given the latest one, those before it tell nothing more. What is new in an error e_k is therefore
+/// rho = exp(-dt / tau), and given the latest one, those before it say nothing more. What is new in an error e_k is therefore
 /// (e_k - rho_k e_(k-1)) / sqrt(1 - rho_k^2), and these are independent and of variance 1, whatever the distances of the rows.
 class Whitening {
  public:

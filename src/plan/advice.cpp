@@ -101,7 +101,7 @@ std::string advice_on(const PlanReport& report) {
                        gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);
   };
   if (report.changes.empty() || gain(report, report.changes[0]) < 1.05)
-    return text + "None of the changes looked at makes its standard error smaller by a twentieth.";
+    return text + "None of the changes considered makes its standard error smaller by as much as a twentieth.";
   text += "To change first: " + sentence(report.changes[0]);
   if (report.changes.size() > 1 && gain(report, report.changes[1]) >= 1.05) text += "; next, " + sentence(report.changes[1]);
   return text + ".";

@@ -8,8 +8,8 @@ namespace earthtop::plan {
 
 /// How the derivatives' rows compare with the plan's.
 struct Grid {
-  std::size_t density = 1;  ///< so many times as many in the same time
-  std::size_t extent = 1;   ///< they last so many times as long
+  std::size_t density = 1;  ///< this many times as many in the same time
+  std::size_t extent = 1;   ///< they last this many times as long
   bool has_tilt = false;    ///< whether their last quantity is a tilt that the plan does not measure
 };
 

@@ -71,7 +71,7 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
       if (predicted) found.J.col(static_cast<Eigen::Index>(j)).setZero();
     if (!predicted) {
       found.outcome = PlanOutcome::prediction_failed;
-      found.reason = "beside the scenario's numbers there is no prediction";
+      found.reason = "there is no prediction next to the scenario's numbers";
     }
   } catch (const ScaledProblem::Stopped&) {
     found.outcome = PlanOutcome::interrupted;

@@ -8,7 +8,7 @@
 namespace earthtop {
 
 Figure plan_figure(const PlanReport& report) {
-  Figure figure{"What a measurement would tell", "", {"Factor", "", AxisScale::logarithmic}, {}};
+  Figure figure{"What a measurement would show", "", {"Factor", "", AxisScale::logarithmic}, {}};
   if (report.estimates.empty()) return figure;
   const PlannedEstimate& target = report.estimates[0];
   figure.subtitle = fmt::format("{}: standard error of {}", report.scenario_name, target.name);
@@ -18,9 +18,9 @@ Figure plan_figure(const PlanReport& report) {
     LineColor color;
     Marker marker;
   };
-  constexpr Curve kCurves[] = {{PlanChange::duration, "so many times as long", LineColor::blue, Marker::circle},
-                               {PlanChange::rows, "so many times as many rows", LineColor::vermillion, Marker::square},
-                               {PlanChange::sigma, "so many times as accurate", LineColor::green, Marker::triangle}};
+  constexpr Curve kCurves[] = {{PlanChange::duration, "times as long", LineColor::blue, Marker::circle},
+                               {PlanChange::rows, "times as many rows", LineColor::vermillion, Marker::square},
+                               {PlanChange::sigma, "times as accurate", LineColor::green, Marker::triangle}};
   Panel panel{{"Standard error", target.unit, AxisScale::logarithmic}, {}, 320};
   for (const Curve& curve : kCurves) {
     Line line{curve.label, {}, {}, curve.color, LineStyle::solid, curve.marker};

@@ -248,7 +248,8 @@ double given_value(const ScenarioSource& source, const Overrides& overrides, con
 
 void require_design(const ScenarioSource& source, const Overrides& overrides, const std::vector<DesignInput>& design) {
   if (design.size() > kMostDesignInputs)
-    refuse_design(design[kMostDesignInputs].pointer, fmt::format("at most {} numbers are chosen at once", kMostDesignInputs));
+    refuse_design(design[kMostDesignInputs].pointer,
+                  fmt::format("at most {} numbers can be chosen at once", kMostDesignInputs));
   const scenario::Document document(source, overrides);
   for (auto input = design.begin(); input != design.end(); ++input) {
     if (std::any_of(design.begin(), input, [&](const DesignInput& other) { return other.pointer == input->pointer; }))
@@ -256,10 +257,10 @@ void require_design(const ScenarioSource& source, const Overrides& overrides, co
     if (input->pointer != kDuration && !measure::is_number_of_motion(input->pointer))
       refuse_design(
           input->pointer,
-          "is no number that can be chosen; give a number of site, earth, body, release, contact, platform or effects, "
+          "is not a number that can be chosen; give a number of site, earth, body, release, contact, platform or effects, "
           "or /motion/duration_s, e.g. /release/tilt_deg=5:60");
     if (!std::isfinite(given_value(source, overrides, input->pointer)))
-      refuse_design(input->pointer, "is not in the scenario; write it there, with any value");
+      refuse_design(input->pointer, "is not in the scenario; add it there, with any value");
     for (const double limit : {input->low, input->high}) {
       const ScenarioReport report = examine(document, {{input->pointer, limit}});
       for (const Diagnostic& error : report.errors)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes what a planned measurement would tell.
+// Computes what a planned measurement would show.
 #include "earthtop/plan/plan.hpp"
 
 #include <fmt/format.h>
@@ -56,10 +56,11 @@ LongScene reliable_scene(const ScenarioSource& source, const Overrides& override
     }
   LongScene once = lasting_scene(source, overrides, given, until_s, watch);
   if (once.status == RunStatus::completed && measure::is_beyond_prediction(once.verdict, until_s))
-    throw ScenarioError("--until",
-                        fmt::format("from {:.6g} s on the scenario's motion is {}, and its prediction means nothing: "
-                                    "{}; measure until then at most",
-                                    *once.verdict.from_s, to_string(once.verdict.verdict), once.verdict.reason));
+    throw ScenarioError(
+        "--until",
+        fmt::format(
+            "after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; end the measurement by then",
+            *once.verdict.from_s, to_string(once.verdict.verdict), once.verdict.reason));
   return once;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using InputsOf = std::function<EstimatedInputs(const std::vector<std::string>&)>;
 
 /// Adds a prior on an input, and the input if it is not estimated yet. @param why  is set to the reason of the first refusal
-/// @returns whether the scenario has this input, and it can be estimated beside the others
+/// @returns whether the scenario has this input, and it can be estimated besides the others
 bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standard_error, const InputsOf& inputs_of,
                std::string& why) {
   try {
@@ -48,7 +48,7 @@ bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standa
 Scene scene_to_measure(const ScenarioSource& source, const Overrides& overrides) {
   Scene scene = parse_scene(source, overrides);
   if (scene.scenario().effects.automatic)
-    throw ScenarioError("/effects", "the choice of effects is left to the program; name those to plan a measurement with");
+    throw ScenarioError("/effects", "the choice of effects is left to the program; to plan a measurement, name them");
   return scene;
 }
 

@@ -76,7 +76,7 @@ std::array<double, 3> turned(const std::array<double, 3>& n, double along_tilt, 
   return moved;
 }
 
-/// An azimuth within a turn from 0 on; a tilt of at most half a turn.
+/// An azimuth within a turn from 0; a tilt of at most half a turn.
 double as_read(MeasuredQuantity quantity, double angle) {
   if (quantity == MeasuredQuantity::azimuth) {
     const double within = std::fmod(angle, 2 * kPi);

@@ -22,7 +22,8 @@ bool has_table_friction(const Scene& scene) {
 }
 
 constexpr TorqueQuantity kTorques[] = {
-    torque("tau_phys", "physical torque: apparent gravity, a driven pivot's effect, and all that acts on the top besides",
+    torque("tau_phys",
+           "physical torque: apparent gravity, the effect of a driven pivot, and everything else that acts on the top",
            "tau_phys_N_m", [](const auto& r) { return r.tau_phys_A; }),
     torque("tau_cor", "Coriolis torque", "tau_cor_N_m", [](const auto& r) { return r.tau_cor_A; }),
     torque("tau_trans", "transverse torque", "tau_trans_N_m", [](const auto& r) { return r.tau_trans_A; }),
@@ -30,7 +31,7 @@ constexpr TorqueQuantity kTorques[] = {
     torque("dL_dt", "time derivative of the angular momentum that the observer sees, from Euler's equation", "dL_dt_N_m",
            [](const auto& r) { return r.dL_dt_A; }),
     torque(
-        "residual", "sum of the four torques less the derivative: rounding errors", "residual_N_m",
+        "residual", "sum of the four torques minus the derivative: rounding errors", "residual_N_m",
         [](const auto& r) { return r.residual_A; }, nullptr, RowPart::error),
     torque(
         "tau_tide", "part of the physical torque: the tide", "tau_tide_N_m", [](const auto& r) { return r.share_A[0]; },

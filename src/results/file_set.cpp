@@ -225,7 +225,8 @@ void FileSet::remove_left(std::string_view name) const {
 void FileSet::lock() {
   lock_.emplace(dir_, DirectoryLock::Mode::exclusive, watch_);
   if (lock_->is_busy())
-    throw WriteError(dir_.string(), "another run has been writing there for 10 s; wait for it, or choose another --out");
+    throw WriteError(dir_.string(),
+                     "another run has been writing there for 10 s; wait until it has ended, or choose another --out");
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {

@@ -76,7 +76,7 @@ constexpr SummaryMember holder(std::string_view path, MemberForm form, Count, bo
           FigureKind::not_compared,
           FigureScope::any,
           KnownFrom::end,
-          "it holds others",
+          "it only holds other members",
           nullptr,
           [](R r) -> std::optional<std::size_t> { return Count{}(r); },
           left_out,
@@ -111,18 +111,18 @@ constexpr SummaryMember of_scenario(SummaryMember member) {
 }
 
 /// Ends of the sentence "It is not compared because ...".
-inline constexpr std::string_view kLabel = "it names what is beside it",
-                                  kOfScenario = "the scenario says it, whose keys are compared",
-                                  kWords = "it says in words what figures say",
-                                  kIsRow = "it is a row's, and the rows are compared",
-                                  kRowCount = "rows that are missing or too many are findings of their own",
+inline constexpr std::string_view kLabel = "it only names what is next to it",
+                                  kOfScenario = "it repeats the scenario, whose keys are compared",
+                                  kWords = "it says in words what other members say in numbers",
+                                  kIsRow = "it belongs to a row, and the rows are compared",
+                                  kRowCount = "missing and extra rows are findings of their own",
                                   kDigits = "it repeats a figure that is compared",
                                   kOrigin = "it says where the result comes from",
                                   kHeadline =
-                                      "it holds a column or a figure, which are compared, against the scenario's number",
+                                      "it checks a column or a figure, which is compared itself, against the scenario's number",
                                   kSelected = "the effects modelled are compared",
                                   kRemainder =
-                                      "it is what rounding and the integration's error leave of numbers that are compared",
+                                      "it is the error that rounding and the integration leave in numbers that are compared",
                                   kEffort = "it is the work that the search for a tolerance took";
 
 /// The entries of several tables, one after another.

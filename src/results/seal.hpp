@@ -30,7 +30,7 @@ enum class Seal {
 Seal seal_of(std::string_view document);
 
 /// The checksums of files that a summary states; none of a summary without.
-/// @param file  of the summary, for messages   @throws ScenarioError where it is no document, or has other names than of files
+/// @param file  of the summary, for messages   @throws ScenarioError where it is not a document, or has other names than of files
 FileChecksums checksums_in(std::string_view summary, const std::filesystem::path& file);
 
 /// @throws ScenarioError always: the file is not what was written

@@ -24,7 +24,7 @@ inline bool have_input_errors(R r) { return have_sensitivities(r) && r.sensitivi
 inline Json why_no_input_errors(R r) {
   if (have_input_errors(r)) return kLeftOut;
   if (!have_sensitivities(r)) return Json(r.sensitivities->unavailable);
-  return Json(fmt::format("there is no derivative by {}", r.sensitivities->without_derivative));
+  return Json(fmt::format("there is no derivative with respect to {}", r.sensitivities->without_derivative));
 }
 
 /// The name of the input whose error contributes most to the drift's error; null where no input has an error.

@@ -89,7 +89,7 @@ Json document_of(const RunResult& result, const Wanted& wanted) {
   return document;
 }
 
-/// The number of a list's element from a step of a path; none where the step is no number.
+/// The number of a list's element from a step of a path; none where the step is not a number.
 std::optional<std::size_t> element_number(std::string_view step) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), number);

@@ -171,12 +171,12 @@ std::optional<std::string> summary_path_fault(std::string_view path) {
       const std::size_t size = list ? static_cast<std::size_t>(-1) : at->size();
       const auto index = input::array_index(step, size);
       if (!index)
-        return list ? fmt::format("{} is a list; after it comes a number from 0 on, not \"{}\"", so_far, step)
-                    : fmt::format("{} has {} elements; after it comes a number from 0 to {}, not \"{}\"", so_far, size,
-                                  size - 1, step);
+        return list ? fmt::format("{} is a list, to be followed by a number of at least 0, not by \"{}\"", so_far, step)
+                    : fmt::format("{} has {} elements, and is to be followed by a number from 0 to {}, not by \"{}\"", so_far,
+                                  size, size - 1, step);
       at = &(*at)[list ? 0 : *index];
     } else {
-      return fmt::format("nothing lies below {} in summary.json, so there is no \"{}\"", so_far, step);
+      return fmt::format("{} has no members in summary.json, so there is no \"{}\"", so_far, step);
     }
     so_far += so_far.empty() ? "" : ".";
     so_far += step;

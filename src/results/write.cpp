@@ -44,7 +44,7 @@ std::string scenario_of(const fs::path& summary) {
     const nlohmann::ordered_json json = input::read_document(text, summary.string(), {"summary"});
     const nlohmann::ordered_json::json_pointer hash("/provenance/scenario_sha256");
     return json.contains(hash) && json.at(hash).is_string() ? json.at(hash).get<std::string>() : "";
-  } catch (const ScenarioError&) {  // it is no file, cannot be opened, or is no document
+  } catch (const ScenarioError&) {  // it is not a file, cannot be opened, or is not a document
     return "";
   }
 }
@@ -67,11 +67,11 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   if (is_there(summary)) {
     const std::string present = scenario_of(summary);
     if (present.empty())
-      refuse(dir, "summary.json in it is not a summary of earthtop's; choose another --out, or --force to overwrite it");
+      refuse(dir, "its summary.json was not written by earthtop; choose another --out, or --force to overwrite it");
     if (present != scene.sha256())
       refuse(dir, "holds the results of another scenario; choose another --out, or --force to overwrite them");
     if (!scene.scenario().ledger && is_there(dir / kTorqueTable))
-      refuse(dir, "torques.csv in it is none of this scenario's results; choose another --out, or --force to remove it");
+      refuse(dir, "its torques.csv does not belong to this scenario's results; choose another --out, or --force to remove it");
     return;
   }
   // A run that was killed while it put its files in place left the summary under a temporary name.
@@ -132,8 +132,8 @@ void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
       refuse_damaged(dir / name);
 }
 
-/// Reads a table to its end. @throws ScenarioError for a line with another number of cells than the header, and for a cell that
-/// is not of its column's kind   @param kinds  the columns that it may have; others are passed over
+/// Reads a table to its end. @throws ScenarioError for a line whose number of cells differs from that of the header, and for a
+/// cell that is not of its column's kind   @param kinds  the columns that it may have; others are passed over
 void check_table(const fs::path& file, const std::string& text, const std::vector<RowArray>& kinds) {
   if (text.find('"') != text.npos) refuse(file, "has quotation marks, which no table of results has; run the scenario again");
   constexpr input::CsvFormat kWithoutComments = {',', '\0', false};
@@ -170,14 +170,14 @@ void check_formats(const fs::path& dir, const ResultTexts& texts) {
 }  // namespace
 
 void check_output_directory(const fs::path& dir, const Scene& scene, bool force) {
-  if (dir.empty()) refuse("--out", "the directory's name is empty; give one");
+  if (dir.empty()) refuse("--out", "the directory's name is empty; give a name");
   std::error_code error;
   fs::path present = fs::absolute(dir, error).lexically_normal();
   if (error) fail_to_write(dir, error.value());
   while (!is_there(present) && present.has_relative_path()) present = present.parent_path();
   if (!fs::is_directory(present, error)) {
     const bool link = fs::is_symlink(fs::symlink_status(present, error));
-    refuse(present, link ? "is a link that leads to no directory; mend it, or choose another --out"
+    refuse(present, link ? "is a link that does not lead to a directory; repair it, or choose another --out"
                          : "is not a directory; choose another --out");
   }
   if (::access(present.c_str(), W_OK | X_OK) != 0) fail_to_write(present, errno);
@@ -188,7 +188,7 @@ void write_file(const fs::path& file, const std::function<std::string()>& conten
   struct stat status = {};
   if (::lstat(file.c_str(), &status) != 0 && errno != ENOENT && errno != ENOTDIR) fail_to_write(file, errno);
   if (!file.has_filename() || (status.st_mode != 0 && !S_ISREG(status.st_mode)))
-    refuse(file, "is no file's name, or something else than a file is there; give a file");
+    refuse(file, "is not the name of a file, or something other than a file has that name; give a file");
   const std::string name = file.filename().string();
   const std::string_view names[] = {name};
   FileSet files(file.has_parent_path() ? file.parent_path() : fs::path("."), names);

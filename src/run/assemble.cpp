@@ -83,8 +83,9 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   result.stops = made.first.stops;
   result.verdict.verdict = Verdict::unassessed;
   result.verdict.from_s = 0;
-  result.verdict.reason = "interrupted when the rows were there, but not the bounds on their errors";
-  result.notes.emplace_back("partial: interrupted before error bounds and verdict were there; another run computes them");
+  result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
+  result.notes.emplace_back(
+      "partial: interrupted before error bounds and verdict were computed; run the scenario again for them");
   mark_rows(result);
 }
 
@@ -111,7 +112,7 @@ std::optional<std::string> note_on_air(const RunResult& result) {
                                   [&](const DriftRow& row) { return is_turbulent(*disc, row.w_LB_B[2]) != turbulent; });
   if (other == result.rows.end()) return std::nullopt;
   return fmt::format(
-      "from {} s on the air round the disc is {}, but the drag is that of the release, {}: give /effects/air_drag/flow",
+      "after {} s the flow round the disc is {}, but the drag remains that of the release, {}: give /effects/air_drag/flow",
       other->t_s, turbulent ? "laminar" : "turbulent", turbulent ? "turbulent" : "laminar");
 }
 
@@ -250,7 +251,7 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   if (stop()) return stopped(scene, made, partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
-  if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scene: a non-inertial torque is switched off");
+  if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
   return result;
 }
 

@@ -111,7 +111,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   }
 }
 
-/// The number of points, from the first on, whose trajectories are held in memory together.
+/// The number of points, starting at the first, whose trajectories are held in memory together.
 std::size_t together(std::span<const Scene> scenes, std::span<const LanePoint> points) {
   constexpr double kMostRows = 40'000;  // of each of the two integrations: some 40 MB
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a row of a top on a table beside attitudes and rates, in SI units, from the natural units of a sample.
+/// The part of a row of a top on a table besides attitudes and rates, in SI units, from the natural units of a sample.
 #pragma once
 
 #include <algorithm>

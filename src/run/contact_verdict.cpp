@@ -28,7 +28,7 @@ bool is_integrable_on_table(const DriftProblem<double>& problem) {
   return contact.law == ContactLaw::frictionless || (contact.law == ContactLaw::rolling && level);
 }
 
-/// Whether a symmetric top stands well above its critical spin all along, with its centre of mass above that of the tip's sphere
+/// Whether a symmetric top stands well above its critical spin throughout, with its centre of mass above that of the tip's sphere
 /// and the tip smaller than that height: it does not fall, and does not turn over as a tippe top.
 bool stands_fast(const DriftProblem<double>& problem, const std::vector<DriftRow>& rows) {
   constexpr double kFast = 2;  // square of the spin over the critical one
@@ -57,7 +57,7 @@ DriftProblem<double> rolling_on(DriftProblem<double> problem, const DriftRow& ro
 }
 
 /// Follows disturbances of a run. Exact dry friction has no derivative where the slip stops: they are followed to just before it,
-/// and anew from the first row at which both predictions roll.
+/// and again from the first row at which both predictions roll.
 ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
   const bool slides = !rolls(result.rows.front()) || problem.table->contact.law == ContactLaw::rolling;
   const auto stop_s = first_event(result, ContactEventKind::slip_stopped);
@@ -88,7 +88,8 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
     report.verdict = Verdict::marginal;
     report.from_s = onset_s;
     report.reason = fmt::format(
-        "from {:.6g} s on rolling takes more friction than the table gives: how the tip slips on is not computed", *onset_s);
+        "after {:.6g} s rolling needs more friction than the table gives: how the tip slips from then on is not computed",
+        *onset_s);
     return report;
   }
   if (is_integrable_on_table(problem)) {
@@ -96,22 +97,22 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
     return report;
   }
   if (stands_fast(problem, result.rows)) {
-    report.reason = "a top that stands, well above its critical spin all along: no disturbance grows exponentially";
+    report.reason = "the top stands, and its spin is well above critical throughout: no disturbance grows exponentially";
     return report;
   }
   const ContactGrowth growth = followed_growth(problem, result, watch);
   if (!growth.above_s) {
     report.reason = growth.completed
                         ? "disturbances grow no faster than the axis moves"
-                        : fmt::format("no fast growth of disturbances, as far as it was followed, to {:.6g} s", growth.end_s);
+                        : fmt::format("disturbances do not grow fast, as far as they were followed, to {:.6g} s", growth.end_s);
     return report;
   }
   report.verdict = Verdict::unstable;
   report.from_s = growth.above_s;
   report.until_s = growth.again_s;
   report.reason =
-      fmt::format("from {:.4g} s on disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
-                  growth.largest, growth.again_s ? fmt::format("; from {:.4g} s on they no longer do", *growth.again_s) : "");
+      fmt::format("after {:.4g} s disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
+                  growth.largest, growth.again_s ? fmt::format("; after {:.4g} s they no longer do", *growth.again_s) : "");
   return report;
 }
 

@@ -100,9 +100,9 @@ class Differences {
     problem.times_s = {0, time_s_};
     const DriftTrajectory<double> drift = integrate_drift(problem, options_, watch);
     if (drift.status != RunStatus::completed || drift.samples.size() < 2) {
-      failure_ = fmt::format("a run with another value of it {}", drift.status == RunStatus::completed
-                                                                      ? std::string("ended before")
-                                                                      : fmt::format("ended with {}", to_string(drift.status)));
+      failure_ = fmt::format("a run with a different value of it {}",
+                             drift.status == RunStatus::completed ? std::string("ended earlier")
+                                                                  : fmt::format("ended with {}", to_string(drift.status)));
       return std::nullopt;
     }
     const DriftMeasures<double>& m = drift.samples.back().measures;
@@ -216,8 +216,9 @@ std::optional<std::vector<InputSensitivity>> difference_sensitivities(const Scen
     const auto part = watch.part(share * double(1 + 8 * i), share * double(9 + 8 * i));
     const auto estimate = whole ? differences.by(inputs[i], part) : std::nullopt;
     if (!estimate || !estimate->settled) {
-      entry.unavailable = estimate ? "the drift has no derivative by it: differences do not settle as their step decreases"
-                                   : differences.failure();
+      entry.unavailable =
+          estimate ? "the drift has no derivative with respect to it: differences do not settle as their step decreases"
+                   : differences.failure();
       continue;
     }
     entry.axis_rad = estimate->value[0], entry.attitude_rad = estimate->value[1], entry.tilt_rad = estimate->value[2];

@@ -37,11 +37,11 @@ IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions option
   return options;
 }
 
-/// The second integration on a thread of its own, beside the first one.
+/// The second integration on a thread of its own, alongside the first one.
 template <class T>
 class SecondBeside {
  public:
-  /// Starts it, unless the options have it wait for the first one, or no thread can be had.
+  /// Starts it, unless the options have it wait for the first one, or no thread is available.
   SecondBeside(const Scene& scene, const IntegrationOptions& first, const IntegrationOptions& second, const RunOptions& run) {
     // long_horizon checks itself with the steps that the first integration has found.
     if (run.jobs < 2 || (first.method == second.method && first.method == Method::long_horizon)) return;

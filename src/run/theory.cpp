@@ -25,8 +25,9 @@ struct TopOnEarth {
   Vec3<double> n_L;  ///< the axis at release
 };
 
-/// The mean over all time of the integral of L_E + i L_N from the release on, where L is the angular momentum of the reference
-/// over I1. Seen from axes that turn with the mean precession it repeats with the nutation, so that one period tells all.
+/// The mean over all time of the integral of L_E + i L_N from the release onward, where L is the angular momentum of the
+/// reference over I1. Seen from axes that turn with the mean precession it repeats with the nutation, so that one period tells
+/// all.
 Complex<double> mean_integral(const TopOnEarth& scene, const MeanRates& rates) {
   constexpr int kSteps = 256;  // of Simpson's rule, within a period
   const LagrangeTop<double> motion(scene.top, scene.release.q_LB, scene.release.w_XB_B, ClosedFormSpan::few_periods);
@@ -141,7 +142,7 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
   const TopConstants constants = top_constants(body, mgl, release.q_LB, release.w_XB_B);
   const std::optional<MeanRates> rates = mean_rates(constants);
   if (!rates) return {};
-  constexpr double kSeen = 1.5;  // swings of which the run has so many are told from the trend
+  constexpr double kSeen = 1.5;  // swings of which the run has this many can be told from the trend
   const Vec3<double> W = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
   const double across = real::hypot(W[0], W[1]);
   // The slowest of the sums of the precession and multiples of the nutation.

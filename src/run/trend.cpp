@@ -27,7 +27,7 @@ std::string other_action(const Scene& scene) {
   if (s.platform && s.platform->pivot_offset_m != std::array<double, 3>{}) return "the pivot rides on a platform";
   if (s.effects.applied.friction()) return "friction acts";
   if (s.effects.applied.gimbal) return "a gimbal holds the axis";
-  if (s.effects.tide) return "the tide changes with the time";
+  if (s.effects.tide) return "the tide changes with time";
   if (!s.effects.all_on()) return "a non-inertial torque is left out";
   return "";
 }
@@ -170,13 +170,13 @@ TrendPlan plan_trend(const Scene& scene) {
     const std::optional<MeanRates> rates = mean_rates(top_constants(
         scene.body<double>(), scene.axial_gravity_torque_N_m(), scene.release<double>().q_LB, scene.release<double>().w_XB_B));
     if (!rates || rates->precession_rad_s == 0) {
-      plan.no_precession = "the azimuth of the non-rotating prediction does not go round at a mean rate";
+      plan.no_precession = "the azimuth of the non-rotating prediction does not advance at a mean rate";
       return plan;
     }
     plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
     const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
     if (turns < 1) return plan;
-    // A tilt that is no simple sine has many multiples of its frequency, all of which must be seen.
+    // A tilt that is not a simple sine has many multiples of its frequency, all of which must be seen.
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
     const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
@@ -207,7 +207,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   const double until = std::min(result.reached_s, result.verdict.reliable_until_s);
   const auto under_one_turn = [&](double turns) {
     trend.turns_seen = turns;
-    trend.reason = fmt::format("the run sees {:.2g} turns of precession, and a trend takes one", turns);
+    trend.reason = fmt::format("the run covers {:.2g} turns of precession, and a trend needs at least one", turns);
     return trend;
   };
   trend.window_s = {0, until};
@@ -215,7 +215,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
       return under_one_turn(turns);
 
-  trend.reason = "no looks at the motion were planned";
+  trend.reason = "no samples of the azimuth were planned";
   if (plan.times_s.size() < 2) return trend;
   std::vector<AzimuthSample> made;
   if (seen.empty()) {
@@ -227,9 +227,9 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   const std::span<const AzimuthSample> azimuths = seen.first(count);
   trend.reason = "too little of the run is reliable";
   if (static_cast<double>(count) < kFewestAzimuths) return trend;
-  trend.reason = "an axis goes through the vertical";
+  trend.reason = "an axis passes through the vertical";
   if (!std::ranges::all_of(azimuths, &AzimuthSample::defined)) return trend;
-  trend.reason = "the Earth moves the axis about as far as it stands from the vertical";
+  trend.reason = "the Earth moves the axis about as far as the axis is from the vertical";
   if (!azimuths_tell(azimuths)) return trend;
 
   const double step = plan.times_s[1];
@@ -252,7 +252,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   drift.reserve(count);
   for (const AzimuthSample& look : azimuths) drift.push_back(look.drift_rad);
   const TrendEstimate estimate = estimate_trend(drift, step, frequencies);
-  trend.reason = "the swings cannot be told from a trend";
+  trend.reason = "the swings cannot be told apart from a trend";
   if (!std::isfinite(estimate.bound_rad_s)) return trend;
   trend.reason.clear();
   trend.azimuth_rate_rad_s = estimate.rate_rad_s;

@@ -18,7 +18,7 @@ struct TrendPlan {
   std::string no_precession;                    ///< why the azimuth of this scene has no secular rate; else empty
   std::string mean_only;                        ///< what acts so that only a mean over the run has a meaning; else empty
   std::optional<TrendFrequencies> frequencies;  ///< of a symmetric top, in closed form
-  std::vector<double> times_s;                  ///< in equal steps from the release on; none where no look is needed
+  std::vector<double> times_s;                  ///< in equal steps from the release onward; none where no look is needed
 };
 
 /// The looks at a symmetric top are few: their times are in the golden ratio to its period of nutation, so that no multiple of

@@ -42,8 +42,8 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
   const auto upright = marginal_top(problem);
   if (!upright) return std::nullopt;
   return fmt::format(
-      "an upright top at {:.6g} of its critical spin: whether it stands or falls hangs on digits of spin and moments that are "
-      "not known",
+      "an upright top at {:.6g} of its critical spin: whether it stands or falls depends on digits of its spin and moments "
+      "that are not known",
       std::sqrt(upright->spin_ratio_squared));
 }
 
@@ -99,7 +99,7 @@ std::string when(std::optional<double> time_s, std::string_view what) {
   return time_s ? fmt::format("; {} at {:.4g} s", what, *time_s) : "";
 }
 
-/// Returns the first time (s) from which on the largest drift so far, of axis or attitude, is not well above its bound.
+/// Returns the first time (s) from which the largest drift so far, of axis or attitude, is not well above its bound.
 std::optional<double> noise_from_s(const RunResult& result) {
   double axis = 0, attitude = 0;
   std::optional<double> from_s;
@@ -133,10 +133,10 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
   const std::optional<double> loose_s = loose_from_s(rows);
   const bool braked = growth.critical_spin_s.value_or(0) > 0;
   if (!growth.exponential_s && !braked) {
-    report.reason =
-        growth.completed
-            ? "disturbances grow no faster than the motion's own angles"
-            : fmt::format("no exponential growth of disturbances, as far as it was followed, to {:.6g} s", growth.followed_s);
+    report.reason = growth.completed
+                        ? "disturbances grow no faster than the motion's own angles"
+                        : fmt::format("disturbances do not grow exponentially, as far as they were followed, to {:.6g} s",
+                                      growth.followed_s);
     return;
   }
   report.round_off_grown_s = growth.round_off_s;
@@ -151,8 +151,8 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
     report.verdict = Verdict::unstable;
     report.from_s = earlier(growth.critical_spin_s, earlier(growth.round_off_s, loose_s));
     report.reason = fmt::format(
-        "friction has braked an upright top to its critical spin at {:.6g} s: from then on it falls, and disturbances grow "
-        "with it{}{}{}",
+        "friction has slowed an upright top to its critical spin at {:.6g} s: from then on it falls, and disturbances grow as "
+        "it does{}{}{}",
         *growth.critical_spin_s, earth, rounding, loose);
   } else if (integrable || steady || !goes_on) {
     report.verdict = Verdict::unstable;
@@ -160,8 +160,8 @@ void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool 
     report.reason = goes_on ? fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
                                           growth.mean_exponent_1_s, earth, rounding, loose)
                             : fmt::format(
-                                  "disturbances of this motion grow exponentially for a while, from {:.4g} s on more than a "
-                                  "hundredfold what its own angles make of them{}{}{}",
+                                  "disturbances of this motion grow exponentially for a while: after {:.4g} s they are more "
+                                  "than a hundred times as large as its own angles would make them{}{}{}",
                                   *growth.exponential_s, earth, rounding, loose);
   } else {
     report.verdict = Verdict::chaotic;
@@ -212,7 +212,8 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   }
   const auto tolerance = growth_tolerance(problem, result.reached_s);
   if (!tolerance)
-    report.reason = "next to a motion in closed form that is far from every separatrix: no disturbance grows exponentially";
+    report.reason =
+        "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
     judge_growth(follow_growth(result, problem, *tolerance, watch), result.rows, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);

@@ -27,13 +27,11 @@ void tell_coriolis_torque(Told& told) {
     coriolis = std::max(coriolis, std::abs(told.I3 * row.w_LB_B[2]) * norm(Vec3<double>(n_L.cross(told.W_L))));
     gravity = std::max(gravity, std::abs(told.mgl) * real::hypot(n_L[0], n_L[1]));
   }
-  told.add(
-      "coriolis_torque",
-      fmt::format(
-          "To an observer in the laboratory a Coriolis torque acts on the spin, {:.3g} N m at most: {:.2g} times gravity's "
-          "{:.3g} N m.",
-          coriolis, coriolis / gravity, gravity),
-      {{"coriolis_torque_N_m", coriolis}, {"gravity_torque_N_m", gravity}, {"ratio", coriolis / gravity}});
+  told.add("coriolis_torque",
+           fmt::format("To an observer in the laboratory, a Coriolis torque acts on the spinning top, {:.3g} N m at most: "
+                       "{:.2g} times gravity's {:.3g} N m.",
+                       coriolis, coriolis / gravity, gravity),
+           {{"coriolis_torque_N_m", coriolis}, {"gravity_torque_N_m", gravity}, {"ratio", coriolis / gravity}});
 }
 
 std::string_view pace(double faster) { return faster < 0 ? "slower" : "faster"; }
@@ -43,10 +41,9 @@ void tell_laboratory_turns(Told& told, double p) {
   const double up = told.W_L[2], faster = p > 0 ? -up : up;
   if (std::abs(up) <= kNone * told.Omega()) return;
   told.add("laboratory_turns",
-           fmt::format(
-               "About its vertical the laboratory turns at Ω sin(latitude), {:.5g} rad/s {} from above; the precession, {:.5g} "
-               "rad/s {}, therefore looks {} from it by as much.",
-               std::abs(up), sense(up), std::abs(p), sense(p), pace(faster)),
+           fmt::format("The laboratory turns about its vertical at Ω sin(latitude), {:.5g} rad/s {} seen from above; the "
+                       "precession, {:.5g} rad/s {}, therefore looks {} from the laboratory by as much.",
+                       std::abs(up), sense(up), std::abs(p), sense(p), pace(faster)),
            {{"laboratory_rate_rad_s", up}, {"precession_rad_s", p}, {"faster_by_rad_s", faster}});
 }
 
@@ -93,15 +90,14 @@ void tell_cone_leans(Told& told, double p) {
   if (!seen || !(lean.left_out_rad <= kMostLeftOut * size) ||
       std::abs(*seen - lean.south_rad) > lean.left_out_rad + kRows * size)
     return;
-  told.add(
-      "cone_leans",
-      fmt::format("About North the laboratory turns at Ω cos(latitude), {:.5g} rad/s; the cone on which the axis precesses "
-                  "therefore leans by {} to the {}.",
-                  std::abs(north), angle_text(size, 2), lean.south_rad > 0 ? "South" : "North"),
-      {{"laboratory_rate_north_rad_s", north},
-       {"lean_south_rad", lean.south_rad},
-       {"lean_left_out_rad", lean.left_out_rad},
-       {"seen_lean_south_rad", *seen}});
+  told.add("cone_leans",
+           fmt::format("The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s; the cone on which the axis "
+                       "precesses therefore leans by {} to the {}.",
+                       std::abs(north), angle_text(size, 2), lean.south_rad > 0 ? "South" : "North"),
+           {{"laboratory_rate_north_rad_s", north},
+            {"lean_south_rad", lean.south_rad},
+            {"lean_left_out_rad", lean.left_out_rad},
+            {"seen_lean_south_rad", *seen}});
 }
 
 /// "slower by 5.2534e-05 ± 4.2e-09 rad/s", or that it is neither.
@@ -129,7 +125,7 @@ void tell_what_is_left(Told& told, double p) {
                                                               {"computed_faster_by_rad_s", computed},
                                                               {"computed_error_rad_s", computed_error}};
   if (trend.azimuth_oscillation_rad) {
-    text += fmt::format("; what is left of the azimuth beside this trend swings by {} to either side",
+    text += fmt::format("; about this trend the azimuth swings by {} to either side",
                         angle_text(*trend.azimuth_oscillation_rad, 3));
     numbers.emplace_back("azimuth_swing_rad", *trend.azimuth_oscillation_rad);
   }

@@ -19,23 +19,21 @@ void tell_free_gyroscope(Told& told) {
   const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
   tell_earth_turns(told);
   told.add("no_torque",
-           "The centre of mass is in the pivot and the axis was released at rest among the stars: no torque turns it, and it "
-           "keeps its "
-           "direction among them.",
+           "The centre of mass is at the pivot, and the axis was released at rest among the stars: no torque turns it, and it "
+           "keeps its direction among them.",
            {});
   told.add(
       "turns_with_the_stars",
-      fmt::format("Seen from the laboratory it therefore turns as the stars do, about the celestial axis, {} seen from the "
+      fmt::format("Seen from the laboratory, it therefore turns as the stars do, about the celestial axis, {} seen from the "
                   "celestial North Pole, at Ω = {:.7g} rad/s; it stands {:.5g}° from that pole.",
                   Omega > 0 ? "clockwise" : "counterclockwise", std::abs(Omega), away * 180 / std::numbers::pi),
       {{"rate_rad_s", Omega}, {"angle_from_celestial_pole_rad", away}});
   const double error = std::max(told.theory->predicted_error, told.theory->computed_error.value_or(0));
-  told.add(
-      "what_is_left",
-      fmt::format("On the sphere it has moved by 2 asin(sin({:.5g}°) |sin({}/2)|), which is {} in theory and {} in this run.",
-                  away * 180 / std::numbers::pi, angle_text(turned), angle_with_error(told.theory->predicted, error),
-                  angle_with_error(*told.theory->computed, error)),
-      {{"predicted_rad", told.theory->predicted}, {"computed_rad", *told.theory->computed}});
+  told.add("what_is_left",
+           fmt::format("Its direction has moved by 2 asin(sin({:.5g}°) |sin({}/2)|), which is {} in theory and {} in this run.",
+                       away * 180 / std::numbers::pi, angle_text(turned), angle_with_error(told.theory->predicted, error),
+                       angle_with_error(*told.theory->computed, error)),
+           {{"predicted_rad", told.theory->predicted}, {"computed_rad", *told.theory->computed}});
 }
 
 void tell_sleeping_top(Told& told) {
@@ -44,27 +42,27 @@ void tell_sleeping_top(Told& told) {
   const double spin = told.scene.release<double>().w_XB_B[2];
   const double coriolis = std::abs(told.I3 * spin * told.W_L[1]), gravity = std::abs(told.mgl * lean);
   tell_earth_turns(told);
-  told.add(
-      "coriolis_torque",
-      fmt::format(
-          "The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and with it the spin: to an observer in it a "
-          "Coriolis torque of {:.3g} N m acts on the upright top.",
-          std::abs(told.W_L[1]), coriolis),
-      {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", coriolis}});
+  told.add("coriolis_torque",
+           fmt::format("The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and turns the spin with it: to an "
+                       "observer in it, a Coriolis torque of {:.3g} N m acts on the upright top.",
+                       std::abs(told.W_L[1]), coriolis),
+           {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", coriolis}});
   told.add("rest_leans",
-           fmt::format("Gravity balances it where the axis leans by {} to the {}: there the top could rest, not upright.",
-                       angle_text(std::abs(lean), 3), lean > 0 ? "South" : "North"),
-           {{"lean_south_rad", lean}, {"gravity_torque_N_m", gravity}});
-  told.add("what_is_left",
            fmt::format(
-               "Released upright it goes round that direction, up to {} from the vertical; on average it leans to the {} by {} "
-               "in theory and by {} in this run.",
-               angle_text(told.result.drift.axis_max_rad, 3), seen > 0 ? "South" : "North",
-               angle_with_error(std::abs(lean), told.theory->predicted_error),
-               angle_with_error(std::abs(seen), told.theory->computed_error.value_or(0))),
-           {{"axis_max_rad", told.result.drift.axis_max_rad},
-            {"mean_lean_south_rad", seen},
-            {"predicted_error_rad", told.theory->predicted_error}});
+               "Gravity balances this torque where the axis leans by {} to the {}: the top could rest there, but not upright.",
+               angle_text(std::abs(lean), 3), lean > 0 ? "South" : "North"),
+           {{"lean_south_rad", lean}, {"gravity_torque_N_m", gravity}});
+  told.add(
+      "what_is_left",
+      fmt::format(
+          "Released upright, it circles about that direction, up to {} from the vertical; on average it leans to the {} by {} "
+          "in theory and by {} in this run.",
+          angle_text(told.result.drift.axis_max_rad, 3), seen > 0 ? "South" : "North",
+          angle_with_error(std::abs(lean), told.theory->predicted_error),
+          angle_with_error(std::abs(seen), told.theory->computed_error.value_or(0))),
+      {{"axis_max_rad", told.result.drift.axis_max_rad},
+       {"mean_lean_south_rad", seen},
+       {"predicted_error_rad", told.theory->predicted_error}});
 }
 
 namespace {
@@ -119,16 +117,14 @@ void tell_pendulum(Told& told) {
   told.add("laboratory_turns",
            fmt::format(
                "Gravity keeps the swing in its plane while the laboratory turns about its vertical at Ω sin(latitude), {:.5g} "
-               "rad/s {} from above: seen from it, the plane turns {} by as much.",
+               "rad/s {} from above: seen from the laboratory, the plane turns {} by as much.",
                std::abs(up), sense(up), sense(-up)),
            {{"laboratory_rate_rad_s", up}, {"swing_s", swing_s}});
-  told.add(
-      "bob_has_spin",
-      fmt::format(
-          "Released at rest in the laboratory the bob turns with it, and has a spin of its own in space, which takes away a "
-          "part I3/(2 I1) = {:.3g} of this.",
-          share),
-      {{"part", share}});
+  told.add("bob_has_spin",
+           fmt::format("Released at rest in the laboratory, the bob turns with it and has a spin of its own in space, which "
+                       "takes away the fraction I3/(2 I1) = {:.3g} of this rate.",
+                       share),
+           {{"part", share}});
   told.add(
       "what_is_left",
       fmt::format("In all, the plane turns {} by {} rad/s in theory and by {:.4g} rad/s in this run: by {} in its {:.6g} s.",
@@ -158,22 +154,21 @@ void tell_gyrocompass(Told& told) {
   if (off > kKept * std::abs(first)) return;
   const double torque = std::abs(told.I3 * spin * north * real::sin(first));
   tell_earth_turns(told);
-  told.add("gimbal_holds",
-           fmt::format(
-               "The gimbal holds the axis level, so that only the Earth's turning about North counts, Ω cos(latitude) = {:.5g} "
-               "rad/s: the Coriolis torque on the spin, {:.3g} N m at most, turns the axis, which cannot give way upwards.",
-               std::abs(north), torque),
-           {{"laboratory_rate_north_rad_s", north}, {"coriolis_torque_N_m", torque}});
+  told.add(
+      "gimbal_holds",
+      fmt::format("The gimbal holds the axis level, so that only the Earth's rotation about North matters, Ω cos(latitude) = "
+                  "{:.5g} rad/s: the Coriolis torque, {:.3g} N m at most, turns the axis, which cannot yield upwards.",
+                  std::abs(north), torque),
+      {{"laboratory_rate_north_rad_s", north}, {"coriolis_torque_N_m", torque}});
   told.add("swings_about_north",
-           fmt::format("It drives the axis to the {}: about that direction it swings by {} to either side in 2π sqrt(I1/(I3 ω3 "
-                       "Ω cos(latitude))) = "
-                       "{:.5g} s.",
+           fmt::format("It drives the axis to the {}: about that direction the axis swings by {} to either side, with the "
+                       "period 2π sqrt(I1/(I3 ω3 Ω cos(latitude))) = {:.5g} s.",
                        end > 0 ? "North" : "South, and its spin to the North", angle_text(std::abs(first), 4), period),
            {{"drives_to_north", end}, {"amplitude_rad", std::abs(first)}, {"period_s", period}});
-  told.add(
-      "what_is_left",
-      fmt::format("This run sees {:.3g} such swings and keeps to them to {}.", told.reached_s() / period, angle_text(off, 2)),
-      {{"swings", told.reached_s() / period}, {"off_rad", off}});
+  told.add("what_is_left",
+           fmt::format("This run covers {:.3g} such swings, and departs from them by {} at most.", told.reached_s() / period,
+                       angle_text(off, 2)),
+           {{"swings", told.reached_s() / period}, {"off_rad", off}});
 }
 
 }  // namespace earthtop::why

@@ -50,11 +50,11 @@ inline void tell_earth_turns(Told& told) {
   const double angle = std::abs(told.scene.rotation_rate_rad_s()) * told.reached_s();
   told.add("earth_turns",
            fmt::format("In the {:.6g} s of this run the Earth turns by {}{}.", told.reached_s(), angle_text(angle),
-                       told.scene.rotation_rate_rad_s() < 0 ? ", in this scenario the other way round" : ""),
+                       told.scene.rotation_rate_rad_s() < 0 ? ", in this scenario in the opposite sense" : ""),
            {{"earth_angle_rad", angle}});
 }
 
-/// Of a rate about Up.
+/// The sense of a rate about Up.
 inline std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
 
 /// The kinds of tops. Each adds its sentences, or none where its own theory does not apply.

@@ -28,7 +28,7 @@ void decode_name(const Section& root, const std::string& file, Scenario& scenari
     scenario.name = stem;
   else
     root.missing("name",
-                 fmt::format("is missing, and the file's stem \"{}\" cannot stand in; give a name of 1 to 64 of a-z, 0-9 "
+                 fmt::format("is missing, and the file's stem \"{}\" cannot replace it; give a name of 1 to 64 of a-z, 0-9 "
                              "and '-', not beginning with '-'",
                              excerpt(stem)));
 }
@@ -47,7 +47,9 @@ void decode_headline(const Section& root, Scenario& scenario) {
   if (headline.quantity.find('.') != std::string::npos)
     given.refuse_key("at_s", "belongs to a column of trajectory.csv; a figure of summary.json has no time");
   else if (!is_output_time(*headline.at_s, scenario.duration_s, scenario.output_step_s))
-    given.warn("at_s", "is not the time of a row, a multiple of output_step_s within the duration: nothing is held against it");
+    given.warn(
+        "at_s",
+        "is not the time of a row, which is a multiple of output_step_s within the duration: the figure cannot be checked");
 }
 
 /// Decodes site and Earth. @returns whether gravity is known
@@ -97,7 +99,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
       if ((*scenario.uncertainty)[i] != 0 && !has_input(scenario, i))
         root.section("uncertainty")
             .refuse_key(kInputNames[i],
-                        fmt::format("the scene has no such number: it is the standard error {}; leave it out", kInputs[i].doc));
+                        fmt::format("the scenario has no such number: this is the {}; leave it out", kInputs[i].doc));
   }
   return body && release && gravity && (scenario.contact || !root.has("contact"));
 }

@@ -61,8 +61,8 @@ bool check_start(const Section& contact, const ContactSpec& spec) {
   if (spec.law != ContactLaw::rolling || spec.start == ContactStart::rolling) return true;
   if (contact.has("tip_velocity_m_s"))
     contact.refuse_key("tip_velocity_m_s",
-                       "the law \"rolling\" starts without slip, at the velocity that the rates give the "
-                       "tip; leave it out, or take a law of friction");
+                       "the law \"rolling\" starts without slip, at the velocity that the rates give the tip; leave it out, or "
+                       "take a law of friction");
   else
     contact.refuse("start", "the law \"rolling\" starts without slip; must be \"rolling\", or leave it out");
   return false;
@@ -93,7 +93,7 @@ void check_beside(const Section& root, const Scenario& scenario) {
   const Section numerics = root.section("numerics");
   if (numerics.has("observer") && numerics.word("observer") == "body")
     numerics.refuse("observer",
-                    "is \"body\", and the tip's path on a table is no quantity of body axes; must be \"laboratory\" or "
+                    "is \"body\", and the tip's path on a table cannot be given in body axes; must be \"laboratory\" or "
                     "\"inertial\" with /contact");
 }
 
@@ -108,7 +108,7 @@ void check_release(const Section& release, const Section& contact, const Contact
   if (!contact.word("law")) return;
   if (spec.law != ContactLaw::frictionless && spec.law != ContactLaw::rolling)
     release.refuse("precession",
-                   fmt::format("is \"{}\", and sliding friction lets no precession be steady; with /contact/law \"{}\" "
+                   fmt::format("is \"{}\", and with sliding friction no precession is steady; with /contact/law \"{}\" "
                                "give {{\"rate_rad_s\": ...}} or \"none\", or take \"frictionless\" or \"rolling\"",
                                *precession, row_of(kContactLaws, spec.law).word));
   else if (spec.table_tilt_deg != 0)

@@ -37,11 +37,11 @@ CriterionSpec decode_criterion(const Section& given) {
   check_keys(given, rule);
   if (!quantity || !lists(rule.allowed, "quantity")) return criterion;
   if (!lists(rule.quantities, *quantity))
-    given.refuse("quantity", fmt::format("is \"{}\"; of the kind \"{}\" it must be {}", *quantity, rule.word,
+    given.refuse("quantity", fmt::format("is \"{}\"; for the kind \"{}\" it must be {}", *quantity, rule.word,
                                          fmt::join(split_words(rule.quantities), ", ")));
   else if (rule.value == CriterionKind::value && !criterion.values.empty() && criterion.values.size() != numbers_in(*quantity))
     given.refuse("values",
-                 fmt::format("has {} numbers; \"{}\" has {}", criterion.values.size(), *quantity, numbers_in(*quantity)));
+                 fmt::format("has {} numbers; \"{}\" needs {}", criterion.values.size(), *quantity, numbers_in(*quantity)));
   return criterion;
 }
 

@@ -16,8 +16,7 @@ namespace {
 
 /// Requires a date for an effect that is looked up by the date.
 void require_start(const Section& effects, std::string_view key, const Section& motion) {
-  if (!motion.has("start_utc"))
-    effects.refuse(key, "is looked up by the date; give /motion/start_utc, or the values themselves");
+  if (!motion.has("start_utc")) effects.refuse(key, "is looked up by date; give /motion/start_utc, or the values themselves");
 }
 
 void check_tide(const Section& effects, const Section& motion) {

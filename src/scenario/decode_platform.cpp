@@ -47,7 +47,7 @@ void decode_table(const Section& platform, const ScenarioSource& source, double 
   spec.file_sha256 = sha256_hex(*text);
   const auto sha256 = platform.word("file_sha256");
   if (sha256 && *sha256 != spec.file_sha256)
-    platform.refuse("file_sha256", fmt::format("is not that of {}, {}; take the file that was meant, or leave this key out",
+    platform.refuse("file_sha256", fmt::format("is not that of {}, {}; use the file that was meant, or leave this key out",
                                                excerpt(*file, kLongestShownPath), spec.file_sha256));
   auto parsed = parse_angle_table(*text, duration_s);
   if (const auto* fault = std::get_if<TableFault>(&parsed))

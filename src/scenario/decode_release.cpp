@@ -34,7 +34,7 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
   const auto& q = *spec.quaternion_LB;
   const double norm = real::hypot(real::hypot(q[0], q[1]), real::hypot(q[2], q[3]));
   if (std::abs(norm - 1) > 1e-6) {
-    release.refuse("quaternion_LB", fmt::format("has the norm {:.9g}; must be 1 to 1e-6 (it is normalised then)", norm));
+    release.refuse("quaternion_LB", fmt::format("has the norm {:.9g}; must be 1 to within 1e-6 (it is then normalised)", norm));
     return false;
   }
   return alone;

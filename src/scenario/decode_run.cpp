@@ -122,7 +122,7 @@ void decode_numerics(const Section& numerics, Scenario& scenario) {
   check_precision(numerics, scenario);
   if (!method || to_string(options.method) != *method) return options.step_s.reset();
   if (options.composition != Composition::automatic && !row_of(options.method).composes)
-    numerics.refuse_key("composition", fmt::format("\"{}\" composes nothing; it belongs to {}", *method,
+    numerics.refuse_key("composition", fmt::format("\"{}\" does not compose flows; a composition belongs to {}", *method,
                                                    methods_that([](const MethodRow& row) { return row.composes; })));
   if (is_exact(options.method)) {
     options.step_s.reset();

@@ -9,9 +9,9 @@ namespace earthtop {
 
 std::vector<double> output_times(double duration_s, double output_step_s) {
   if (!(duration_s > 0) || !std::isfinite(duration_s))
-    throw ScenarioError("/motion/duration_s", fmt::format("{} is no duration; must be above 0 (s)", duration_s));
+    throw ScenarioError("/motion/duration_s", fmt::format("{} is not a duration; must be above 0 (s)", duration_s));
   if (!(output_step_s > 0))
-    throw ScenarioError("/motion/output_step_s", fmt::format("{} is no time step; must be above 0 (s)", output_step_s));
+    throw ScenarioError("/motion/output_step_s", fmt::format("{} is not a time step; must be above 0 (s)", output_step_s));
   const double rows = scenario::output_row_count(duration_s, output_step_s);
   if (rows > scenario::kMostRows)
     throw ScenarioError("/motion/output_step_s",

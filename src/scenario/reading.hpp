@@ -51,7 +51,7 @@ class Reading {
   void named(std::string_view key, E& member) {
     std::string word;
     this->key(key, word);
-    if (word.empty()) return;        // to_string of what is no enumerator is empty, too
+    if (word.empty()) return;        // to_string of what is not an enumerator is empty, too
     constexpr int kMostValues = 64;  // enumerators count from 0, and no enumeration has more
     for (int i = 0; i < kMostValues; ++i)
       if (to_string(static_cast<E>(i)) == word) member = static_cast<E>(i);

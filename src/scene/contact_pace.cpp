@@ -67,7 +67,7 @@ double braking_rate(const ContactSpec& spec, const OnTable& top) {
 /// Returns the integral over the time of the rate at which a slip dies out, for the law `contensou`, where it grows as the patch
 /// brakes the spin.
 double slip_damping(const Scene& scene, const OnTable& top, double rate) {
-  constexpr double kLeft = 0.01;  // share of the spin at which the end is taken for reached
+  constexpr double kLeft = 0.01;  // share of the spin at which the end counts as reached
   const ContactSpec& spec = *scene.scenario().contact;
   const double time = scene.scenario().duration_s;
   if (spec.law != ContactLaw::contensou || spec.friction_coefficient == 0) return rate * time;

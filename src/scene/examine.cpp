@@ -73,7 +73,7 @@ void check_beside_contact(const Section& root, const Scene& scene) {
   if (!scene.scenario().contact) return;
   if (scene.scenario().effects.automatic)
     root.section("effects").refuse_key(
-        "select", "sizes the effects on a top on a fixed pivot, and is not available with /contact; name the effects instead");
+        "select", "sizes the effects for a top on a fixed pivot, and is not available with /contact; name the effects instead");
 }
 
 void check_method(const Section& numerics, const Scene& scene) {

@@ -19,7 +19,7 @@ namespace {
 
 using input::Section;
 
-/// The fastest relaxation of a slip (1/s) that steps are let follow. A minute of it is some 1e7 steps.
+/// The fastest relaxation of a slip (1/s) that steps are allowed to follow. A minute of it is some 1e7 steps.
 constexpr double kFastestRelaxation = 1e5;
 
 /// The release of both predictions on the table, in its axes and SI units.
@@ -199,8 +199,8 @@ bool check_hold(const Section& contact, const Touchdown& touchdown) {
     if (needed < spec.friction_coefficient) continue;
     contact.refuse(
         "friction_coefficient",
-        fmt::format("the tip is released without slip, and to roll it needs a friction of {:.4g} times the normal force: "
-                    "it slips at once, and how it begins to is not computed; release it with a velocity, or take "
+        fmt::format("the tip is released without slip, and to roll it needs a friction of {:.4g} times the normal force: it "
+                    "slips at once, and how the slip begins is not computed; release it with a velocity, or take "
                     "\"contensou\"",
                     needed));
     return false;
@@ -223,7 +223,7 @@ void check_relaxation(const Section& contact, const Touchdown& touchdown) {
   if (spec.law == ContactLaw::coulomb)
     contact.refuse(
         "regularisation_m_s",
-        fmt::format("{} m/s lets a slip die out at {:.3g} per second, {}; at least {} m/s, for {:g} per second, or 0 for "
+        fmt::format("{} m/s makes a slip die out at {:.3g} per second, {}; at least {} m/s, for {:g} per second, or 0 for "
                     "the exact law, whose stops are events",
                     spec.regularisation_m_s, std::min(rate, kLargestShown), followed,
                     rounded_up(touchdown.largest_friction_N() * touchdown.mobility() / kFastestRelaxation),
@@ -236,7 +236,7 @@ void check_relaxation(const Section& contact, const Touchdown& touchdown) {
     contact.warn(spec.law == ContactLaw::contensou      ? "patch_radius_m"
                  : spec.law == ContactLaw::viscous_load ? "sliding_viscosity_s_m"
                                                         : "sliding_viscosity_N_s_m",
-                 fmt::format("a slip dies out at {:.3g} per second, {}: the run takes long; is the unit right?",
+                 fmt::format("a slip dies out at {:.3g} per second, {}: the run takes a long time; is the unit right?",
                              std::min(rate, kLargestShown), followed));
 }
 
@@ -283,8 +283,8 @@ void warn_of_contact(const Section& contact, const Scene& scene) {
                                              r, gyration, r / 1000));
   if (spec.patch_radius_m > r && spec.law == ContactLaw::contensou)
     contact.warn("patch_radius_m",
-                 fmt::format("{} m is larger than the radius of the tip, {} m, and a tip touches on a small part of "
-                             "it, some 3e-5 m for steel on glass; are these millimetres (write {:.6g})?",
+                 fmt::format("{} m is larger than the radius of the tip, {} m, and a tip touches only with a small part of it, "
+                             "about 3e-5 m for steel on glass; are these millimetres (write {:.6g})?",
                              spec.patch_radius_m, r, spec.patch_radius_m / 1000));
   constexpr double kRoughest = 2;
   if (spec.friction_coefficient > kRoughest)
@@ -299,7 +299,9 @@ void warn_of_contact(const Section& contact, const Scene& scene) {
                                     std::pair("rolling_resistance_m", spec.rolling_resistance_m)})
     if (length > std::max(r, 1e-3))
       contact.warn(
-          key, fmt::format("{} m is an arm larger than the tip; is it a coefficient without unit, or in millimetres?", length));
+          key,
+          fmt::format("{} m is a lever arm longer than the tip's radius; is it a dimensionless coefficient, or in millimetres?",
+                      length));
 }
 
 }  // namespace earthtop

@@ -83,7 +83,7 @@ MethodChoice choose_method(const Scene& scene) {
   if (scene.method_refusal(Method::taylor))
     return {with_finer_tolerance(scene, Method::dop853, 10),
             scenario.effects.all_on() ? "drag may brake a rate to zero: no series passes that corner"
-                                      : "one of the non-inertial torques is left out, which no series can do"};
+                                      : "one of the non-inertial torques is left out, which no series allows"};
   // A user who names an observer or the general model wants these equations integrated; for body axes the series does so.
   const bool own_equations = asked.form == ModelForm::general || asked.observer == Observer::inertial;
   if (own_equations && asked.observer != Observer::body)

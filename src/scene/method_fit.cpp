@@ -19,18 +19,18 @@ std::string quoted(std::string_view word) { return fmt::format("\"{}\"", word); 
 /// to be subtracted; where nothing else acts, the drift would be the round-off of this difference, and not zero.
 std::optional<std::string> need_all_torques(std::string_view word, const Scene& scene) {
   if (scene.scenario().effects.all_on()) return std::nullopt;
-  return quoted(word) + " is not made for scenes without one of the non-inertial torques; take \"auto\", or leave all three on";
+  return quoted(word) + " is not available without one of the non-inertial torques; take \"auto\", or leave all three on";
 }
 
 /// Refuses a scene that is not plain. Closed forms, and the methods with exact flows between kicks, hold only for the three
 /// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
-  if (scene.scenario().platform) return what + "is not made for a platform; take \"auto\", or leave the platform out";
-  if (scene.scenario().contact) return what + "is not made for a top on a table; take \"auto\", or leave the contact out";
+  if (scene.scenario().platform) return what + "is not available on a platform; take \"auto\", or leave the platform out";
+  if (scene.scenario().contact) return what + "is not available for a top on a table; take \"auto\", or leave the contact out";
   if (auto reason = need_all_torques(word, scene)) return reason;
   if (!scene.is_plain())
-    return what + "is made for gravity and the Earth's rotation only; take \"auto\", or leave the other effects out";
+    return what + "works only with gravity and the Earth's rotation; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }
 
@@ -60,7 +60,7 @@ std::optional<std::string> need_smooth_scene(std::string_view word, const Scene&
                             scene.scenario().duration_s))
     return std::nullopt;
   return quoted(word) +
-         " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it is made for symmetric "
+         " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it works for symmetric "
          "tops that keep most of their spin; take \"auto\"";
 }
 
@@ -87,7 +87,7 @@ std::optional<std::string> need_splittable_scene(std::string_view word, const Sc
   if (auto reason = need_plain_scene(word, scene)) return reason;
   const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() < 0)
-    return what + "is made for symmetric tops, with their centre of mass on the axis; take \"auto\"";
+    return what + "works only for symmetric tops with their centre of mass on the axis; take \"auto\"";
   if (scene.scenario().numerics.form == ModelForm::general)
     return what + "has no general model; leave /numerics/model at \"auto\"";
   if (scene.scenario().numerics.observer == Observer::body)
@@ -110,13 +110,14 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
   const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() != 2)
     return what +
-           "is made for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, "
-           "centre of mass on the axis); take \"auto\"";
+           "works only for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, centre of mass on "
+           "the "
+           "axis); take \"auto\"";
   if (scene.scenario().numerics.observer != Observer::laboratory || scene.scenario().numerics.form != ModelForm::automatic)
     return what + "has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
   if (!spins_fast(scene))
     return what +
-           "is made for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
+           "works only for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
            "take \"auto\", or a faster spin";
   return std::nullopt;
 }

@@ -37,7 +37,8 @@ bool is_earth(double rotation_rate_rad_s) { return std::abs(std::abs(rotation_ra
 void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
   const Section site = root.section("site"), earth = root.section("earth");
   warn_of_radians(site, "latitude_deg", std::numbers::pi / 2);
-  for (const auto& [unit, factor] : {std::pair("degrees an hour", 3600 / kDegree), std::pair("degrees a second", 1 / kDegree)})
+  for (const auto& [unit, factor] :
+       {std::pair("degrees per hour", 3600 / kDegree), std::pair("degrees per second", 1 / kDegree)})
     if (earth.has("rotation_rate_rad_s") && is_earth(scene.rotation_rate_rad_s() / factor))
       earth.warn("rotation_rate_rad_s", fmt::format("is the Earth's rate in {}; in rad/s it is 7.292115e-5", unit));
   const auto gravity = site.has("gravity_m_s2") ? site.number("gravity_m_s2") : std::nullopt;
@@ -84,14 +85,15 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s,
     const auto density = spec.solids[i].density_kg_m3;
     if (density && *density < 25)
       section.element("solids", i)
-          .warn("density_kg_m3", fmt::format("{} kg/m^3 is a foam's; are these g/cm^3 (write {})?", *density, *density * 1000));
+          .warn("density_kg_m3",
+                fmt::format("{} kg/m^3 is the density of a foam; are these g/cm^3 (write {})?", *density, *density * 1000));
   }
   constexpr double kFastestRim = 2000;  // m/s: carbon fibre bursts below this
   if (std::abs(spin_rad_s) * radius > kFastestRim)
     section.warn(place, fmt::format("at {:.4g} rad/s its rim would move at about {:.2g} m/s and burst{}", spin_rad_s,
                                     std::abs(spin_rad_s) * radius,
                                     in_rpm ? ""
-                                           : fmt::format("; is the spin in revolutions a minute (then it is {:.4g} rad/s)?",
+                                           : fmt::format("; is the spin in revolutions per minute (then it is {:.4g} rad/s)?",
                                                          spin_rad_s * std::numbers::pi / 30)));
 }
 

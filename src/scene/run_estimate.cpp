@@ -89,28 +89,29 @@ void refuse_unaffordable(const Scene& scene) {
           std::string(stiffest.pointer),
           fmt::format(
               "this friction is too stiff: a slip dies out at about {:.1e} 1/s, and every step of an explicit method has "
-              "to follow it: about {:.1e} steps, some {:.1g} days of computing, at most an hour is allowed; take a softer "
-              "law, a shorter duration, or \"rolling\", its limit",
+              "to follow it: about {:.1e} steps, some {:.1g} days of computing; at most an hour is allowed; take a softer law, "
+              "a shorter duration, or \"rolling\", its limit",
               stiffest.damping / scenario.duration_s, steps, days));
     throw ScenarioError(
         std::string(stiffest.pointer),
         fmt::format(
             "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
             "constants within the duration, of which a step of an explicit method covers a few: about {:.1e} steps, "
-            "some {:.1g} days of computing, at most an hour is allowed; take a smaller coefficient or a shorter "
+            "some {:.1g} days of computing; at most an hour is allowed; take a smaller coefficient or a shorter "
             "duration; a motion so strongly damped stands still, or creeps at the rate torque / coefficient",
             stiffest.damping / scenario.duration_s, stiffest.damping, steps, days));
   }
   if (!within)
     throw ScenarioError("/motion/duration_s",
-                        fmt::format("this scene needs about {:.1e} steps, some {:.1g} days of computing; at most {:.1e} are "
+                        fmt::format("this scenario needs about {:.1e} steps, some {:.1g} days of computing; at most {:.1e} are "
                                     "allowed; take a shorter duration, a slower spin or a longer step",
                                     steps, days, limit));
   if (scenario.precision != Precision::bits53 && !(days <= 1))
-    throw ScenarioError("/motion/duration_s",
-                        fmt::format("this scene needs about {:.1e} steps in {}, some {:.1g} days of computing; at most one day "
-                                    "is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
-                                    steps, to_string(scenario.precision), days));
+    throw ScenarioError(
+        "/motion/duration_s",
+        fmt::format("this scenario needs about {:.1e} steps in {}, some {:.1g} days of computing; at most one day "
+                    "is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
+                    steps, to_string(scenario.precision), days));
 }
 
 }  // namespace earthtop

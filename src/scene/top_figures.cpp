@@ -60,7 +60,7 @@ std::string_view why_not_a_top_on_a_pivot(const Scenario& scenario) {
 
 std::string_view why_not_symmetric(const Body<double>& body) {
   const Mat3<double>& I = body.I_BP_B;
-  if (I(0, 1) != 0 || I(0, 2) != 0 || I(1, 2) != 0) return "axis 3 is no principal axis of the body about the pivot";
+  if (I(0, 1) != 0 || I(0, 2) != 0 || I(1, 2) != 0) return "axis 3 is not a principal axis of the body about the pivot";
   if (I(0, 0) != I(1, 1)) return "I1 and I2 about the pivot are not equal";
   return "the centre of mass is off axis 3";
 }
@@ -97,7 +97,7 @@ void add_free_body(TopFigures& top, const Body<double>& body, const Vec3<double>
     if (is_principal && (I(2, 2) - I(0, 0)) * (I(2, 2) - I(1, 1)) < 0)
       top.notes.emplace_back("I3 is the middle moment: turning about axis 3 is unstable");
     top.left_out.emplace_back(is_principal ? "nutation: I1 and I2 about the pivot are not equal"
-                                           : "nutation: axis 3 is no principal axis of the body about the pivot");
+                                           : "nutation: axis 3 is not a principal axis of the body about the pivot");
     return;
   }
   const double across = I(0, 0) * real::hypot(w[0], w[1]), along = I(2, 2) * std::abs(w[2]);
@@ -164,7 +164,7 @@ void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Relea
     if (!top.mean_precession_rad_s) top.left_out.emplace_back("mean precession: the axis passes too near the vertical");
   }
   if (regime == LagrangeRegime::plane_swinging)
-    top.notes.emplace_back("the top swings as a pendulum: its tilt has half the period of a swing there and back");
+    top.notes.emplace_back("the top swings as a pendulum: its tilt has half the period of a full swing");
 }
 
 void add_critical_spin(TopFigures& top, const SymmetricTop<double>& body, double cosine) {

@@ -112,9 +112,9 @@ StudySample sample_points(const Study& study) {
   for (Diagnostic& finding : common)
     if (study.base_inside) finding.line = finding.column = 0;  // they count from the base's beginning, not from the file's
   common.back().message += sample.looked_at == count
-                               ? fmt::format("; so it is at all {} points of the study", count)
-                               : fmt::format("; so it is at all {} points looked at, of {}", sample.looked_at, count);
-  common.back().message += "; mend the study or its base, or compute it all the same with --keep-going";
+                               ? fmt::format("; the same holds at all {} points of the study", count)
+                               : fmt::format("; the same holds at all {} points examined, of {}", sample.looked_at, count);
+  common.back().message += "; correct the study or its base, or compute it anyway with --keep-going";
   sample.common.emplace(std::move(common), study.base.file);
   return sample;
 }
@@ -132,7 +132,7 @@ void require_affordable(const Study& study) {
                        "at most {} are allowed; take fewer, or raise /limits/points",
                        points, n * 0.01 / 3600, n * 300 / 1e9, limit.points));
   }
-  if (*count == 0) refuse("/axes", "the study has no point");
+  if (*count == 0) refuse("/axes", "the study has no points");
   const StudyEstimate e = estimate(study);
   if (e.core_seconds > 3600 * limit.core_hours)
     refuse("/axes",

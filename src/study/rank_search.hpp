@@ -13,7 +13,7 @@ class RankSearch {
  public:
   static constexpr int kPasses = 6;
 
-  /// @param ranks places in the ascending order, from 0 on
+  /// @param ranks places in the ascending order, starting at 0
   explicit RankSearch(const std::vector<std::uint64_t>& ranks);
   /// @param x is not NaN
   void include(double x);

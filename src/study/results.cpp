@@ -133,7 +133,7 @@ Json figures_json(const Study& study, const Json& document) {
     std::optional<double> computed;
     try {
       if (const Json& at = document.at(Json::json_pointer(figure.figure)); at.is_number()) computed = at.get<double>();
-    } catch (const Json::exception&) {  // there is no such place, or it is no pointer
+    } catch (const Json::exception&) {  // there is no such place, or it is not a pointer
       computed.reset();
     }
     json["computed"] = number_json(computed);

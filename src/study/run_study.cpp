@@ -61,7 +61,7 @@ void require_room(const fs::path& dir, double bytes) {
                             static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
-/// Whether the store holds a point whose run came to its end, or cannot say.
+/// Whether the store holds a point whose run was completed, or cannot say.
 bool may_hold_results(Store& store) {
   try {
     return store.ended_count() > 0;
@@ -70,7 +70,7 @@ bool may_hold_results(Store& store) {
   }
 }
 
-/// Whether the store holds a point of this study whose run came to its end.
+/// Whether the store holds a point of this study whose run was completed.
 bool is_under_way(const fs::path& file, const Study& study) {
   std::error_code error;
   if (!fs::exists(file, error) || is_blank(file)) return false;
@@ -78,7 +78,7 @@ bool is_under_way(const fs::path& file, const Study& study) {
   return store.sha256() == study_sha256(study) && may_hold_results(store);
 }
 
-/// @param replaced set if a store of another study was replaced because none of its runs had come to its end
+/// @param replaced set if a store of another study was replaced because none of its runs had been completed
 Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
   std::error_code error;
   if (fs::exists(file, error) && is_blank(file)) remove_store(file);
@@ -97,7 +97,7 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
   if (!options.force && !replaced)
     refuse(file,
            "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
-           "throw them away and start anew");
+           "discard them and start again");
   remove_store(file);
   return Store::create(file, study, options.shard);
 }
@@ -131,7 +131,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
       const std::uint64_t count = point_count(study).value_or(0);
       for (std::uint64_t first = 0; first < count; first += kSpan)
         copy_intact(damaged, fresh, first, std::min(count, first + kSpan) - 1);
-    } catch (const FileError&) {  // it is no database any more: nothing can be kept
+    } catch (const FileError&) {  // it is not a database any more: nothing can be kept
     }
     fresh.commit();
     fresh.finish();
@@ -220,7 +220,7 @@ StudyProgress run_points(const Study& study, const StudyRunOptions& options, Sto
   MissingPoints missing(study, count, shard, store);
   ChunkSize size(seconds_a_point, workers);
   const auto start = Clock::now();
-  auto last_told = start, last_commit = start - std::chrono::hours(1);  // so that the first results are stored at once
+  auto last_told = start, last_commit = start - std::chrono::hours(1);  // so that the first results are stored immediately
   bool open_transaction = false;
   constexpr double kCommitEvery_s = 0.25, kTellEvery_s = 0.2;
   while (true) {
@@ -302,7 +302,7 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force) {
   using namespace earthtop::study;
-  if (stores.empty()) throw ScenarioError("", "no store to merge");
+  if (stores.empty()) throw ScenarioError("", "there is no store to merge");
   const fs::path target = study_store(dir);
   for (const fs::path& part : stores) {
     std::error_code error;

@@ -16,7 +16,7 @@ StudyProcesses::StudyProcesses() : session_(std::make_unique<Session>()) {
   if (launched_processes() > 1)
     throw ScenarioError("",
                         fmt::format("a launcher started {} processes, but this program was built without MPI; build it with "
-                                    "libopenmpi-dev installed, or take --shard K/N and earthtop study merge",
+                                    "libopenmpi-dev installed, or use --shard K/N and earthtop study merge",
                                     launched_processes()));
 }
 StudyProcesses::~StudyProcesses() = default;

@@ -21,7 +21,7 @@ Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(
   if (code != SQLITE_OK) fail();
   sqlite3_extended_result_codes(opened, 1);
   sqlite3_busy_timeout(opened, 200);  // ms
-  // A quoted name that is no column's is an error, not a word: a table without a column would have its name in every row.
+  // A quoted name that is not a column's is an error, not a word: a table without a column would have its name in every row.
   sqlite3_db_config(opened, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
 }
 
@@ -32,7 +32,7 @@ void Connection::wait_for_locks() {
 
 namespace {
 
-/// The process that holds a lock on one of SQLite's files, as far as the system's list of locks tells. Opening the file to ask
+/// The process that holds a lock on one of SQLite's files, as far as the system's list of locks shows. Opening the file to ask
 /// for its locks would be wrong: closing it again would release this process's own locks on it.
 std::string holder_of(const std::string& file) {
   for (const char* suffix : {"", "-shm"}) {
@@ -116,7 +116,7 @@ void Statement::execute() {
 
 std::string Statement::text(int column) const {
   const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(get(), column));
-  // Of a value that is there, no text means that there was no memory for it.
+  // A value that is there but has no text means that there was no memory for it.
   if (!bytes && sqlite3_errcode(sqlite3_db_handle(get())) == SQLITE_NOMEM) throw std::bad_alloc();
   return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(get(), column))) : std::string();
 }

@@ -54,7 +54,7 @@ class Connection {
   Connection(const std::string& file, Mode mode);
 
   /// Makes the connection wait up to ten seconds for locks of others: a reader may meet the moment in which the writer moves
-  /// its log into the store. A new connection waits only 0.2 s, so that a process which uses the file is reported at once.
+  /// its log into the store. A new connection waits only 0.2 s, so that a process which uses the file is reported immediately.
   void wait_for_locks();
   void execute(const char* sql);
   /// @throws ScenarioError, naming the other process if it can be found, if that process has locked the file and this

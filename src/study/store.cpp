@@ -178,13 +178,13 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
     facts = facts_of(*connection);
     has_checksums = has_column_of_checksums(*connection);
   } catch (const FileError& what) {
-    refuse_store(file, fmt::format("is no study's store, or a damaged one ({}){}", what.reason(), kRepairStore));
+    refuse_store(file, fmt::format("is not a study's store, or is damaged ({}){}", what.reason(), kRepairStore));
   }
   const bool is_damaged =
       has_checksums != facts.contains(kFactsChecksum) || (has_checksums && facts.at(kFactsChecksum) != facts_checksum(facts));
   if (is_damaged)
-    refuse_store(file, fmt::format("is damaged: what it says of its study is not what was stored{}", kRepairStore));
-  if (facts["format"] != kFormat) refuse_store(file, "is no study's store of this version");
+    refuse_store(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
+  if (facts["format"] != kFormat) refuse_store(file, "is not a study's store of this version");
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
   Study study = study_in(facts, file);
@@ -274,7 +274,7 @@ StoreCheck Store::check() {
     const std::optional<Contents> stored = stored_contents();
     const std::uint64_t there = seen.count + check.damaged.size();
     if (!stored)
-      check.fault = "its record of the points that were stored is not what it was";
+      check.fault = "its record of the stored points has changed";
     else if (stored->count > there)
       check.lost = stored->count - there;
     else if (check.damaged.empty() && *stored != seen)

@@ -34,7 +34,7 @@ class Store {
  public:
   /// Creates an empty store. @throws WriteError
   static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard);
-  /// Opens an existing store. @throws ScenarioError if the file is no store of this format; ReadError, WriteError
+  /// Opens an existing store. @throws ScenarioError if the file is not a store of this format; ReadError, WriteError
   static Store open(const std::filesystem::path& file, sqlite::Connection::Mode mode);
 
   /// Opens what is left of a damaged store, to read its intact points: those whose checksum fits this study's.
@@ -49,7 +49,7 @@ class Store {
   const StudyShard& shard() const { return shard_; }
 
   std::uint64_t count() { return counted(""); }
-  /// Number of points whose run came to its end, so that it has values.
+  /// Number of points whose run was completed, so that it has values.
   std::uint64_t ended_count() { return counted(" WHERE status IN ('completed', 'accuracy_not_reached')"); }
   std::uint64_t failed_count() { return counted(" WHERE status <> 'completed'"); }
 

@@ -55,7 +55,8 @@ bool has_ended(std::string_view holder) {
 
 void refuse_in_use(const std::filesystem::path& store, const std::string& holder) {
   throw ScenarioError(
-      std::vector<Diagnostic>{{0, 0, "", fmt::format("is in use by {}; wait for it, or choose another --out", holder)}},
+      std::vector<Diagnostic>{
+          {0, 0, "", fmt::format("is in use by {}; wait until that has ended, or choose another --out", holder)}},
       store.string());
 }
 

@@ -26,7 +26,7 @@ class StoreLock {
  private:
   std::filesystem::path file_;
   int descriptor_;
-  std::optional<TemporaryName> held_;  // removes the file where the process ends at once
+  std::optional<TemporaryName> held_;  // removes the file where the process ends immediately
 };
 
 }  // namespace earthtop::study

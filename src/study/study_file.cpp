@@ -94,7 +94,7 @@ class Decoder {
       if (is_name(stem))
         study_.name = stem;
       else
-        root.missing("name", fmt::format("is missing, and the file's stem \"{}\" is no name; give one", excerpt(stem)));
+        root.missing("name", fmt::format("is missing, and the file's stem \"{}\" is not a name; give a name", excerpt(stem)));
     }
   }
 
@@ -127,7 +127,8 @@ class Decoder {
       if (is_comment(change.key) && !is_pointer(change.key)) continue;
       if (change.key.starts_with("//")) continue;
       if (!is_pointer(change.key))
-        findings_.add(change.key_place, set.pointer + pointer_step(change.key), "is no JSON pointer; e.g. /motion/duration_s");
+        findings_.add(change.key_place, set.pointer + pointer_step(change.key),
+                      "is not a JSON pointer; write e.g. /motion/duration_s");
       else if (const auto fault = base_ ? std::nullopt : pointer_target(scenario::fields(), change.key).fault)
         findings_.add(change.key_place, set.pointer + pointer_step(change.key), *fault);
       else
@@ -145,10 +146,9 @@ class Decoder {
     d.seed = whole(design, "seed").value_or(1);
     d.indices = design.flag("indices").value_or(false);
     if (drawn_ && !design.has("points")) design.missing("points", "is missing; a drawn design needs their number");
-    if (!drawn_ && design.has("points"))
-      design.refuse_key("points", fmt::format("goes with a drawn design, not with {}", kind));
-    if (!drawn_ && design.has("seed")) design.refuse_key("seed", fmt::format("goes with a drawn design, not with {}", kind));
-    if (d.indices && d.kind != DesignKind::sobol) design.refuse_key("indices", "goes with the sobol design");
+    if (!drawn_ && design.has("points")) design.refuse_key("points", fmt::format("belongs to a drawn design, not to {}", kind));
+    if (!drawn_ && design.has("seed")) design.refuse_key("seed", fmt::format("belongs to a drawn design, not to {}", kind));
+    if (d.indices && d.kind != DesignKind::sobol) design.refuse_key("indices", "belongs to the sobol design");
     d.points = whole(design, "points").value_or(0);
   }
 
@@ -176,7 +176,7 @@ class Decoder {
     for (const std::string& pointer : decoded.pointers)
       if (!is_pointer(pointer)) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers",
-                    fmt::format("\"{}\" is no JSON pointer; e.g. /site/latitude_deg", excerpt(pointer)));
+                    fmt::format("\"{}\" is not a JSON pointer; write e.g. /site/latitude_deg", excerpt(pointer)));
         return;
       } else if (!pointers_.insert(pointer).second) {
         axis.refuse(axis.has("pointer") ? "pointer" : "pointers", fmt::format("{} is varied twice", excerpt(pointer)));
@@ -273,7 +273,7 @@ class Decoder {
     if (quantity.name.size() > kLongestColumn)
       return given.refuse(fmt::format("\"{}\" has more than {} characters", excerpt(quantity.name), kLongestColumn));
     if (!columns_.insert(quantity.name).second)
-      return given.refuse(fmt::format("a column \"{}\" is there already; give another name", excerpt(quantity.name)));
+      return given.refuse(fmt::format("there is already a column \"{}\"; give another name", excerpt(quantity.name)));
     study_.quantities.push_back(std::move(quantity));
   }
 

@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// The 64-bit checksum XXH3 of bytes that come piece by piece. It finds accidents; it is no protection against intent.
+/// The 64-bit checksum XXH3 of bytes that come piece by piece. It finds accidents; it is not a protection against intent.
 class Checksum {
  public:
   Checksum();

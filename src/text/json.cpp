@@ -76,7 +76,7 @@ std::string written_replacing(const Json& json, int indent) {
 }
 
 std::uint64_t count_in(const Json& json) {
-  if (!json.is_number_unsigned()) throw Json::type_error::create(302, "no whole number of at least 0", &json);
+  if (!json.is_number_unsigned()) throw Json::type_error::create(302, "not a whole number of at least 0", &json);
   return json.get<std::uint64_t>();
 }
 

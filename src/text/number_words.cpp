@@ -21,7 +21,7 @@ constexpr double kLeastAngles[] = {1 / kDegrees, 0.1 / kArcseconds, 1e-4 / kArcs
 constexpr ReadableUnit kLengths[] = {
     {"km", " km", 1e-3}, {"m", " m", 1}, {"mm", " mm", 1e3}, {"µm", " µm", 1e6}, {"nm", " nm", 1e9}};
 
-/// The decade of a positive number as it is written with so many digits: 0.0996 with two digits is 0.10.
+/// The decade of a positive number as it is written with this many digits: 0.0996 with two digits is 0.10.
 int decade_of(double number, int digits) {
   const std::string text = fmt::format("{:.{}e}", number, digits - 1);
   return std::stoi(text.substr(text.find('e') + 1));

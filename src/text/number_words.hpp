@@ -14,13 +14,13 @@ struct ReadableUnit {
   double per_si;            ///< how many of it make a radian or a metre
 };
 
-/// The unit for an angle of this size: degrees from one degree on, then arcseconds, milliarcseconds and microarcseconds.
+/// The unit for an angle of this size: degrees from one degree upward, then arcseconds, milliarcseconds and microarcseconds.
 /// @param size_rad  (rad); arcseconds for 0 and for what is not finite
 ReadableUnit angle_unit(double size_rad);
 /// The unit for a length of this size: kilometres to nanometres.
 ReadableUnit length_unit(double size_m);
 
-/// An angle in the unit of its size, with at least so many digits and never an exponent: "235.19″".
+/// An angle in the unit of its size, with at least this many digits and never an exponent: "235.19″".
 std::string angle_text(double rad, int digits = 5);
 
 /// A number that is known to within an error: to the second digit of that error, as far as a double goes.

@@ -44,7 +44,7 @@ struct Pair {
 /// The largest error over the rows of both runs.
 template <class Error>
 double over_rows(const Pair& pair, double until_s, Error error_of) {
-  if (pair.a.rows.size() != pair.b.rows.size()) throw NotJudged("the two runs have not the same rows");
+  if (pair.a.rows.size() != pair.b.rows.size()) throw NotJudged("the two runs do not have the same rows");
   double error = 0;
   for (std::size_t i = 0; i < pair.a.rows.size() && pair.a.rows[i].t_s <= until_s; ++i)
     error = worse(error, error_of(pair.a.rows[i], pair.b.rows[i]));

@@ -74,7 +74,7 @@ double invariant_error(const CriterionSpec& criterion, Runs& runs) {
   if (criterion.quantity == "vertical_momentum") return largest_change(result, vertical_momentum);
   for (const InvariantReport& invariant : result.invariants)
     if (invariant.name == criterion.quantity) return invariant.largest_change / invariant.scale;
-  throw NotJudged("this scene does not conserve it");
+  throw NotJudged("this scenario does not conserve it");
 }
 
 }  // namespace earthtop::verify_detail

@@ -11,9 +11,9 @@
 namespace earthtop::verify_detail {
 namespace {
 
-/// The number of steps from row to row with the scene's own step.   @throws NotJudged if the scene gives no step
+/// The number of steps from row to row with the scene's own step.   @throws NotJudged if the scenario gives no step
 long fewest_parts(const Scenario& scenario) {
-  if (!scenario.numerics.step_s) throw NotJudged("the scene gives no step");
+  if (!scenario.numerics.step_s) throw NotJudged("the scenario gives no step");
   return std::lround(std::ceil(scenario.output_step_s / *scenario.numerics.step_s));
 }
 

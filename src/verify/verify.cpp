@@ -90,7 +90,7 @@ Scenario parse_verifiable(const ScenarioSource& source) {
       std::vector<Diagnostic> diagnostics;
       for (const Diagnostic& d : error.diagnostics())
         diagnostics.push_back(
-            {0, 0, fmt::format("/criteria/{}/set", i), fmt::format("makes a scene with {} {}", d.pointer, d.message)});
+            {0, 0, fmt::format("/criteria/{}/set", i), fmt::format("makes a scenario in which {} {}", d.pointer, d.message)});
       throw ScenarioError(std::move(diagnostics), source.file);
     }
   }

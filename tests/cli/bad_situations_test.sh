@@ -90,10 +90,10 @@ refused "$(printf '%05000d' 0)" 'cannot be opened (File name too long)'
 ln -s loop.json loop.json
 refused loop.json 'cannot be opened (Too many levels'
 sed 's/"name": "bad-luck",//' top.json >..json
-refused ..json 'cannot stand in; give a name of '
+refused ..json 'cannot replace it; give a name of '
 if [ -e /proc/self/mem ]; then # a file that is there, and cannot be read
   expect 4 run /proc/self/mem --out results
-  on_stderr 'reading broke off .*; check the file'
+  on_stderr 'reading failed .*; check the file'
 fi
 cp top.json locked.json
 chmod 0 locked.json

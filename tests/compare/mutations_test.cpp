@@ -248,7 +248,7 @@ TEST(Mutation, ATruncatedFileIsRefused) {
   const ChangedCopy in_a_line, between_lines;
   const std::string text = read_text(in_a_line.path() / "trajectory.csv");
   write_text(in_a_line.path() / "trajectory.csv", text.substr(0, text.size() / 2));
-  EXPECT_NE(refusal_of(in_a_line.path()).find("the last line has no end"), std::string::npos);
+  EXPECT_NE(refusal_of(in_a_line.path()).find("the last line is incomplete"), std::string::npos);
   write_text(between_lines.path() / "trajectory.csv", text.substr(0, text.find('\n', text.size() / 2) + 1));
   EXPECT_NE(refusal_of(between_lines.path()).find("where its summary states 61"), std::string::npos);
 }
@@ -271,7 +271,7 @@ TEST(Mutation, WhatIsNoNumberIsRefusedWithItsPlace) {
 
 TEST(Mutation, RowsOutOfOrderAreRefused) {
   const ChangedCopy copy([](Csv& csv) { std::swap(csv.rows[kSome], csv.rows[kSome + 1]); });
-  EXPECT_NE(refusal_of(copy.path()).find("does not lie after"), std::string::npos);
+  EXPECT_NE(refusal_of(copy.path()).find("is not later than"), std::string::npos);
 }
 
 using SummaryChange = std::function<void(nlohmann::ordered_json&)>;

@@ -15,7 +15,7 @@ using namespace std::string_literals;
 
 TEST(ScenarioSyntax, FirstSyntaxErrorStandsWhereItIs) {
   expect_one("", "1:1 ", "the text ends here; a JSON value");
-  expect_one("{\"a\": 1,\n \"b\" 2}", "2:6 /b", "':' must stand here");
+  expect_one("{\"a\": 1,\n \"b\" 2}", "2:6 /b", "':' is expected here");
   expect_one("{\"_a\": [1, 2,]}", "1:13 /_a", "a comma after the last element");
   expect_one("{\"_a\": 1,\n}", "1:9 ", "a comma after the last member");
   expect_one("{\"_a\": 1\n \"_b\": 2}", "2:2 ", "',' or '}'");
@@ -31,7 +31,7 @@ TEST(ScenarioSyntax, FirstSyntaxErrorStandsWhereItIs) {
   expect_one("{\"_a\": \"\\q\"}", "1:9 /_a", "escape");
   expect_one("{\"_a\": \"\\ud800\"}", "1:9 /_a", "surrogate");
   expect_one("{\"_a\": \"abc", "1:8 /_a", "closing quote");
-  expect_one("{\"_a\": [1, {\"b\": }]}", "1:18 /_a/1/b", "a JSON value must stand here");
+  expect_one("{\"_a\": [1, {\"b\": }]}", "1:18 /_a/1/b", "a JSON value is expected here");
   expect_one(kMinimal + "x", "5:1 ", "text after the end");
   expect_one(kMinimal + "{}", "5:1 ", "text after the end");
   expect_one("[1]", "1:1 ", "a scenario is an object");

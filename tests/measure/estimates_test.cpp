@@ -288,9 +288,9 @@ TEST_F(MeasurementTest, NamesThatCannotBeEstimatedAreRefused) {
   };
   refused({"latitude"}, "did you mean latitude_deg?");
   refused({"weather"}, "allowed are omega_sin_latitude_rad_s");
-  refused({"/site/latitud_deg"}, "no number that the motion depends on");
-  refused({"/motion/duration_s"}, "no number that the motion depends on");
-  refused({"/release/precession"}, "no number that the motion depends on");
+  refused({"/site/latitud_deg"}, "not a number on which the motion depends");
+  refused({"/motion/duration_s"}, "not a number on which the motion depends");
+  refused({"/release/precession"}, "not a number on which the motion depends");
   refused({"/platform/rate_rad_s"}, "/platform/motion");  // what a platform needs, and there is none
   refused({"/body/solids/0/radius_m"}, "is not in the scenario");
   refused({"latitude_deg", "/site/latitude_deg"}, "asked for twice");

@@ -309,8 +309,8 @@ TEST(Plan, RefusalsSayWhatInstead) {
   refused(with([](auto& plan) { plan.nuisances = {"spin"}; }), "did you mean");
   refused(with([](auto& plan) { plan.nuisances = {"latitude_deg"}; }), "stands for the rotation rate and the latitude");
   const auto same = [](auto&) {};
-  refused(with(same, {design_input("/name=1:2")}), "no number that can be chosen");
-  refused(with(same, {design_input("/motion/output_step_s=1:2")}), "no number that can be chosen");
+  refused(with(same, {design_input("/name=1:2")}), "not a number that can be chosen");
+  refused(with(same, {design_input("/motion/output_step_s=1:2")}), "not a number that can be chosen");
   refused(with(same, {design_input("/release/tilt_deg=1:200")}), "a limit is not possible");
   refused(with(same, {design_input("/release/tilt_deg=1:2"), design_input("/release/tilt_deg=1:3")}), "given twice");
   refused(with(same, {design_input("/platform/rate_rad_s=1:2")}), "");

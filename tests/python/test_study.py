@@ -164,7 +164,7 @@ def test_refusals_of_files_and_stores(top, tmp_path):
     with pytest.raises(et.ScenarioError, match="belongs to a study"):
         et.study({"axes": []}, collect=["drift.verdict"])
     (tmp_path / "text.sqlite").write_text("nothing")
-    with pytest.raises(et.ScenarioError, match="no study's store"):
+    with pytest.raises(et.ScenarioError, match="not a study's store"):
         et.load_study(tmp_path / "text.sqlite")
     et.study(top, {"latitude_deg": [0]}, out=tmp_path / "out")
     with pytest.raises(et.ScenarioError, match="another study.*force=True"):

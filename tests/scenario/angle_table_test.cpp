@@ -113,7 +113,7 @@ TEST_F(TableFile, WhatCannotBeReadIsRefused) {
   expect_refused("none.csv", "none.csv: there is no such file; check the path");
   expect_refused("", "names no file");
   expect_refused(".", "is a directory");
-  expect_refused("/dev/zero", "is no regular file");
+  expect_refused("/dev/zero", "is not a regular file");
   ASSERT_EQ(::mkfifo((temporary_.path() / "fifo").c_str(), 0600), 0);
   expect_refused("fifo", "is a FIFO; give a file");
   write("large.csv", std::string((std::size_t{16} << 20) + 1, '0'));

@@ -285,7 +285,8 @@ TEST(ScenarioRules, TolerancesAndStepsBelongToTheirMethods) {
   const Scenario composed = parse(kMinimal, {{"/numerics", R"({"method": "splitting", "composition": "aba864"})"}});
   EXPECT_EQ(composed.numerics.composition, Composition::aba864);
   EXPECT_EQ(parse(canonical_json(composed)).numerics.composition, Composition::aba864);
-  expect_set({{"/numerics", R"({"method": "rkf78", "composition": "aba864"})"}}, "/numerics/composition", "composes nothing");
+  expect_set({{"/numerics", R"({"method": "rkf78", "composition": "aba864"})"}}, "/numerics/composition",
+             "does not compose flows");
   expect_set({{"/numerics", R"({"method": "splitting", "observer": "body"})"}}, "/numerics/method", "has no body axes");
   for (const std::string method : {"auto", "dopri5", "rkf78", "bulirsch_stoer", "dop853"}) {
     EXPECT_EQ(to_string(parse(kMinimal, {{"/numerics/method", method}}).numerics.method), method);
@@ -328,9 +329,9 @@ TEST(ScenarioRules, AClosedFormIsForTheScenesThatHaveOne) {
   expect_set({method}, "/numerics/method", "away from the poles");
   expect_set({method, {"/site/latitude_deg", "89.999"}}, "/numerics/method", "away from the poles");
   expect_set({method, {"/body/center_of_mass_m", "[0, 0.001, 0.03]"}}, "/numerics/method", "only a symmetric top");
-  expect_set({method, {"/effects/coriolis", "false"}}, "/numerics/method", "not made for scenes without");
+  expect_set({method, {"/effects/coriolis", "false"}}, "/numerics/method", "not available without");
   expect_set({method, {"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}, "/numerics/method",
-             "not made for a platform");
+             "not available on a platform");
 }
 
 TEST(ScenarioRules, PrecisionSetsMethodsAndTolerances) {

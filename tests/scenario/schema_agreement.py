@@ -135,7 +135,7 @@ SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2,
 
 # Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
 BEYOND_THE_SCHEMA = [
-    ({"uncertainty": {"viscous_torque_N_m_s": 1e-9}}, "the scene has no such number"),
+    ({"uncertainty": {"viscous_torque_N_m_s": 1e-9}}, "the scenario has no such number"),
     ({"body": {**BODY, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 3e-4]}}}, "triangle"),
     ({"body": {**BODY, "center_of_mass_m": [0, 0, 1]}}, "a principal moment is negative"),
     ({"body": {**BODY, "inertia": {"principal_kg_m2": [0, 1e-4, 1e-4]}}}, "positive definite"),
@@ -152,8 +152,8 @@ BEYOND_THE_SCHEMA = [
     ({"numerics": {"method": "abm8", "step_s": 1e-12}}, "steps"),
     ({"numerics": {"method": "closed_form"}}, "away from the poles"),
     ({"numerics": {"method": "closed_form"}, "body": {**BODY, "center_of_mass_m": [0, 0.01, 0.02]}}, "only a symmetric top"),
-    ({"numerics": {"method": "closed_form"}, "effects": {"coriolis": False}}, "not made for scenes without"),
-    ({"numerics": {"method": "closed_form"}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "not made for a platform"),
+    ({"numerics": {"method": "closed_form"}, "effects": {"coriolis": False}}, "not available without"),
+    ({"numerics": {"method": "closed_form"}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "not available on a platform"),
     ({"numerics": {"method": "splitting", "observer": "body"}}, "no body axes"),
     ({"numerics": {"method": "splitting", "model": "general"}}, "no general model"),
     ({"platform": {"motion": "constant", "rate_rad_s": 1, "axis": [0, 0, 0]}}, "zero vector"),
@@ -174,7 +174,7 @@ BEYOND_THE_SCHEMA = [
     ({"contact": SLIDING, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "is not available with /contact"),
     ({"contact": SLIDING, "effects": {"viscous_torque_N_m_s": 1e-7}}, "is not available with /contact"),
     ({"contact": SLIDING, "numerics": {"observer": "body"}}, "with /contact"),
-    ({"contact": SLIDING, "numerics": {"method": "splitting"}}, "not made for a top on a table"),
+    ({"contact": SLIDING, "numerics": {"method": "splitting"}}, "not available for a top on a table"),
     ({"contact": SLIDING, "numerics": {"method": "dop853"}}, "not built for a top on a table"),
     ({"site": {"latitude_deg": 90}, "numerics": {"method": "closed_form"}, "effects": {"gravity_gradient": "normal"}},
      "leave the other effects out"),
@@ -187,7 +187,7 @@ BEYOND_THE_SCHEMA = [
     ({"contact": {**SLIDING, "max_tilt_deg": 10}}, "is not above the tilt of the release"),
     ({"contact": {**SLIDING, "friction_coefficient": 1e3, "tip_velocity_m_s": [0, -1]}}, "Painleve"),
     ({"contact": SLIDING, "release": {"tilt_deg": 60, "angular_velocity_body_rad_s": [0, -100, 0]}}, "leaves the table"),
-    ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "lets a slip die out"),
+    ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "makes a slip die out"),
     ({"contact": SLIDING, "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {
         "about": "center_of_mass", "principal_kg_m2": [0, 1e-4, 1e-4]}}}, "all three must be above 0"),
     ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),

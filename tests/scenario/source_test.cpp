@@ -44,7 +44,7 @@ TEST_F(ScenarioFile, WhatIsNoFileIsRefusedAtOnce) {
   expect_refused(directory_ / "none.json", "there is no such file");
   expect_refused("", "there is no such file");
   expect_refused(directory_, "is a directory");
-  expect_refused("/dev/null", "is no regular file");
+  expect_refused("/dev/null", "is not a regular file");
   const std::string fifo = directory_ / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   expect_refused(fifo, "is a FIFO");  // and does not wait for a writer
@@ -98,9 +98,9 @@ TEST(ScenarioOverrides, MalformedPointersAreRefused) {
   for (const std::string pointer : {"", "site", "site/latitude_deg", "/site~2x", "/site~"})
     expect_set({{pointer, "1"}}, pointer, "malformed JSON pointer");
   expect_set({{"/site/latitude_deg/x", "1"}}, "/site/latitude_deg/x", "leads through a number");
-  expect_set({{"/body/center_of_mass_m/3", "1"}}, "/body/center_of_mass_m/3", "\"3\" is no index of an array of 3");
-  expect_set({{"/body/center_of_mass_m/-", "1"}}, "/body/center_of_mass_m/-", "no index");
-  expect_set({{"/body/center_of_mass_m/01", "1"}}, "/body/center_of_mass_m/01", "no index");
+  expect_set({{"/body/center_of_mass_m/3", "1"}}, "/body/center_of_mass_m/3", "\"3\" is not an index of an array of 3");
+  expect_set({{"/body/center_of_mass_m/-", "1"}}, "/body/center_of_mass_m/-", "not an index");
+  expect_set({{"/body/center_of_mass_m/01", "1"}}, "/body/center_of_mass_m/01", "not an index");
   std::string deep;
   for (int i = 0; i < 100'000; ++i) deep += "/a";
   EXPECT_EQ(found_in(kMinimal, {{deep, "1"}}).places.size(), 1u);

@@ -103,10 +103,10 @@ TEST(SpinInRpm, ABurstingRimIsNotTakenForAnotherUnit) {
     const ScenarioReport report = examine_scenario({"", kMinimal}, {{key, value}});
     return report.warnings.empty() ? "" : report.warnings.front().message;
   };
-  EXPECT_NE(warning("/release/spin_rad_s", "200000").find("revolutions a minute"), std::string::npos);
+  EXPECT_NE(warning("/release/spin_rad_s", "200000").find("revolutions per minute"), std::string::npos);
   const std::string in_rpm = warning("/release/spin_rpm", "1909859");
   EXPECT_NE(in_rpm.find("and burst"), std::string::npos);
-  EXPECT_EQ(in_rpm.find("revolutions a minute"), std::string::npos);
+  EXPECT_EQ(in_rpm.find("revolutions per minute"), std::string::npos);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
                     "inertia": {"about": "center_of_mass", "principal_kg_m2": [1.1e-4, 1.1e-4, 4e-5]}})"}},
                  "/body/center_of_mass_m", "millimetres");
   expect_no_warning({{"/body/mass_kg", "5e-324"}, {"/body/center_of_mass_m", "[0, 0, 0]"}});
-  expect_warning({{"/release/spin_rad_s", "200000"}}, "/body/inertia", "revolutions a minute");
+  expect_warning({{"/release/spin_rad_s", "200000"}}, "/body/inertia", "revolutions per minute");
   expect_no_warning(
       {{"/body", R"({"solids": [{"shape": "disc", "radius_m": 0.05, "length_m": 0.01, "density_kg_m3": 7800}]})"}});
   // A point bob on a long wire, and a steel flywheel at its limit.
@@ -78,8 +78,8 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
 }
 
 TEST(Plausibility, EarthRateInDegreesAnHour) {
-  expect_warning({{"/earth/rotation_rate_rad_s", "15.041"}}, "/earth/rotation_rate_rad_s", "degrees an hour");
-  expect_warning({{"/earth/rotation_rate_rad_s", "4.178e-3"}}, "/earth/rotation_rate_rad_s", "degrees a second");
+  expect_warning({{"/earth/rotation_rate_rad_s", "15.041"}}, "/earth/rotation_rate_rad_s", "degrees per hour");
+  expect_warning({{"/earth/rotation_rate_rad_s", "4.178e-3"}}, "/earth/rotation_rate_rad_s", "degrees per second");
   expect_no_warning({{"/earth/rotation_rate_rad_s", "14"}, {"/motion/duration_s", "1"}});
 }
 

@@ -179,14 +179,14 @@ TEST(Affordable, StiffFrictionIsRefusedWithTheReason) {
 TEST(Affordable, FastMotionsAreRefusedByTheirSteps) {
   Scenario s = toy_top();
   s.effects.applied.gravity_gradient = GravityGradientSpec{GradientField::given, 1e20};
-  EXPECT_NE(refusal(s).find("this scene needs about"), std::string::npos) << refusal(s);
+  EXPECT_NE(refusal(s).find("this scenario needs about"), std::string::npos) << refusal(s);
   Scenario shaken = toy_top();
   shaken.platform = PlatformSpec{};
   shaken.platform->motion = PlatformMotion::harmonic;
   shaken.platform->amplitude_rad = 0.1;
   shaken.platform->frequency_hz = 1e9;
   shaken.platform->pivot_offset_m = {0.1, 0, 0};
-  EXPECT_NE(refusal(shaken).find("this scene needs about"), std::string::npos) << refusal(shaken);
+  EXPECT_NE(refusal(shaken).find("this scenario needs about"), std::string::npos) << refusal(shaken);
 }
 
 TEST(Affordable, SecondsAreToldAsWhatTheyAre) {

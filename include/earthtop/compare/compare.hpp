@@ -144,7 +144,7 @@ Figure comparison_figure(const CompareReport& report);
 
 /// Replaces `reference` by `candidate`: a results directory by its files, a study store by the store, a compact reference
 /// (FILE.json, or a directory of them) by figures and eleven rows of the new results. All references of a directory change
-/// together or not at all: what a killed update left is brought to its end, or removed if it had changed nothing, by the next
+/// together or not at all: what a killed update left is completed, or removed if it had changed nothing, by the next
 /// one and by the next comparison with the reference. Runs that write new results meanwhile are waited for.
 /// @param reason  kept in the reference   @returns what was written
 /// @throws ScenarioError for input that cannot be a reference, or that goes on changing; ReadError, WriteError; Interrupted

@@ -16,7 +16,7 @@ enum class ContactEventKind {
   lifted_off,       ///< the normal force fell to zero
   rim_touched,      ///< the tilt passed the largest that is allowed
   inverted,         ///< the axis passed the table's plane upward: a tippe top stands up
-  no_unique_force,  ///< Painleve's paradox: no force, or several, keep the tip on the table
+  no_unique_force,  ///< Painleve's paradox: no force, or more than one, keeps the tip on the table
   patch_stopped     ///< a contact patch (`contensou`) neither slides nor turns any more
 };
 
@@ -28,17 +28,17 @@ struct ContactEventType {
 };
 inline constexpr ContactEventType kContactEvents[] = {
     {ContactEventKind::slip_stopped, "slip_stopped", "friction has brought the slip to zero, and the tip rolls on", false},
-    {ContactEventKind::slip_started, "slip_started", "rolling takes more friction than the table gives, and the tip slips",
-     false},
+    {ContactEventKind::slip_started, "slip_started",
+     "rolling needs more friction than the table gives, and the tip starts to slip", false},
     {ContactEventKind::lifted_off, "lifted_off", "the normal force falls to zero, and the tip lifts off: the run ends", true},
     {ContactEventKind::rim_touched, "rim_touched",
-     "the tilt passes the largest allowed, and the rim touches the table: the run ends", true},
+     "the tilt exceeds the largest one allowed, and the rim touches the table: the run ends", true},
     {ContactEventKind::inverted, "inverted", "the axis passes the table's plane upward: the top stands up on its other end",
      false},
     {ContactEventKind::no_unique_force, "no_unique_force",
-     "no force, or several, keep the tip on the table (Painlevé's paradox): the run ends", true},
+     "no force, or more than one, keeps the tip on the table (Painlevé's paradox): the run ends", true},
     {ContactEventKind::patch_stopped, "patch_stopped",
-     "slip and turning of the contact patch have ended together, and dry friction holds it: the run ends", true}};
+     "the contact patch has stopped sliding and turning at the same time, and dry friction holds it: the run ends", true}};
 constexpr const ContactEventType& type_of(ContactEventKind kind) { return kContactEvents[static_cast<std::size_t>(kind)]; }
 static_assert([] {
   for (const ContactEventType& type : kContactEvents)
@@ -52,7 +52,7 @@ struct ContactEvent {
   ContactEventKind kind = ContactEventKind::slip_stopped;
   Prediction prediction = Prediction::reference;
   double t_s = 0;
-  /// Time of this event in the rotating motion less that in the reference, without cancellation (s); none where only one of the
+  /// Time of this event in the rotating motion minus that in the reference, without cancellation (s); none where only one of the
   /// two has it.
   std::optional<double> time_difference_s{};
   std::optional<double> bound_s{};  ///< bound on the error of `t_s`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a drift state (drift_integration.hpp) of a top on a table beside attitudes and rates.
+/// The part of a drift state (drift_integration.hpp) of a top on a table besides attitudes and rates.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct ContactIntegrals {
 template <class T>
 struct ContactDriftState {
   Vec3<Paired<T>> axis_L;  ///< body axis 3
-  Vec3<Paired<T>> tip_L;   ///< centre of the tip's sphere, less its radius along the table's normal: the contact point
+  Vec3<Paired<T>> tip_L;   ///< centre of the tip's sphere, minus its radius along the table's normal: the contact point
   Vec3<Paired<T>> slip_L;
   Paired<T> slip;                       ///< its size
   Paired<T> spin;                       ///< inertial rate about axis 3

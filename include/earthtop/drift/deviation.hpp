@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The deviation of the rotating motion from the non-rotating prediction. It has equations of its own, integrated beside the
+/// The deviation of the rotating motion from the non-rotating prediction. It has equations of its own, integrated alongside the
 /// two motions (Encke's idea), so that two nearly equal trajectories are never subtracted. Each observer has one form of them,
 /// derived independently of the others:
 ///

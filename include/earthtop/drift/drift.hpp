@@ -17,14 +17,14 @@ namespace earthtop {
 enum class ContactState { slide, roll, mixed };
 std::string_view to_string(ContactState state);
 
-/// The part of a row of a top on a table beside attitudes and rates. The tip is the contact point; positions are horizontal, from the
-/// laboratory's origin, to East and North (on a tilted table along its axes 1 and 2).
+/// The part of a row of a top on a table besides attitudes and rates. The tip is the contact point; positions are horizontal,
+/// from the laboratory's origin, to East and North (on a tilted table along its axes 1 and 2).
 template <class T>
 struct BasicContactRow {
   std::array<T, 2> tip_m = {}, ref_tip_m = {};
   T slip_m_s = T(0), ref_slip_m_s = T(0);
   T normal_force_N = T(0), ref_normal_force_N = T(0);
-  std::array<T, 2> drift_tip_xy_m = {};  ///< rotating less reference
+  std::array<T, 2> drift_tip_xy_m = {};  ///< rotating minus reference
   T drift_tip_m = T(0);                  ///< its length
   T drift_tip_bound_m = T(0);            ///< bound on the error of `drift_tip_m`
   T drift_slip_m_s = T(0);
@@ -51,7 +51,7 @@ struct BasicDriftRow {
   T drift_attitude_rad = T(0);         ///< angle of R_ref^T R_rot, 0 to pi
   T drift_attitude_bound_rad = T(0);   ///< bound on the error of `drift_attitude_rad`
   T drift_spin_rad = T(0);             ///< difference of the spin phases, continuous
-  bool drift_reliable = true;          ///< false from the time on from which the run's verdict calls the drift unreliable
+  bool drift_reliable = true;          ///< false from the time at which the run's verdict calls the drift unreliable
   std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
 };
 using DriftRow = BasicDriftRow<double>;
@@ -76,7 +76,7 @@ struct SecularDrift {
 enum class ThresholdCrossing {
   not_reached,
   clear,       ///< the drift passes, and its error moves the time by no more than the bound that is given
-  tangential,  ///< it turns back so near the threshold that, within its error, it may not pass, or at quite another time
+  tangential,  ///< it turns back so near the threshold that, within its error, it may not pass, or at a quite different time
   uncertain    ///< the run ends too near the threshold to tell, or the error is no smaller than the threshold
 };
 std::string_view to_string(ThresholdCrossing crossing);

@@ -40,9 +40,9 @@ template <class T>
 struct DriftMeasures {
   T axis;      ///< angle between the two axes
   T attitude;  ///< angle of R_ref^T R_rot, 0 to pi
-  T tilt;      ///< angle of the rotating axis to Up less that of the reference axis
+  T tilt;      ///< angle of the rotating axis to Up minus that of the reference axis
   bool azimuth_defined;
-  T azimuth;                         ///< compass azimuth less that of the reference, -pi to pi; 0 where it is not defined
+  T azimuth;                         ///< compass azimuth minus that of the reference, -pi to pi; 0 where it is not defined
   T half_spin;                       ///< atan2(e_z, e_w), half the spin phase drift, -pi to pi
   Vec3<T> axis_difference_L_scaled;  ///< (n_rot - n_ref) / epsilon
   Vec3<T> attitude_vector_L_scaled;  ///< vector part of R_rot R_ref^T / epsilon

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Finds how fast an infinitesimal disturbance of a motion grows, from the variational equations integrated beside the motion.
+/// Finds how fast an infinitesimal disturbance of a motion grows, from the variational equations integrated alongside the motion.
 #pragma once
 
 #include <optional>
@@ -46,11 +46,11 @@ struct GrowthReport {
 
 /// The tolerance at which growth is followed first, and the smaller one at which the growth found is confirmed.
 inline constexpr double kCoarseGrowthTolerance = 1e-7, kConfirmingGrowthTolerance = 1e-10;
-/// Growth is followed for at most so many steps.
+/// Growth is followed for at most this many steps.
 inline constexpr std::int64_t kMostGrowthSteps = 50'000'000;
 
 /// The tolerance at which the growth along a problem's motions is to be followed first; none where nothing has to be followed:
-/// where disturbances of the motion grow no faster than with the time, or where an upright top is at its critical spin, so that
+/// where disturbances of the motion grow no faster than with time, or where an upright top is at its critical spin, so that
 /// no growth says more. Motions with a closed form are followed closely, as they leave a separatrix by the integration's own
 /// error.
 std::optional<double> growth_tolerance(const MotionProblem<double>& problem, double duration_s);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Finds the derivatives of the drift with respect to inputs, such as moments of inertia or rates at release: from the
 /// variational equations of the reference motion and of the deviation, which are differentiated exactly (by jets) and
-/// integrated beside the two.
+/// integrated alongside the two.
 #pragma once
 
 #include <functional>
@@ -48,7 +48,7 @@ inline constexpr std::size_t kInputsAtOnce = 4;
 /// largest of all steps.
 struct Responses {
   double displacement_final = 0, displacement_largest = 0;  ///< change of the reference's axis
-  double drift_final = 0, drift_largest = 0;                ///< change of the rotating axis less that of the reference's
+  double drift_final = 0, drift_largest = 0;                ///< change of the rotating axis minus that of the reference's
 };
 
 /// The drift at one time (rad) and its derivatives by all inputs (rad per unit of the input).

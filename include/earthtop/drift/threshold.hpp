@@ -15,15 +15,15 @@ struct AxisDriftSample {
   T t = T(0);
   T axis = T(0);                              ///< angle between the two axes (rad)
   T rate = T(0);                              ///< time derivative of that angle
-  Vec3<T> difference = Vec3<T>::Zero();       ///< rotating axis less reference axis, in laboratory axes
+  Vec3<T> difference = Vec3<T>::Zero();       ///< rotating axis minus reference axis, in laboratory axes
   Vec3<T> difference_rate = Vec3<T>::Zero();  ///< its time derivative: bounds how fast the drift changes where `rate` is 0
 };
 
 /// The findings of one integration about the threshold. Times are in the integration's own unit until `in_seconds` converts
 /// them.
 ///
-/// An error of the drift moves the passing. By how much can be told only when that error is known, which is after the
-/// integration. So the record keeps what is needed to tell it: near the passing, the drift's rate and curvature; farther away,
+/// An error of the drift moves the passing. By how much is known only once that error is, which is after the integration. So
+/// the record keeps what is needed for this: near the passing, the drift's rate and curvature; farther away,
 /// the times at which the drift came within some part of the threshold below it, and exceeded it by that part.
 template <class T>
 struct ThresholdRecord {

@@ -9,7 +9,7 @@ namespace earthtop {
 /// One look at the two axes for the trend.
 struct AzimuthSample {
   bool defined = true;                 ///< false where an axis is vertical
-  double drift_rad = 0;                ///< compass azimuth less that of the reference, continuous
+  double drift_rad = 0;                ///< compass azimuth minus that of the reference, continuous
   double ref_east = 0, ref_north = 0;  ///< horizontal part of the reference axis
   double horizontal = 0;               ///< length of the horizontal part of the rotating axis
 };
@@ -31,7 +31,7 @@ struct TrendEstimate {
 ///
 /// To first order in the Earth's rate the drift of a symmetric top is a line, swings at the frequencies of nutation and at their
 /// sums and differences with that of precession, and, because the Earth changes the frequency of nutation, swings at multiples
-/// of the nutation that grow with the time. Several selections of these are fitted, each with weights that fall smoothly to zero
+/// of the nutation that grow with time. Several selections of these are fitted, each with weights that fall smoothly to zero
 /// at both ends, which takes out the swings that are not among them, and each to three windows. The fit whose windows agree best
 /// is taken. The scatter of its slopes in further windows tells the error; the factor between the two was found by counting
 /// (tests/trend).

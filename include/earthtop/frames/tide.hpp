@@ -93,7 +93,7 @@ class TideSeries {
     }
     return (unit_s_ * unit_s_) * (largest + norm(amplitude_L_));
   }
-  /// Puts the coefficients of the powers of (t' - t) of the acceleration into rows, one for each order from 0 on.
+  /// Puts the coefficients of the powers of (t' - t) of the acceleration into rows, one for each order starting at 0.
   void expand(T t, std::span<std::array<T, 3>> rows) const {
     for (std::array<T, 3>& row : rows) row = {T(0), T(0), T(0)};
     const T t_s = t * unit_s_;

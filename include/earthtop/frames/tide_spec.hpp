@@ -17,7 +17,7 @@ struct TideOptions {
   bool operator==(const TideOptions&) const = default;
 };
 
-/// A tide: either that of Moon and Sun from the scenario's start on, or a harmonic oscillation of given amplitude.
+/// A tide: either that of Moon and Sun from the scenario's start onward, or a harmonic oscillation of given amplitude.
 struct TideSpec {
   bool given = false;
   TideOptions options;                               ///< for the tide of Moon and Sun

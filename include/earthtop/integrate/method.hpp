@@ -96,8 +96,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations = 6,
               .stable_phase = 2.5,
               .stable_evaluations = 8},
-     .worth = "the method that MATLAB's ode45 and SciPy's RK45 take by default: their results can be made again, and its cost "
-              "compared"},
+     .worth =
+         "the default method of MATLAB's ode45 and SciPy's RK45: their results can be reproduced, and their cost compared"},
     {.method = Method::rkf78,
      .word = "rkf78",
      .most_digits = Precision::bits113,
@@ -107,8 +107,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 6,
      .look = "orange square",
      .cost = {.radians = 0.22, .at = 1e-14, .order_inverse = 1.0 / 8, .stable_phase = 3},
-     .worth = "short steps, which find where dry friction stops a motion, and the second method against which extrapolation's "
-              "bounds are found"},
+     .worth = "short steps, which find where dry friction stops a motion, and the second method, from which the bounds of "
+              "extrapolation come"},
     {.method = Method::bulirsch_stoer,
      .word = "bulirsch_stoer",
      .most_digits = Precision::bits64,
@@ -116,7 +116,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 9,
      .look = "purple triangle",
      .cost = {.radians = 2, .order_inverse = 1.0 / 16, .evaluations = 53, .stable_phase = 3, .stable_evaluations = 15},
-     .worth = "Boost.Odeint's own extrapolation: another program's code of the same idea as extrapolation, to hold it against"},
+     .worth = "Boost.Odeint's own extrapolation: an independent implementation of the same idea, against which extrapolation "
+              "can be checked"},
     {.method = Method::extrapolation,
      .word = "extrapolation",
      .most_digits = Precision::bits113,
@@ -134,9 +135,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_near_round_off = 0.2,
               .evaluations_a_row = 40,
               .is_watched = true},
-     .worth =
-         "an order that follows the tolerance: 34 digits in any scene, and the second integration behind the bounds of all "
-         "methods but taylor and long_horizon"},
+     .worth = "an order that follows the tolerance: 34 digits in any scenario, and the second integration behind the bounds of "
+              "all methods but taylor and long_horizon"},
     {.method = Method::abm8,
      .word = "abm8",
      .step_s = Need::required,
@@ -146,7 +146,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 11,
      .look = "sky diamond",
      .cost = {.evaluations = 2},
-     .worth = "the only multistep method: two right-hand sides a step, as older simulators with fixed steps take them"},
+     .worth = "the only multistep method: two evaluations of the right-hand side a step, as in older fixed-step simulators"},
     {.method = Method::dop853,
      .word = "dop853",
      .equations = MethodEquations::reduced_body_and_laboratory,
@@ -160,7 +160,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_a_row = 1,
               .steps_past_rows = true,
               .is_watched = true},
-     .worth = "dense output of order 7 where drag brakes a rate to zero, a corner that no series passes: rows cut no step"},
+     .worth = "dense output of order 7 where drag brakes a rate to zero, a corner that no series passes: output rows do not "
+              "shorten its steps"},
     {.method = Method::gauss,
      .word = "gauss",
      .step_s = Need::optional,
@@ -174,8 +175,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .stable_phase = 1.2,  // its fixed-point iteration does not converge beyond this
               .stable_evaluations = 50,
               .tries_its_step = true},
-     .worth = "the only symmetric method for scenes that no exact flow is made for: with a fixed step its error in the energy "
-              "does not grow with the time"},
+     .worth = "the only symmetric method for scenarios without exact flows: with a fixed step, its error in the energy does "
+              "not grow with time"},
     {.method = Method::splitting,
      .word = "splitting",
      .step_s = Need::optional,
@@ -186,9 +187,8 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_bench = 4,
      .look = "purple circle",
      .cost = {.radians = 0.8, .order_inverse = 1.0 / 7, .most_radians = 2, .evaluations = 14},
-     .worth =
-         "the symplectic method of a symmetric top: with a fixed step its error in the Jacobi integral does not grow with the "
-         "time; published compositions can be compared"},
+     .worth = "the symplectic method for symmetric tops: with a fixed step, its error in the Jacobi integral does not grow "
+              "with time; published compositions can be compared"},
     {.method = Method::taylor,
      .word = "taylor",
      .most_digits = Precision::bits113,
@@ -203,7 +203,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .stable_phase = 10,
               .evaluations_a_row = 1,
               .steps_past_rows = true},
-     .worth = "the fewest operations at every error, and rounding alone for an error"},
+     .worth = "the fewest operations at every error, down to rounding"},
     {.method = Method::closed_form,
      .word = "closed_form",
      .most_digits = Precision::bits113,
@@ -213,7 +213,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 11,
      .place_in_bench = 1,
      .look = "green circle",
-     .worth = "the motion at any time for the price of its rows, without an error that grows"},
+     .worth = "the motion at any time, at the cost of its rows alone, with an error that does not grow"},
     {.method = Method::long_horizon,
      .word = "long_horizon",
      .fit = MethodFit::fast_symmetric_top,

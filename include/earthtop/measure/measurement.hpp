@@ -2,7 +2,7 @@
 /// Comparison of a measured motion with a scenario: residuals, chi-squared, and estimates of the scenario's numbers.
 ///
 /// The prediction is one integration in double at the measured times, good to some 1e-11 rad; that error is small against any
-/// measurement's, and is not added to it. Where disturbances grow, the prediction means nothing from the time on that a run's
+/// measurement's, and is not added to it. Where disturbances grow, the prediction means nothing after the time that a run's
 /// verdict names: later rows are refused.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace earthtop {
 
 /// The quantities of body axis 3 that can be measured, in the laboratory (East, North, Up): compass azimuth, clockwise from
 /// North seen from above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, which are the motion on the
-/// rotating Earth less the non-rotating prediction, as one gets them from a measured motion and a calculated one.
+/// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one.
 enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt };
 std::string_view to_string(MeasuredQuantity quantity);
 
@@ -43,12 +43,12 @@ struct Measurement {
 };
 
 /// Reads a CSV file with a header line. Columns, each with its unit in its name:
-///   t_s                                            since the release, from 0 on, ascending; several rows may have one time
+///   t_s                                            since the release, starting at 0, ascending; several rows may have one time
 ///   azimuth_rad, _deg or _arcsec                   with its standard error azimuth_se_rad, _deg or _arcsec
 ///   tilt_*, drift_azimuth_*, drift_tilt_*          likewise
 ///   axis_L_x, axis_L_y, axis_L_z                   unit vector, normalised here; with axis_se_*
-/// An empty cell was not measured; a measured value needs its standard error, above 0. Columns that begin with `_` are passed
-/// over. At most 200,000 rows.
+/// An empty cell was not measured; a measured value needs its standard error, above 0. Columns that begin with `_` are skipped.
+/// At most 200,000 rows.
 /// @throws ScenarioError with what is wrong, where in the file, and what is allowed; ReadError
 Measurement read_measurement(const std::string& csv_file);
 /// The same of a text.   @param name  what it is called in messages and in the report
@@ -63,13 +63,13 @@ struct MeasurementResidual {
   std::string_view quantity;
   double measured_rad = 0;
   double predicted_rad = 0;  ///< NaN for the azimuth of a vertical axis
-  double residual_rad = 0;   ///< measured less predicted; from -pi to pi for azimuths
+  double residual_rad = 0;   ///< measured minus predicted; from -pi to pi for azimuths
   double standard_error_rad = 0;
   /// Where errors are correlated in time: what is new in the normalised residual beside those before it, in its own standard
   /// errors. These are independent of each other.
   std::optional<double> whitened = {};
   double normalised() const { return residual_rad / standard_error_rad; }
-  /// The number whose square chi-squared takes.
+  /// The number whose square enters chi-squared.
   double independent() const { return whitened ? *whitened : normalised(); }
 };
 
@@ -79,8 +79,8 @@ struct ChiSquared {
   double value = 0;
   double of_priors = 0;  ///< the priors' share of the value
   std::int64_t degrees_of_freedom = 0;
-  /// Chance of a larger value, if scenario and standard errors are right and errors are normal; none without degrees of
-  /// freedom.
+  /// The probability of a larger value, if scenario and standard errors are right and errors are normally distributed; none
+  /// without degrees of freedom.
   std::optional<double> p_value;
 };
 
@@ -88,7 +88,7 @@ enum class FitOutcome {
   not_asked,
   converged,
   not_determined,     ///< the predicted values do not change with an input, or with a combination of them
-  not_converged,      ///< no least sum of squares within the allowed iterations
+  not_converged,      ///< no minimum of the sum of squares within the allowed iterations
   prediction_failed,  ///< no motion could be computed for numbers near the scenario's
   interrupted
 };
@@ -113,7 +113,7 @@ struct Prior {
   std::string unit;   ///< of the input
   double mean = 0;    ///< the scenario's value
   double standard_error = 0;
-  std::optional<double> pull;  ///< the estimate less the mean, in standard errors of the prior; none without a fit
+  std::optional<double> pull;  ///< the estimate minus the mean, in standard errors of the prior; none without a fit
 };
 struct UnusedPrior {
   std::string name;  ///< one of kInputNames
@@ -151,7 +151,7 @@ struct MeasurementOptions {
 };
 
 struct MeasurementReport {
-  /// Below this chance (p-value) the scatter is taken to be larger than the stated errors explain.
+  /// Below this p-value the scatter counts as larger than the stated errors explain.
   static constexpr double kLeastPValue = 1e-3;
 
   std::string scenario_name;
@@ -187,12 +187,12 @@ struct MeasurementReport {
 
 /// Compares a measurement with a scenario.
 /// @param overrides  `--set` pairs
-/// Errors of measured values are assumed to be normal and, unless a correlation time is stated, independent of each other. The
-/// search for the least sum of squares begins at the scenario's numbers; where azimuths may be off by a full turn, there may be
-/// several minima.
+/// Errors of measured values are assumed to be normally distributed and, unless a correlation time is stated, independent of
+/// each other. The search for the minimum of the sum of squares begins at the scenario's numbers; where azimuths may be off by
+/// a full turn, there may be several minima.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
 /// until which a run of the scenario is reliable, where it is unstable or chaotic; ArithmeticError as `run` does. Numerical
-/// trouble is no error: it is the report's `status`.
+/// trouble is not an error: it is the report's `status`.
 /// @param watch  may end the work early: then status or fit is `interrupted`
 /// While this runs, GSL's error handler, of which the process has only one, is off.
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
@@ -200,9 +200,9 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Measurement& measurement, const MeasurementOptions& options = {},
                                            const Watch& watch = {});
 
-/// Says what the data tell of an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the
-/// scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means something. Empty
-/// without an estimate.
+/// Says what the data show about an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17
+/// sigma; the scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means
+/// something. Empty without an estimate.
 /// @param by_scatter  take the standard error scaled by the scatter, and say so
 std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
 
@@ -213,7 +213,7 @@ std::string with_standard_error(double value, double error);
 /// counted on over whole turns. Of more than 600 values of a quantity those are drawn whose residuals are least and largest in
 /// each of 300 spans.
 Figure measurement_figure(const MeasurementReport& report);
-/// How often each size of a residual occurs, in standard errors, beside what normal errors would give.
+/// How often each size of a residual occurs, in standard errors, next to what normally distributed errors would give.
 Figure residuals_histogram(const MeasurementReport& report);
 
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
@@ -221,7 +221,7 @@ std::string measurement_json(const MeasurementReport& report);
 /// Puts the report's estimates into a scenario's text, after the overrides: compared with the same measurement it gives the
 /// residuals of the fit, to the last bit. What else the text holds stays as it is, comments and layout included,
 /// but for `headline` and `criteria`, which are about the scenario's own numbers.
-/// @param file  where the text is to be written: files that it names are looked for beside it
+/// @param file  where the text is to be written: files that it names are looked for in its directory
 /// @throws ScenarioError where the fit did not converge, or no scenario in that place has these values
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                             const MeasurementReport& report, const std::string& file);

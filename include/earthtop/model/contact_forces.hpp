@@ -14,7 +14,7 @@
 /// | rolling      | of the constraint v_P = 0            | 0                                                          |
 ///
 /// with a = 8/(3 pi), b = 15 pi/16: both limits, of slip and of spin, are those of a patch of radius R under Hertz pressure.
-/// Under any law, spinning friction adds -c_s N w_z/sqrt(w_z^2 + floor^2) z, and rolling resistance the same of w's horizontal
+/// Under any law, spinning friction adds -c_s N w_z/sqrt(w_z^2 + floor^2) z, and rolling resistance the same for w's horizontal
 /// part. w is the rate relative to the table, v_P the velocity of the body's point at P relative to it.
 #pragma once
 
@@ -92,7 +92,7 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
 }
 
 /// The acceleration -2 W x v_C - W x (W x p_C) + Gamma p_C that a field uniform in inertial space, seen from the laboratory, and
-/// the gradient of gravitation give the centre of mass beside apparent gravity.
+/// the gradient of gravitation give the centre of mass besides apparent gravity.
 /// @param p_C, v_C  position and velocity of C relative to the laboratory
 template <class S>
 Vec3<S> field_beside_gravity(const Contact<S>& contact, const ContactSurroundings<S>& around, const Vec3<S>& p_C,

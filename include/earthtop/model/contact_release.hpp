@@ -46,7 +46,7 @@ Vec3<T> slip_at_release(const ContactRelease<T>& release, const Contact<T>& cont
   return slip;
 }
 
-/// The slip of the rotating motion less that of the reference, over epsilon, where both start with the same inertial rates: the
+/// The slip of the rotating motion minus that of the reference, over epsilon, where both start with the same inertial rates: the
 /// rotating body then turns at -W more relative to the table, and v_O or v_C is what both share.
 template <class T>
 Vec3<T> slip_difference_at_release(const ContactRelease<T>& release, const Contact<T>& contact, const Vec3<T>& W_scaled,

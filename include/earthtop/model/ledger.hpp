@@ -33,7 +33,7 @@ LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
 
 /// The ledger of one state. Its two sides are computed independently from the state:
 ///   torques   [F]'s tensor forms, from the second moment S and the velocity moment J in A axes
-///   dL'/dt    Euler's equation in body axes for w_IB, less the rotation of A, with the inertia tensor Theta:
+///   dL'/dt    Euler's equation in body axes for w_IB, minus the rotation of A, with the inertia tensor Theta:
 ///             with w = w_AB = w_IB - u and u = w_IA,  (dL'/dt)_A = Theta dw_IB/dt - Theta du/dt + w x Theta w,
 ///             where dw_IB/dt is Euler's and du/dt = R_BA alpha_IA - w x u is taken in B. What grows with the square of the
 ///             spin cancels between the terms, and is left out here:

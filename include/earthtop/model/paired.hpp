@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A number in both predictions at once: its value in the non-rotating reference, its value in the rotating motion, and their
+/// A number in both predictions: its value in the non-rotating reference, its value in the rotating motion, and their
 /// difference over epsilon (see Model). Arithmetic carries the difference along without ever subtracting the two values. A
 /// formula written for any scalar type thus yields its own difference without cancellation. If both values are equal, `diff` is
 /// the directional derivative of the formula along the differences of its arguments.

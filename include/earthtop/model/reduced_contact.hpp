@@ -61,7 +61,7 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   return k;
 }
 
-/// The torque about C that is neither gyroscopic nor the table's: that of the gradient, less those of [F] that the scene leaves
+/// The torque about C that is neither gyroscopic nor the table's: that of the gradient, minus those of [F] that the scene leaves
 /// out. With the second moment S = s1 (1 - n n^T) + s3 n n^T about C these are -2 (S W) x w and -(S W) x W (reduced_torques.hpp).
 template <class S>
 Vec3<S> further_torque(const Contact<S>& c, const ContactSurroundings<S>& around, const Vec3<S>& n, const Vec3<S>& w) {

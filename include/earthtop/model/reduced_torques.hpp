@@ -17,7 +17,7 @@ struct SeenBesideAxis {
   Vec3<S> u;                        ///< inertial rate of the body normal to the axis
   S w3;                             ///< that along the axis
   Vec3<S> w_IP;                     ///< inertial rate of the platform, or of the laboratory if there is none
-  Vec3<S> field;                    ///< acceleration field at the pivot: apparent gravity, tide, less the pivot's acceleration
+  Vec3<S> field;                    ///< acceleration field at the pivot: apparent gravity, tide, minus the pivot's acceleration
   std::array<Vec3<S>, 2> gradient;  ///< directions of the terms of the gradient tensor
 };
 
@@ -54,7 +54,7 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
   return torques;
 }
 
-/// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series all along.
+/// Whether friction has no corner on the way of a symmetric top's motion, so that the equations have a Taylor series throughout.
 /// Dry friction, quadratic drag and a disc's drag have one where the spin that they brake, which is relative to the platform or
 /// the laboratory, goes through zero. With a carrier's rate of at most c the relative spin is at most w3 + c, and at least w3 - c.
 ///   Friction other than dry takes at most `decay` of w3 + c, and as its coefficient falls with the rate, w3 + c keeps

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Planning of a measurement: what it would tell of a scenario's numbers, before anything is built.
+/// Planning of a measurement: what it would show about a scenario's numbers, before anything is built.
 ///
 /// The standard errors are the Cramer-Rao bound: no unbiased estimate has smaller ones, and a weighted fit reaches them as long
 /// as the errors are small enough for the motion to depend linearly on the numbers. They follow from the derivatives of the
-/// predicted values by the numbers, which are those of `compare --estimate`.
+/// predicted values with respect to the numbers, which are those of `compare --estimate`.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct MeasurementPlan {
   std::optional<double> until_s;  ///< time of the last row (s); the scenario's duration if not given
   double correlation_time_s = 0;  ///< the errors of a quantity are correlated by exp(-dt / correlation_time_s); 0: independent
   std::vector<std::string> estimates;  ///< names as for `compare_with_measurement`; empty: the Earth's rate, as below
-  std::vector<std::string> nuisances;  ///< names of further numbers that are not known and have to be fitted along
+  std::vector<std::string> nuisances;  ///< names of further numbers that are not known and have to be fitted as well
 };
 
 /// One of the fitted numbers, in `unit`.
@@ -45,7 +45,7 @@ struct PlannedEstimate {
   std::string name;
   std::string unit;
   double value = 0;                      ///< the scenario's
-  bool is_nuisance = false;              ///< whether it is fitted along only
+  bool is_nuisance = false;              ///< whether it is fitted only because it is not known
   std::optional<double> prior;           ///< standard error with which it is known already, from the scenario's `uncertainty`
   std::optional<double> standard_error;  ///< Cramer-Rao bound; none where the plan does not determine all numbers
   std::optional<double> standard_error_alone;  ///< the same if all other numbers were known exactly
@@ -98,7 +98,7 @@ struct PlanOptimum {
 enum class PlanOutcome {
   determined,
   not_determined,     ///< the planned values do not change with a number, or with a combination of numbers
-  prediction_failed,  ///< no motion could be computed, or none beside the scenario's numbers
+  prediction_failed,  ///< no motion could be computed, or none next to the scenario's numbers
   interrupted
 };
 std::string_view to_string(PlanOutcome outcome);
@@ -118,7 +118,7 @@ struct PlanReport {
   std::vector<std::pair<std::string, double>> undetermined;
   std::vector<PlannedEstimate> estimates;
   std::vector<std::vector<double>> correlation;  ///< matrix of the estimates' errors
-  std::vector<PlanVariation> variations;         ///< the tables: each unknown known exactly, durations, rows, sigmas
+  std::vector<PlanVariation> variations;         ///< the tables: each unknown known exactly, durations, rows, standard errors
   std::vector<PlanVariation> changes;            ///< what could be changed, the most effective one first
   std::string advice;                            ///< what to change first
   std::int64_t predictions = 0;                  ///< number of motions computed
@@ -126,9 +126,9 @@ struct PlanReport {
   std::optional<PlanOptimum> optimum;
 };
 
-/// Computes what a planned measurement would tell. Without estimates the vertical component of the Earth's rate is estimated,
+/// Computes what a planned measurement would show. Without estimates the vertical component of the Earth's rate is estimated,
 /// or for a scene with a gimbal that holds the axis level, a gyrocompass, the northward one. Each standard error of the
-/// scenario's `uncertainty` makes an input that is fitted along, with that prior.
+/// scenario's `uncertainty` makes an input that is fitted as well, with that prior.
 /// @param overrides  `--set` pairs
 /// @param design  numbers to be chosen so that the first estimate's standard error is least; at most 4. The duration is that of
 /// the measurement, too.
@@ -138,8 +138,9 @@ struct PlanReport {
 PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                             const MeasurementPlan& plan, const std::vector<DesignInput>& design = {}, const Watch& watch = {});
 
-/// The motion of the scenario as the plan would measure it, with normal errors, as a CSV file that `read_measurement` reads.
-/// The same seed gives the same bytes on every machine. Errors are correlated in time if the plan says so.
+/// The motion of the scenario as the plan would measure it, with normally distributed errors, as a CSV file that
+/// `read_measurement` reads. The same seed gives the same bytes on every machine. Errors are correlated in time if the plan
+/// says so.
 /// @throws as plan_measurement; std::nullopt if the watch asked to stop
 std::optional<std::string> simulated_measurement(const ScenarioSource& source,
                                                  const std::vector<std::pair<std::string, std::string>>& overrides,
@@ -148,7 +149,7 @@ std::optional<std::string> simulated_measurement(const ScenarioSource& source,
 /// The report as one JSON document, "earthtop-plan-1.json"; what is not finite is null.
 std::string plan_json(const PlanReport& report);
 
-/// The first estimate's standard error over factors of duration, rows and 1/sigma.
+/// The first estimate's standard error over factors of duration, of rows and of the values' accuracy.
 Figure plan_figure(const PlanReport& report);
 
 }  // namespace earthtop

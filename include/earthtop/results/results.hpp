@@ -68,14 +68,14 @@ class Interrupted : public std::runtime_error {
 /// names: after a failure the old results are intact, and no temporary file and no empty directory is left. While files are
 /// being replaced there is no summary.json; if there is one, the other files belong to it, even if the program is killed. If a
 /// result is a link, the link is replaced and its target is left alone.
-/// @param watch  may stop the writing until the first file is in place, and is told its progress
+/// @param watch  may stop the writing until the first file is in place, and is informed of its progress
 /// @returns the content of summary.json: that of `summary_json`, and checksums of the files
 /// @throws as check_output_directory, which it calls; WriteError; Interrupted
 std::string write_results(const RunResult& result, const std::filesystem::path& dir, bool force, const Watch& watch = {});
 
 /// The files of a run's results as texts, by their names; without the checksums that the written files have.
 using ResultTexts = std::map<std::string, std::string, std::less<>>;
-/// Reads the files of a directory, and holds them against their checksums where they have some.
+/// Reads the files of a directory, and checks them against their checksums where they have some.
 /// @throws ScenarioError if it holds no results, or a file that is not what was written; ReadError
 ResultTexts read_result_texts(const std::filesystem::path& dir);
 /// Writes files as the other `write_results` does. @param texts  those that `write_results` writes for `scene`

@@ -9,7 +9,7 @@
 namespace earthtop {
 
 enum class CriterionKind {
-  value,         ///< a number known from elsewhere
+  value,         ///< a number known from another source
   invariant,     ///< a quantity that the exact motion conserves
   closed_form,   ///< the rows are compared with a formula
   equivalence,   ///< the rows are compared with those that follow from another scene's rows

@@ -23,7 +23,7 @@ struct InputRow {
   std::string_view of;       ///< JSON pointer of the number itself; empty where the input is several numbers
   std::string_view unit;
   double most;           ///< largest standard error that a scenario may state
-  std::string_view doc;  ///< ends the sentence "standard error ..."
+  std::string_view doc;  ///< what it is: "standard error of ..."
   InputKind kind = InputKind::number;
   /// For InputKind::number: the number in a scenario, null where the scenario does not have it.
   double* (*number)(Scenario&) = nullptr;
@@ -49,94 +49,95 @@ inline bool rubs(const Scenario& s, ContactLaw law) { return s.contact && s.cont
 }  // namespace inputs
 
 inline constexpr std::array<InputRow, kInputCount> kInputs = {
-    InputRow{"/uncertainty/latitude_deg", "/site/latitude_deg", "deg", 90, "of the latitude", InputKind::number,
+    InputRow{"/uncertainty/latitude_deg", "/site/latitude_deg", "deg", 90, "standard error of the latitude", InputKind::number,
              [](Scenario& s) { return &s.site.latitude_deg; }},
-    {"/uncertainty/gravity_m_s2", "/site/gravity_m_s2", "m/s^2", 1e6, "of apparent gravity", InputKind::number,
+    {"/uncertainty/gravity_m_s2", "/site/gravity_m_s2", "m/s^2", 1e6, "standard error of apparent gravity", InputKind::number,
      [](Scenario& s) { return &s.site.gravity_m_s2; }},
-    {"/uncertainty/spin_rad_s", "/release/spin_rad_s", "rad/s", 1e9, "of the spin, the rate about body axis 3",
+    {"/uncertainty/spin_rad_s", "/release/spin_rad_s", "rad/s", 1e9, "standard error of the spin, the rate about body axis 3",
      InputKind::number,
      [](Scenario& s) {
        auto& w = s.release.angular_velocity_body_rad_s;
        return w ? &(*w)[2] : &s.release.spin_rad_s;
      }},
-    {"/uncertainty/tilt_deg", "/release/tilt_deg", "deg", 180, "of the tilt at release, without a gimbal", InputKind::tilt,
-     nullptr},
-    {"/uncertainty/rotation_rate_rad_s", "/earth/rotation_rate_rad_s", "rad/s", 1e9, "of the Earth's rate", InputKind::number,
-     [](Scenario& s) { return &s.rotation_rate_rad_s; }},
-    {"/uncertainty/inertia_ratio", "", "", 1e6, "of I3/I1 about the pivot, I1 and I2 unchanged", InputKind::inertia_ratio,
-     nullptr},
+    {"/uncertainty/tilt_deg", "/release/tilt_deg", "deg", 180, "standard error of the tilt at release, without a gimbal",
+     InputKind::tilt, nullptr},
+    {"/uncertainty/rotation_rate_rad_s", "/earth/rotation_rate_rad_s", "rad/s", 1e9, "standard error of the Earth's rate",
+     InputKind::number, [](Scenario& s) { return &s.rotation_rate_rad_s; }},
+    {"/uncertainty/inertia_ratio", "", "", 1e6, "standard error of I3/I1 about the pivot, with I1 and I2 unchanged",
+     InputKind::inertia_ratio, nullptr},
     {"/uncertainty/center_of_mass_m", "", "m", 1e6,
-     "of the distance from the pivot to the centre of mass, moments about the pivot unchanged", InputKind::center_of_mass,
-     nullptr},
+     "standard error of the distance from the pivot to the centre of mass, with the moments about the pivot unchanged",
+     InputKind::center_of_mass, nullptr},
     {"/uncertainty/viscous_torque_N_m_s", "/effects/viscous_torque_N_m_s", "N m s", 1e9,
-     "of effects/viscous_torque_N_m_s, where it is not 0", InputKind::number,
+     "standard error of effects/viscous_torque_N_m_s, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::if_on(s.effects.applied.viscous_N_m_s); }},
     {"/uncertainty/quadratic_torque_N_m_s2", "/effects/quadratic_torque_N_m_s2", "N m s^2", 1e9,
-     "of effects/quadratic_torque_N_m_s2, where it is not 0", InputKind::number,
+     "standard error of effects/quadratic_torque_N_m_s2, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::if_on(s.effects.applied.quadratic_N_m_s2); }},
     {"/uncertainty/coulomb_torque_N_m", "/effects/coulomb_torque_N_m", "N m", 1e9,
-     "of effects/coulomb_torque_N_m, where it is not 0", InputKind::number,
+     "standard error of effects/coulomb_torque_N_m, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::if_on(s.effects.applied.coulomb_N_m); }},
     {"/uncertainty/disc_radius_m", "/effects/air_drag/disc_radius_m", "m", 1e3,
-     "of effects/air_drag/disc_radius_m, with air drag", InputKind::number,
+     "standard error of effects/air_drag/disc_radius_m, with air drag", InputKind::number,
      [](Scenario& s) { return inputs::in(s.effects.applied.air_drag, &AirDragSpec::disc_radius_m); }},
     {"/uncertainty/air_density_kg_m3", "/effects/air_drag/density_kg_m3", "kg/m^3", 1e5,
-     "of effects/air_drag/density_kg_m3, with air drag", InputKind::number,
+     "standard error of effects/air_drag/density_kg_m3, with air drag", InputKind::number,
      [](Scenario& s) { return inputs::in(s.effects.applied.air_drag, &AirDragSpec::density_kg_m3); }},
     {"/uncertainty/air_viscosity_m2_s", "/effects/air_drag/kinematic_viscosity_m2_s", "m^2/s", 1e3,
-     "of effects/air_drag/kinematic_viscosity_m2_s, with air drag", InputKind::number,
+     "standard error of effects/air_drag/kinematic_viscosity_m2_s, with air drag", InputKind::number,
      [](Scenario& s) { return inputs::in(s.effects.applied.air_drag, &AirDragSpec::kinematic_viscosity_m2_s); }},
     {"/uncertainty/gimbal_damping_N_m_s", "/effects/gimbal/damping_N_m_s", "N m s", 1e9,
-     "of effects/gimbal/damping_N_m_s, where it is not 0", InputKind::number,
+     "standard error of effects/gimbal/damping_N_m_s, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.effects.applied.gimbal, &GimbalSpec::damping_N_m_s); }},
     {"/uncertainty/platform_rate_rad_s", "/platform/rate_rad_s", "rad/s", 1e9,
-     "of platform/rate_rad_s, with the motions constant and ramp", InputKind::number,
+     "standard error of platform/rate_rad_s, with the motions constant and ramp", InputKind::number,
      [](Scenario& s) {
        const bool turns = inputs::moves(s, PlatformMotion::constant) || inputs::moves(s, PlatformMotion::ramp);
        return inputs::on_platform(s, &PlatformSpec::rate_rad_s, turns);
      }},
     {"/uncertainty/platform_acceleration_rad_s2", "/platform/acceleration_rad_s2", "rad/s^2", 1e9,
-     "of platform/acceleration_rad_s2, with the motion ramp", InputKind::number,
+     "standard error of platform/acceleration_rad_s2, with the motion ramp", InputKind::number,
      [](Scenario& s) {
        return inputs::on_platform(s, &PlatformSpec::acceleration_rad_s2, inputs::moves(s, PlatformMotion::ramp));
      }},
     {"/uncertainty/platform_amplitude_rad", "/platform/amplitude_rad", "rad", 1e6,
-     "of platform/amplitude_rad, with the motion harmonic", InputKind::number,
+     "standard error of platform/amplitude_rad, with the motion harmonic", InputKind::number,
      [](Scenario& s) {
        return inputs::on_platform(s, &PlatformSpec::amplitude_rad, inputs::moves(s, PlatformMotion::harmonic));
      }},
     {"/uncertainty/platform_frequency_hz", "/platform/frequency_hz", "Hz", 1e6,
-     "of platform/frequency_hz, with the motion harmonic", InputKind::number,
+     "standard error of platform/frequency_hz, with the motion harmonic", InputKind::number,
      [](Scenario& s) {
        return inputs::on_platform(s, &PlatformSpec::frequency_hz, inputs::moves(s, PlatformMotion::harmonic));
      }},
-    {"/uncertainty/platform_phase_deg", "/platform/phase_deg", "deg", 360, "of platform/phase_deg, with the motion harmonic",
-     InputKind::number,
+    {"/uncertainty/platform_phase_deg", "/platform/phase_deg", "deg", 360,
+     "standard error of platform/phase_deg, with the motion harmonic", InputKind::number,
      [](Scenario& s) { return inputs::on_platform(s, &PlatformSpec::phase_deg, inputs::moves(s, PlatformMotion::harmonic)); }},
-    {"/uncertainty/pivot_offset_m", "", "m", 1e6, "of the length of platform/pivot_offset_m, where it is not 0",
+    {"/uncertainty/pivot_offset_m", "", "m", 1e6, "standard error of the length of platform/pivot_offset_m, where it is not 0",
      InputKind::pivot_offset, nullptr},
-    {"/uncertainty/tip_radius_m", "/contact/tip_radius_m", "m", 1e3, "of contact/tip_radius_m, where it is not 0",
-     InputKind::number, [](Scenario& s) { return inputs::in(s.contact, &ContactSpec::tip_radius_m); }},
+    {"/uncertainty/tip_radius_m", "/contact/tip_radius_m", "m", 1e3,
+     "standard error of contact/tip_radius_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.contact, &ContactSpec::tip_radius_m); }},
     {"/uncertainty/sliding_viscosity_N_s_m", "/contact/sliding_viscosity_N_s_m", "N s/m", 1e9,
-     "of contact/sliding_viscosity_N_s_m, with the law viscous", InputKind::number,
+     "standard error of contact/sliding_viscosity_N_s_m, with the law viscous", InputKind::number,
      [](Scenario& s) { return inputs::rubs(s, ContactLaw::viscous) ? &s.contact->sliding_viscosity_N_s_m : nullptr; }},
     {"/uncertainty/sliding_viscosity_s_m", "/contact/sliding_viscosity_s_m", "s/m", 1e9,
-     "of contact/sliding_viscosity_s_m, with the law viscous_load", InputKind::number,
+     "standard error of contact/sliding_viscosity_s_m, with the law viscous_load", InputKind::number,
      [](Scenario& s) { return inputs::rubs(s, ContactLaw::viscous_load) ? &s.contact->sliding_viscosity_s_m : nullptr; }},
     {"/uncertainty/friction_coefficient", "/contact/friction_coefficient", "", 1e6,
-     "of contact/friction_coefficient, with the laws coulomb and contensou", InputKind::number,
+     "standard error of contact/friction_coefficient, with the laws coulomb and contensou", InputKind::number,
      [](Scenario& s) {
        const bool slides = inputs::rubs(s, ContactLaw::coulomb) || inputs::rubs(s, ContactLaw::contensou);
        return slides ? inputs::if_on(s.contact->friction_coefficient) : nullptr;
      }},
-    {"/uncertainty/patch_radius_m", "/contact/patch_radius_m", "m", 1e3, "of contact/patch_radius_m, with the law contensou",
-     InputKind::number,
+    {"/uncertainty/patch_radius_m", "/contact/patch_radius_m", "m", 1e3,
+     "standard error of contact/patch_radius_m, with the law contensou", InputKind::number,
      [](Scenario& s) { return inputs::rubs(s, ContactLaw::contensou) ? &s.contact->patch_radius_m : nullptr; }},
     {"/uncertainty/spinning_friction_m", "/contact/spinning_friction_m", "m", 1e3,
-     "of contact/spinning_friction_m, where it is not 0", InputKind::number,
+     "standard error of contact/spinning_friction_m, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.contact, &ContactSpec::spinning_friction_m); }},
     {"/uncertainty/rolling_resistance_m", "/contact/rolling_resistance_m", "m", 1e3,
-     "of contact/rolling_resistance_m, where it is not 0", InputKind::number,
+     "standard error of contact/rolling_resistance_m, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.contact, &ContactSpec::rolling_resistance_m); }},
 };
 static_assert(!kInputs.back().pointer.empty());

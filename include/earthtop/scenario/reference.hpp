@@ -18,7 +18,7 @@ std::string scenario_reference_markdown();
 
 /// Returns a scenario with every key that applies, defaults filled in, and a comment at each key with its meaning and its
 /// allowed values. Purpose, headline, criteria and the author's own comments are left out: they describe the original only.
-/// @throws ScenarioError for a text that is no valid scenario
+/// @throws ScenarioError for a text that is not a valid scenario
 std::string annotated_scenario(const ScenarioSource& source);
 
 /// Returns the JSON pointers of all single values, for `--set`; list elements have index 0.

@@ -14,7 +14,7 @@
 
 namespace earthtop {
 
-/// A part of a study, to be computed by itself: every n-th point from the k-th on, where k counts from 1.
+/// A part of a study, to be computed by itself: every n-th point, starting at the k-th, where k counts from 1.
 struct StudyShard {
   std::uint64_t k = 1, n = 1;
   bool has(std::uint64_t number) const { return number % n == k - 1; }
@@ -49,7 +49,7 @@ struct StudyRunReport {
   StudyProgress progress;
   std::uint64_t failed = 0;  ///< number of failed points in the store, from earlier calls too
   bool interrupted = false;
-  bool replaced = false;      ///< a store of another study in which no run had come to its end has been replaced
+  bool replaced = false;      ///< a store of another study in which no run had been completed has been replaced
   std::string damage;         ///< of a store that has been repaired: what was wrong with it, in words; else empty
   bool has_checksums = true;  ///< false: the store is from before points were stored with checksums
   bool complete() const { return progress.before + progress.done >= progress.wanted; }
@@ -59,10 +59,10 @@ struct StudyRunReport {
 std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard = {});
 
 /// Computes those points of a study that its store lacks. Each point's result depends on that point alone, and is stored within
-/// about a second after it has been computed. A store of another study is replaced if none of its runs came to its end.
-/// Every point that the store has already is held against its checksum first.
+/// about a second after it has been computed. A store of another study is replaced if none of its runs was completed.
+/// Every point that the store has already is first checked against its checksum.
 /// @throws ScenarioError if the study exceeds its limits or the space left on the disk, if all points of `sample_points` are
-/// refused for the same reason and no run of this study has come to its end yet (unless `keep_going`), if the store holds
+/// refused for the same reason and no run of this study has been completed yet (unless `keep_going`), if the store holds
 /// another study (unless `force`), if it is damaged (unless `repair`), or if another process writes to the store
 /// @throws WriteError if a file cannot be written
 StudyRunReport run_study(const Study& study, const StudyRunOptions& options);
@@ -80,7 +80,7 @@ struct StudyStoreCheck {
   bool has_checksums = true;  ///< false: a store from before points were stored with checksums, of which nothing is known
 };
 /// Reads all points of a store and holds them against their checksums.
-/// @throws ScenarioError if it is no store, or if what it says of its study is damaged
+/// @throws ScenarioError if it is not a store, or if its record of its study is damaged
 StudyStoreCheck check_study_store(const std::filesystem::path& store);
 
 /// The study of a store and its results so far, as JSON: counts, statistics, fits, Sobol indices, figures, and every single

@@ -96,7 +96,7 @@ struct Study {
 /// Decodes and validates a study file, and reads its base.
 /// @param base used instead of the base that the file names. It is given for a study that was accepted before (the one in a
 /// store); its pointers and paths are then not checked against today's scenario and summary, so that old results stay readable.
-/// @throws ScenarioError with all violations, an unreadable base among them; ReadError if reading the base breaks off
+/// @throws ScenarioError with all violations, an unreadable base among them; ReadError if reading the base fails
 Study parse_study(const ScenarioSource& source, const std::optional<ScenarioSource>& base = std::nullopt);
 
 /// Number of points of a study; it is computed without building the points.

@@ -23,7 +23,7 @@ struct StudyColumn {
 
 /// The columns of study.csv: point, axes, quantities, status, reason. Numbers have the same bits, and words are as in the store.
 /// @param watch may stop the reading
-/// @throws ScenarioError if the file is no store or is damaged; ReadError; Interrupted
+/// @throws ScenarioError if the file is not a store or is damaged; ReadError; Interrupted
 std::vector<StudyColumn> study_columns(const std::filesystem::path& store, const Watch& watch = {});
 
 }  // namespace earthtop

@@ -40,7 +40,7 @@ Scenario parse_verifiable(const ScenarioSource& source);
 double verification_work(const ScenarioSource& source, const VerificationOptions& options);
 
 /// Judges the criteria in their order and calls `tell` with each row as soon as it is known. After the watch has asked to stop
-/// no further row is told.
+/// no further row is reported.
 /// @throws ScenarioError as parse_verifiable
 void verify(const ScenarioSource& source, const VerificationOptions& options,
             const std::function<void(const VerificationRow&)>& tell);

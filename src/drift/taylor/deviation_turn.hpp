@@ -18,7 +18,7 @@ class DeviationTurn {
     scale_ = T(2) / (w * w + epsilon * epsilon * y.dot(y));
     epsilon_ = epsilon;
   }
-  /// Puts in the factors of order k, into kLanes lanes from this one on.
+  /// Puts in the factors of order k, into kLanes lanes, starting at this one.
   template <class ProductsOfSystem>
   static void put(ProductsOfSystem& products, int k, int lane, T w, const Vec3<T>& y) {
     products.put_scaled(k, lane, w, y);

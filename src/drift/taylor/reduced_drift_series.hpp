@@ -110,7 +110,7 @@ class ReducedDriftSeries {
       d = d - (M[0] * W_[0] + M[1] * W_[1] + M[2] * W_[2]) * epsilon_;
       if constexpr (kPlace == taylor::Place::first) d = d - W_;
     } else {
-      // The rotating top's gravity less the reference's: turned back by the deviation, and turned by the Earth, or both.
+      // The rotating top's gravity minus the reference's: turned back by the deviation, and turned by the Earth, or both.
       const Four& c = gravity_change_[static_cast<std::size_t>(k)];
       std::array<Four, 3> both;
       for (std::size_t i = 0; i < 3; ++i) {

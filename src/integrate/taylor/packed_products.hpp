@@ -102,7 +102,7 @@ class PackedProducts {
   using Rows = std::array<T, static_cast<std::size_t>(kLanes) * kMostOrder<T>>;
   using Sums = std::array<T, static_cast<std::size_t>(2 * kLanes)>;
   static T* row(Rows& rows, int k) { return rows.data() + static_cast<std::size_t>(k) * kLanes; }
-  /// The numbers of a row from a lane on.
+  /// The numbers of a row, starting at a lane.
   template <int N, std::size_t kSize>
   EARTHTOP_PACK_INLINE static const Pack<T, N>& factor(const std::array<T, kSize>& rows, int k, int lane) {
     return *reinterpret_cast<const Pack<T, N>*>(rows.data() + static_cast<std::size_t>(k) * kLanes + lane);

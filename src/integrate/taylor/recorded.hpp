@@ -3,8 +3,8 @@
 /// one, leaves the list of its operations (operations.hpp), from which its Taylor series is computed. So each torque is written
 /// once, and has a series as soon as it is written.
 ///
-/// Operations on numbers are carried out at once; adding 0, multiplying by 0 or 1, and repeating an operation add nothing to the
-/// list. As a formula may branch, every result also has the value that it had in the recorded evaluation; comparisons are
+/// Operations on numbers are carried out immediately; adding 0, multiplying by 0 or 1, and repeating an operation add nothing
+/// to the list. As a formula may branch, every result also has the value that it had in the recorded evaluation; comparisons are
 /// decided by these values and noted as guards.
 ///
 /// The scalar lives in the namespace `real`. This header has to be included before any header whose templates call the
@@ -147,7 +147,7 @@ class Recorded {
     if (x.is_number()) return scaled(y, x.number_);
     if (y.is_number()) return scaled(x, y.number_);
     // Factors come out of the product, so that x y, y x and (2 x) y share one operation. A product's series is summed from its
-    // first factor on: which one comes first must not hang on the order in which a compiler has x y and y x computed.
+    // first factor on: which one comes first must not depend on the order in which a compiler has x y and y x computed.
     Recording& recording = *x.recording_;
     const auto [u, f] = recording.unscaled(x.place_);
     const auto [v, g] = recording.unscaled(y.place_);

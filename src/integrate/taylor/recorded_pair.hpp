@@ -56,7 +56,7 @@ struct Paired<real::Recorded<U>> {
   static bool is_fixed(const Paired& x) {
     return !x.is_apart && x.ref.is_number() && x.rot.is_number() && x.diff.is_number() && x.diff == T(0) && x.rot == x.ref;
   }
-  /// Products by a number are not written out anew, so that the recording knows them again.
+  /// Products by a number are not written out again, so that the recording recognises them.
   static Paired scaled(const Paired& x, const T& factor) {
     Paired made(x.ref * factor, x.rot * factor, x.diff * factor);
     made.is_apart = x.is_apart, made.epsilon = x.epsilon;

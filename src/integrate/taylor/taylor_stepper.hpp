@@ -160,9 +160,9 @@ class TaylorStepper {
     else if (log_h < log_longest)
       order_ = std::min(order_ + 1, kMostOrder<T>);
   }
-  /// The work of a step is taken to be proportional to (order + kOrderOffset)^2. As an order takes some time beside the products,
-  /// whose number is its square, 12 would take an eighth fewer orders (54,515 instead of 62,401 for a toy top), by steps half as
-  /// long again; but their largest terms, and with them the rounding, would be several times as large.
+  /// The work of a step is taken to be proportional to (order + kOrderOffset)^2. As an order takes some time besides the
+  /// products, whose number is its square, 12 would take an eighth fewer orders (54,515 instead of 62,401 for a toy top), by
+  /// steps half as long again; but their largest terms, and with them the rounding, would be several times as large.
   static constexpr double kOrderOffset = [] {
     if constexpr (requires { System::Shape::kOrderOffset; })
       return System::Shape::kOrderOffset;
