@@ -29,8 +29,7 @@ class List {
     if (indent == 0 || indent + kRoom > width) indent = kBelow;
     std::string lines = '\n' + std::string(title) + '\n';
     for (const auto& [term, meaning] : entries_)
-      lines += columns_of(term) < indent ? wrapped_entry(term, meaning, width, indent)
-                                         : term + '\n' + wrapped_entry("", meaning, width, indent);
+      lines += wrapped_entry(term, meaning, width, indent);
     return lines;
   }
 

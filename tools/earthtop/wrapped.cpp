@@ -63,9 +63,8 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t hangin
 
 std::string wrapped_entry(std::string_view label, std::string_view text, std::size_t width, std::size_t indent) {
   const std::size_t end = columns_of(label);
-  std::string line(label);
-  line += end < indent ? std::string(indent - end, ' ') : '\n' + std::string(indent, ' ');
-  return wrapped(line + std::string(text), width, indent) + '\n';
+  if (end >= indent) return std::string(label) + '\n' + wrapped_entry("", text, width, indent);
+  return wrapped(std::string(label) + std::string(indent - end, ' ') + std::string(text), width, indent) + '\n';
 }
 
 }  // namespace earthtop::tool

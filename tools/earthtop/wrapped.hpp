@@ -15,7 +15,8 @@ std::size_t columns_of(std::string_view text);
 /// longer line; and a number is not parted from its error and its unit. Lines after the first one begin with `hanging` spaces, or with four where that would leave too little room.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t hanging = 0);
 
-/// One entry of a list, with a line end: the label, and beside it, from column `indent` on, the text.
+/// One entry of a list, with a line end: the label, and beside it, from column `indent` on, the text. A label that reaches so far
+/// has a line of its own.
 std::string wrapped_entry(std::string_view label, std::string_view text, std::size_t width, std::size_t indent);
 
 }  // namespace earthtop::tool
