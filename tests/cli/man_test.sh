@@ -7,10 +7,10 @@ set -u
 . "$(dirname "$0")/expect.sh"
 
 options_of() { # VERB...: the long options that its help lists
-  "$tool" "$@" --help | sed -n 's/^ *\(-h,\)\{0,1\}\(--[a-z-]*\).*/\2/p'
+  "$tool" "$@" --help | sed -n 's/^  \(-[a-zA-Z], \)\{0,1\}\(--[a-z-]*\).*/\2/p'
 }
 subverbs_of() { # VERB...: the verbs below it
-  "$tool" "$@" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]*\) .*/\1/p'
+  "$tool" "$@" --help | sed -n '1,/^O/ s/^  \([a-z]*\)  .*/\1/p'
 }
 has_options() { # PAGE VERB...: a word of roff has minus signs for its hyphens
   page=$1
@@ -19,7 +19,7 @@ has_options() { # PAGE VERB...: a word of roff has minus signs for its hyphens
   [ -n "$options" ] || fault "help of $* lists no option"
   for option in $options; do
     word=$(printf '%s' "$option" | sed 's/-/\\\\-/g')
-    grep -q "^\(\\\\fB\\\\-h\\\\fR, \)\{0,1\}\\\\fB$word\\\\fR" "$page" || fault "$page does not tell of $option of $*"
+    grep -q "^\(\\\\fB\\\\-[a-zA-Z]\\\\fR, \)\{0,1\}\\\\fB$word\\\\fR" "$page" || fault "$page does not tell of $option of $*"
   done
 }
 

@@ -13,12 +13,12 @@ azimuth="--measure azimuth_deg --sigma 0.01 --every 0.5"
 {
   expect 0 plan "$top" $azimuth
   on_stdout 'omega_sin_latitude_rad_s  5.156304e-05 ± 4.5[0-9]*e-07 rad/s: 11[0-9] sigma'
-  on_stdout 'To change first: measure 2 times as long, to 120 s: its standard error would be 2.8[0-9]* times smaller'
+  says 'To change first: measure 2 times as long, to 120 s: its standard error would be 2.8[0-9]* times smaller'
   nothing_on_stderr
   expect 0 plan "$top" $azimuth --until 7.5
   on_stdout 'every 0.5 s to 7.5 s: 16 rows'
   expect 0 plan "$top" --measure tilt_deg --sigma 0.01 --every 0.5 --estimate latitude_deg
-  on_stdout 'latitude_deg would be known to ± '
+  says 'latitude_deg would be known to ± '
   expect 0 plan "$top" $azimuth --quiet
   nothing_on_stdout
   expect 0 plan "$top" $azimuth --json --svg p/plan.svg --write-data p/data.csv --seed 3
@@ -32,7 +32,7 @@ azimuth="--measure azimuth_deg --sigma 0.01 --every 0.5"
 
   # A negative answer: what is not determined is named, with a remedy.
   expect 1 plan "$top" $azimuth --nuisance gravity_m_s2
-  on_stdout 'these data would not determine gravity_m_s2'
+  says 'these data would not determine gravity_m_s2'
   on_stdout '^Remedy '
   expect 1 plan "$top" $azimuth --nuisance gravity_m_s2 --json
   on_stdout '"outcome": "not_determined"'

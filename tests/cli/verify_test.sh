@@ -22,9 +22,10 @@ sed 's/"tolerance": 1e-12/"tolerance": 1e-12, "set": ["\/body\/mass_kg=-1"]/' kn
 
 expect 0 verify known.json
 nothing_on_stderr
-on_stdout '^case  *criterion  *error  *bound  *cpu s$'
-on_stdout '^known  *invariant jacobi_integral .* pass$'
-on_stdout 'slow: with --slow$'
+on_stdout '^case, criterion  *error  *bound  *cpu s$'
+on_stdout '^known$'
+on_stdout '^  invariant jacobi_integral .* pass$'
+on_stdout 'slow: judged with --slow$'
 on_stdout '^1 criteria met, 0 not met, 1 slow ones skipped'
 expect 0 verify known.json --slow
 on_stdout '^2 criteria met, 0 not met;'
@@ -41,7 +42,7 @@ python3 -m json.tool out.txt >/dev/null || fault "--json is no JSON"
 mkdir pack empty
 cp known.json pack
 expect 0 verify pack
-on_stdout '^known '
+on_stdout '^known$'
 
 # The hard cases are built into the program.
 expect 0 verify --list

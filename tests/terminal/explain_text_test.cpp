@@ -15,6 +15,8 @@
 namespace earthtop {
 namespace {
 
+constexpr std::size_t kWidth = 1000;  // columns: no sentence is broken
+
 Scenario toy(ContactSpec contact) {
   contact.tip_radius_m = 0.002;
   Scenario s = testing::scenario_of(testing::toy_on_table(contact));
@@ -65,7 +67,7 @@ TEST(ExplainContact, DriftAndNeedsAreThoseOfARun) {
     EXPECT_NEAR(explained.inputs[i].hides_axis.value() / (result.drift.axis_final_rad / change.axis_rad), 1, 1e-6);
     EXPECT_NEAR(explained.inputs[i].hides_tip.value() / (*result.drift.tip_final_m / change.tip_m), 1, 1e-6);
   }
-  const std::string text = tool::contact_explanation_text(explained, scene);
+  const std::string text = tool::contact_explanation_text(explained, scene, kWidth);
   EXPECT_TRUE(says(text, "nobody knows a coefficient of friction to 1 %")) << text;
   EXPECT_TRUE(says(text, "A small slip dies out at")) << text;
   EXPECT_FALSE(says(text, "left out")) << text;
@@ -78,7 +80,7 @@ TEST(ExplainContact, WhatASceneDoesNotHaveIsNotSaid) {
   Scenario s = toy({.law = ContactLaw::frictionless});
   s.effects.coriolis = false;
   const ContactExplanation frictionless = explain_contact(Scene(s));
-  const std::string smooth = tool::contact_explanation_text(frictionless, Scene(s));
+  const std::string smooth = tool::contact_explanation_text(frictionless, Scene(s), kWidth);
   EXPECT_EQ(size_of(frictionless, "friction"), nullptr);
   EXPECT_FALSE(says(smooth, "riction")) << smooth;
   EXPECT_FALSE(says(smooth, "slip dies out")) << smooth;
@@ -90,8 +92,8 @@ TEST(ExplainContact, WhatASceneDoesNotHaveIsNotSaid) {
   s.effects.applied.gravity_gradient.emplace();
   const Scene rolling(s);
   const ContactExplanation rolls = explain_contact(rolling);
-  const std::string text = tool::contact_explanation_text(rolls, rolling);
-  EXPECT_TRUE(says(text, "less friction would let the tip slip")) << text;
+  const std::string text = tool::contact_explanation_text(rolls, rolling, kWidth);
+  EXPECT_TRUE(says(text, "with less friction the tip would slip")) << text;
   EXPECT_FALSE(says(text, "slip dies out")) << text;
   EXPECT_FALSE(says(text, "coefficient")) << text;
   ASSERT_NE(size_of(rolls, "gravity_gradient"), nullptr);
@@ -105,7 +107,7 @@ TEST(ExplainContact, TheEndOfTheMotionIsNamed) {
   s.duration_s = 0.02, s.output_step_s = 0.001;
   const ContactExplanation explained = explain_contact(Scene(s));
   EXPECT_LT(explained.followed_s, 0.0071);
-  EXPECT_TRUE(says(tool::contact_explanation_text(explained, Scene(s)), "the tip lifts off")) << explained.ended_by;
+  EXPECT_TRUE(says(tool::contact_explanation_text(explained, Scene(s), kWidth), "the tip lifts off")) << explained.ended_by;
 }
 
 }  // namespace

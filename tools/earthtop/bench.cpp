@@ -56,7 +56,7 @@ void check_arguments(const BenchArguments& arguments) {
                                                     {"--reference-limit", arguments.reference_s}};
   for (const auto& [option, value] : seconds)
     if (!(value > 0 && value <= 1e9)) refuse(fmt::format("{} {}: must be a number above 0 and at most 1e9 (s)", option, value));
-  if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) refuse("standard input (-) can be read once only");
+  if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) refuse("standard input (-) can be read only once");
 }
 
 /// Reads all scenarios. @throws ScenarioError with the errors of the first one that has any
@@ -85,8 +85,8 @@ Scene to_be_benched(const Scene& scene, const BenchArguments& arguments) {
     const double duration_s = shortened.scenario().duration_s;
     if (duration_s < scenario.duration_s && !arguments.quiet)
       message(
-          fmt::format("earthtop: {}: the first {:g} s of {:g} s: a reference of more would take longer than {:g} s; "
-                      "--duration or --reference-limit change it",
+          fmt::format("earthtop: {}: only the first {:g} s of {:g} s, because a longer reference would take more than {:g} s; "
+                      "--duration or --reference-limit change this",
                       scenario.name, duration_s, scenario.duration_s, arguments.reference_s));
     return shortened;
   }
@@ -167,34 +167,43 @@ std::vector<std::string> method_names() {
 Verb describe_bench() {
   auto arguments = std::make_shared<BenchArguments>();
   BenchArguments& a = *arguments;
-  Verb bench("bench", "speed against error: every method, tolerance and precision on scenarios",
+  Verb bench("bench", "measure speed against error: every method, tolerance and precision",
              [arguments] { return bench_verb(*arguments); });
   bench.add("SCENARIO", &a.files, "scenario files (JSON); - is standard input").required().json_file();
-  bench.add("--out", &a.out, "write NAME.csv and NAME.svg of each scenario there").called("DIR");
-  bench.add("--force", &a.force, "overwrite files that are there");
-  bench.add("--workload", &a.workload, "drift: both motions and the drift (default); motion: one; axis: its axis")
+  bench.add("--out", &a.out, "directory in which to write NAME.csv and NAME.svg for each scenario").called("DIR");
+  bench.add("--force", &a.force, "overwrite existing files");
+  bench.add("--workload", &a.workload, "drift: both motions and the drift (default); motion: one motion; axis: only its axis")
       .called("WHAT")
       .one_of({"drift", "motion", "axis"});
   bench.add("--error", &a.error, "which error is compared; default: that of the workload")
       .called("WHICH")
       .one_of({"drift", "attitude", "axis"});
-  bench.add("--methods", &a.methods, "only these, with commas between them; auto: what auto takes")
+  bench.add("--methods", &a.methods, "only these methods, separated by commas; auto is the one that run would choose")
       .called("NAMES")
       .with_commas()
       .one_of(method_names());
-  bench.add("--duration", &a.duration_s, "at most the first S seconds; default: what the reference can afford").called("S");
-  bench.add("--repetitions", &a.repetitions, "how often each contender is timed; default 5").called("N").within(1, 1000);
+  bench
+      .add("--duration", &a.duration_s,
+           "only the first S seconds of the motion; default: as long as the reference can be computed for")
+      .called("S");
+  bench.add("--repetitions", &a.repetitions, "how many times each contender is timed; default 5").called("N").within(1, 1000);
   bench.add("--limit", &a.limit_s, "stop a contender after S seconds; default 1").called("S");
-  bench.add("--reference-limit", &a.reference_s, "seconds that the reference may take, by estimate; default 15").called("S");
-  bench.add("--brief", &a.brief, "of the table print the Pareto front and auto only");
-  bench.add("--json", &a.json, "print everything as one JSON document, errors too");
+  bench.add("--reference-limit", &a.reference_s, "the reference may take an estimated S seconds; default 15").called("S");
+  bench.add("--brief", &a.brief, "print only the rows of the Pareto front and of auto");
+  bench.add("--json", &a.json, "print everything, or the errors, as one JSON document");
   bench.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   add_set_option(bench, a.sets);
   bench.describe(
-      "Times every method at several tolerances and in every precision that fits the scenario, and measures its "
-      "error against a reference. The table shows which contenders no other one beats in both.");
+      "Times every method at several tolerances and in every precision that fits the scenario, and measures its error against "
+      "a "
+      "reference. The table marks the Pareto front: the contenders that no other one beats in both speed and error.");
+  bench.example("earthtop bench toy-top.json --brief", "prints the fastest contenders for each error");
   bench.example("earthtop bench toy-top.json --methods auto,taylor --out bench",
-                "compares one method with what auto takes, and keeps table and picture");
+                "compares taylor with the method that run would choose, and writes the table and a picture");
+  bench.example("earthtop bench toy-top.json --duration 1 --json > bench.json", "writes a document, e.g. for earthtop report");
+  bench.ends_with(kDone, "the contenders are timed, whether or not some were too slow or failed");
+  bench.ends_with(kRefused, "the command line or a scenario was refused, or a file is in the way; nothing was written");
+  bench.ends_with(kWriteFailed, "writing failed, or reading a scenario broke off");
   return bench;
 }
 

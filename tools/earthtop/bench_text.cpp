@@ -79,10 +79,10 @@ std::string table(const BenchReport& report, ErrorKind kind, bool brief) {
   text += "*: on the Pareto front: no other is both as fast and as exact; a: what auto takes\n";
   if (slow > 0)
     text += fmt::format(
-        "Of {} contenders {} are too_slow, stopped after {:g} s of processor time (--limit), or not_tried, as they were so at "
+        "{} of {} contenders are too_slow, stopped after {:g} s of processor time (--limit), or not_tried, too slow already at "
         "a "
         "coarser tolerance\n",
-        report.entries.size(), slow, report.options.most_seconds);
+        slow, report.entries.size(), report.options.most_seconds);
   return text;
 }
 
@@ -92,7 +92,8 @@ std::string cost(const std::optional<FamilyCost>& cost) {
 
 std::string equal_error(const BenchReport& report, ErrorKind kind) {
   std::string text = fmt::format(
-      "Milliseconds at equal {} error (<=: the cheapest tried is better already; -: not reached)\n   {:<19} {:<19} {:<11}",
+      "Milliseconds at equal {} error (<=: the cheapest setting tried is already better; -: not reached)\n   {:<19} {:<19} "
+      "{:<11}",
       to_string(kind), "method", "equations", "precision");
   for (const double error : kEqualErrors) text += fmt::format(" {:>9}", fmt::format("{:.0e}", error));
   text += fmt::format(" {:>11}\n", "least error");

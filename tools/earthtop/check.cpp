@@ -10,7 +10,9 @@
 #include "earthtop/scenario/scenario.hpp"
 #include "json_object.hpp"
 #include "output.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -59,10 +61,10 @@ std::string verdict(const CheckedFile& checked) {
   return text + '\n';
 }
 
-/// Prints the figures of the scenario's top, one line each.
-std::string top_text(const Scene& scene) {
+/// The figures of the scenario's top, an entry each.
+std::string top_text(const Scene& scene, std::size_t width) {
   std::string text = "Your top\n";
-  for (const auto& [label, line] : top_lines(scene.top())) text += fmt::format("  {:<17}{}\n", label, line);
+  for (const auto& [label, line] : top_lines(scene.top())) text += wrapped_entry("  " + label, line, width, 19);
   return text;
 }
 
@@ -72,7 +74,7 @@ void report_text(const std::vector<CheckedFile>& files, bool quiet) {
     if (quiet) continue;
     report_warnings(checked.file, checked.report.warnings);
     print(verdict(checked));
-    if (files.size() == 1 && checked.report.scene) print(top_text(*checked.report.scene));
+    if (files.size() == 1 && checked.report.scene) print(top_text(*checked.report.scene, output_screen().width));
   }
 }
 
@@ -109,18 +111,25 @@ int check_verb(const CheckArguments& arguments) {
 
 Verb describe_check() {
   auto arguments = std::make_shared<CheckArguments>();
-  Verb check("check", "find everything that is wrong in scenario files; run nothing",
+  Verb check("check", "list everything that is wrong in scenario files; run nothing",
              [arguments] { return check_verb(*arguments); });
   check.add("SCENARIO", &arguments->files, "scenario files (JSON); - is standard input").required().json_file();
   check.add("--json", &arguments->json, "print what was found as one JSON document");
   check.add("--quiet", &arguments->quiet, "print nothing but errors");
   add_set_option(check, arguments->sets);
   check.describe(
-      "Reads every file as run does and tells of everything that is wrong, each with line, column and JSON "
-      "pointer, and of values that can hardly be meant. Of a sound file it tells how many rows a run would have "
-      "and how long it would take; of a single one also mass, centre of mass and moments of the top, how fast it precesses "
-      "and nutates, and how its spin stands to the critical one.");
-  check.example("earthtop check scenarios/*.json", "checks all files of a directory");
+      "Reads every file as run does. Lists everything that is wrong in it, each error with line, column and JSON pointer, and "
+      "warns of values that are hardly what was meant. For a valid file it prints how many rows a run would have and how long "
+      "it "
+      "would take; for a single one, it also prints the mass, the centre of mass and the moments of the top, how fast it "
+      "precesses and nutates, and how its spin compares with the critical one.");
+  check.example("earthtop check toy-top.json", "checks a file and prints the figures of its top");
+  check.example("earthtop check *.json --quiet", "checks all files of a directory, and prints nothing but errors");
+  check.example("earthtop check toy-top.json --set /release/spin_rpm=1800", "checks it with another spin");
+  check.ends_with(kDone, "no file has an error; some may have warnings");
+  check.ends_with(kNegative, "a file has errors");
+  check.ends_with(kRefused, "the command line was refused, or a file is missing or cannot be opened");
+  check.ends_with(kWriteFailed, "reading a file broke off, or writing to standard output failed");
   return check;
 }
 

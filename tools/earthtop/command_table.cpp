@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "command_line.hpp"
 
 namespace earthtop::tool {
+
+bool Option::excludes(const Option& other) const {
+  return (!group.empty() && group == other.group) ||
+         std::find(conflicts.begin(), conflicts.end(), other.name) != conflicts.end();
+}
+
+Option& Option::abbreviated(std::string_view text) {
+  short_name = text;
+  return *this;
+}
 
 Option& Option::called(std::string_view text) {
   value = text;
@@ -63,6 +75,18 @@ void Verb::describe(std::string_view sentences) { description = sentences; }
 
 void Verb::example(std::string_view command, std::string_view purpose) {
   examples.push_back({std::string(command), std::string(purpose)});
+}
+
+void Verb::ends_with(ExitStatus status, std::string_view meaning) { statuses.push_back({status, std::string(meaning)}); }
+
+std::vector<std::pair<std::string_view, std::string_view>> Verb::exit_statuses() const {
+  std::vector<std::pair<std::string_view, std::string_view>> all;
+  for (const StatusMeaning& general : kExitStatuses) {
+    const auto own = std::ranges::find(statuses, general.status, &VerbStatus::status);
+    const std::string_view meaning = own != statuses.end() ? std::string_view(own->meaning) : general.of_a_verb;
+    if (!meaning.empty()) all.emplace_back(general.shown, meaning);
+  }
+  return all;
 }
 
 }  // namespace earthtop::tool

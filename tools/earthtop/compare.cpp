@@ -19,6 +19,7 @@
 #include "output.hpp"
 #include "places.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -121,8 +122,8 @@ int measurement_verb(const CompareArguments& arguments) {
   if (other_options)
     throw ScenarioError(
         "",
-        "a measurement is held against a scenario by its own standard errors: of the options it takes --estimate, --priors, "
-        "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet only");
+        "a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --priors, "
+        "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet");
   if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
     throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
   require_outputs_apart(arguments);
@@ -138,7 +139,7 @@ int measurement_verb(const CompareArguments& arguments) {
   if (arguments.json)
     print(measurement_json(report));
   else if (!arguments.quiet)
-    print(measurement_text(report, wants_color()));
+    print(measurement_text(report, output_screen()));
   if (!arguments.fitted.empty() && !report.fitted)
     message(fmt::format("{} is not written: there is no fit", printable(arguments.fitted)));
   else if (!arguments.fitted.empty() && !arguments.quiet && !arguments.json)
@@ -161,11 +162,12 @@ int compare_verb(const CompareArguments& arguments) {
   if (arguments.update) return update_verb(arguments);
   if (is_scenario(arguments.reference)) return measurement_verb(arguments);
   if (!arguments.estimates.empty() || !arguments.sets.empty())
-    throw ScenarioError("", "--estimate and --set belong to a measurement: REFERENCE is a scenario then, and NEW a CSV file");
+    throw ScenarioError("", "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file");
   if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.force)
-    throw ScenarioError("",
-                        "--write-scenario, --correlation-time, --priors and --force belong to a measurement: REFERENCE is a "
-                        "scenario then, and NEW a CSV file");
+    throw ScenarioError(
+        "",
+        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a "
+        "scenario and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   require_outputs_apart(arguments);
   const CompareReport report = compare_watched(arguments);
@@ -174,7 +176,7 @@ int compare_verb(const CompareArguments& arguments) {
   if (arguments.json)
     print(comparison_json(report));
   else if (!arguments.quiet)
-    print(compare_text(report, arguments.all));
+    print(compare_text(report, arguments.all, output_screen()));
   if (report.refused()) return kRefused;
   return report.passed() ? kDone : kNegative;
 }
@@ -184,32 +186,34 @@ int compare_verb(const CompareArguments& arguments) {
 Verb describe_compare() {
   auto arguments = std::make_shared<CompareArguments>();
   CompareArguments& a = *arguments;
-  Verb compare("compare", "what moved between two results, directories of results, studies or CSV files",
+  Verb compare("compare", "find what changed between two results, directories of results, studies or CSV files",
                [arguments] { return compare_verb(*arguments); });
   compare
       .add("REFERENCE", &a.reference,
-           "results, a compact reference, a study store, a CSV, or a directory of several; or a scenario, for a measurement")
+           "results, a compact reference, a study's store, a CSV file, or a directory of several; or a scenario, for a "
+           "measurement")
       .required();
-  compare.add("NEW", &a.candidate, "what is held against it; with a scenario, a CSV with measured values and standard errors")
+  compare
+      .add("NEW", &a.candidate, "what is compared with it; for a scenario, a CSV file with measured values and standard errors")
       .required();
   compare
       .add("--estimate", &a.estimates,
-           "of a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or "
-           "/release/spin_rad_s; may be repeated")
+           "for a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or /release/spin_rad_s; may be "
+           "repeated")
       .called("NAME");
   compare.add("--priors", &a.priors,
-              "of a measurement: what the scenario's uncertainty block says of the estimated numbers enters the fit");
+              "for a measurement: use what the scenario's uncertainty block says of the estimated numbers as prior knowledge");
   compare
       .add("--correlation-time", &a.correlation_time_s,
-           "of a measurement: errors of a quantity are correlated by exp(-dt/T), not independent (s)")
+           "for a measurement: errors of a quantity are not independent, but correlated by exp(-dt/T); T in s")
       .called("T");
-  compare.add("--write-scenario", &a.fitted, "of a measurement: write the scenario with the estimates put in").called("FILE");
-  compare.add("--force", &a.force, "of --write-scenario: overwrite a file that is there");
+  compare.add("--write-scenario", &a.fitted, "for a measurement: write the scenario with the estimates in it").called("FILE");
+  compare.add("--force", &a.force, "for --write-scenario: overwrite an existing file");
   add_set_option(compare, a.sets);
   compare
       .add("--profile", &a.profile,
-           "regression (default): both error bounds and rounding; bitwise; physics: a thousandth "
-           "of the Earth's effect")
+           "what may differ: regression (default): as much as both error bounds and rounding explain; bitwise: nothing; "
+           "physics: a thousandth of the Earth's effect")
       .called("NAME")
       .one_of({"bitwise", "regression", "physics"});
   compare.add("--tolerances", &a.tolerances, "a file with tolerances of single quantities (earthtop schema --tolerances)")
@@ -218,11 +222,12 @@ Verb describe_compare() {
       .called("FILE");
   compare.add("--allow-change", &a.may_change, "a scenario key in which the two may differ, e.g. /numerics; / for all")
       .called("POINTER");
-  compare.add("--allow-missing", &a.may_lack_rows, "rows, points and results that only the reference has are no fault");
-  compare.add("--max-steps-ratio", &a.steps_ratio, "fail where steps or evaluations grow by more than this")
+  compare.add("--allow-missing", &a.may_lack_rows,
+              "do not count rows, points and results that only the reference has as differences");
+  compare.add("--max-steps-ratio", &a.steps_ratio, "fail if the steps or evaluations grow by more than this factor")
       .called("R")
       .within(1e-9, 1e9);
-  compare.add("--max-seconds-ratio", &a.seconds_ratio, "fail where the wall time grows by more than this")
+  compare.add("--max-seconds-ratio", &a.seconds_ratio, "fail if the wall time grows by more than this factor")
       .called("R")
       .within(1e-9, 1e9);
   compare.add("--junit", &a.junit, "write the verdicts as JUnit XML").called("FILE");
@@ -234,22 +239,28 @@ Verb describe_compare() {
       .without("--tolerances")
       .without("--profile")
       .without("--mapping");
-  compare.add("--reason", &a.reason, "of --update: why, kept in the reference").called("TEXT");
-  compare.add("--all", &a.all, "list what is the same, too: quantities, and of many results those without a difference");
-  compare.add("--json", &a.json, "print one JSON document, errors too");
+  compare.add("--reason", &a.reason, "for --update: the reason, which the reference keeps").called("TEXT");
+  compare.add("--all", &a.all, "also list what is the same: quantities and, among many results, those without a difference");
+  compare.add("--json", &a.json, "print the verdicts, or the errors, as one JSON document");
   compare.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   compare.describe(
-      "Tells of each quantity whether it moved by more than both error bounds and rounding explain, or than "
-      "another profile or a file of tolerances allows. Where REFERENCE is a scenario, NEW is a measurement, a "
-      "CSV file with values and standard errors, and the answer is whether the two agree. The exit status is 0 "
-      "where nothing differs and 1 where something does.");
+      "Says for each quantity whether it changed by more than both error bounds and rounding explain, or by more than another "
+      "profile or a file of tolerances allows. If REFERENCE is a scenario, NEW is a measurement: a CSV file with values and "
+      "standard errors. The answer is then whether the two agree and, with --estimate, the fitted numbers.");
   compare.example("earthtop compare old/toy-top new/toy-top", "compares two results");
   compare.example("earthtop compare references results --junit verdicts.xml",
                   "compares two directories and writes the verdicts for a build server");
   compare.example("earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s",
                   "fits the vertical part of the Earth's rotation to a measurement");
   compare.example("earthtop compare gyro.json measured.csv --estimate spin_rad_s --write-scenario fitted.json",
-                  "fits the spin and writes the scenario that has it");
+                  "fits the spin and writes a scenario with it");
+  compare.ends_with(kDone, "nothing differs; or measurement and scenario agree; or the new reference is written");
+  compare.ends_with(kNegative, "something differs; or the measurement and the scenario do not agree, or there is no fit");
+  compare.ends_with(kRefused,
+                    "the command line or an input was refused, e.g. because it is empty or has no end; nothing was written");
+  compare.ends_with(kNumericalFailure,
+                    "the motion of the scenario could not be computed to the last measured row; or memory ran out");
+  compare.ends_with(kWriteFailed, "writing failed, or reading an input broke off");
   return compare;
 }
 

@@ -7,6 +7,8 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
+#include "screen.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -31,6 +33,9 @@ constexpr std::size_t kWidestName = 100;  // bytes
 /// A text of a report for a line of the terminal.
 std::string shown(std::string_view text, std::size_t most = kLongestMessage) { return printable(shortened(text, most)); }
 
+/// A line of prose, indented by two columns; it goes on with eight.
+std::string indented(std::string_view text, std::size_t width) { return wrapped("  " + std::string(text), width, 8) + '\n'; }
+
 /// Where a tolerance comes from, without the profile, which the last line of the text names.
 std::string short_origin(const std::string& origin) { return origin.substr(0, origin.find(" (profile ")); }
 
@@ -47,12 +52,12 @@ std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
   return shown(line) + '\n';
 }
 
-std::string pair_text(const PairReport& pair, bool everything) {
+std::string pair_text(const PairReport& pair, bool everything, std::size_t screen_width) {
   std::string text;
   if (!pair.name.empty()) text += fmt::format("{}: {}\n", shown(pair.name), verdict_word(pair));
-  if (!pair.refusal.empty()) return text + fmt::format("  {}\n", shown(pair.refusal));
+  if (!pair.refusal.empty()) return text + indented(shown(pair.refusal), screen_width);
   for (const CompareFinding& finding : pair.findings)
-    text += fmt::format("  FAILED  {}: {}\n", finding.kind, shown(finding.text));
+    text += indented(fmt::format("FAILED  {}: {}", finding.kind, shown(finding.text)), screen_width);
   std::size_t width = 8;
   for (const QuantityVerdict& quantity : pair.quantities)
     if (everything || !quantity.passed) width = std::max(width, std::min(quantity.name.size(), kWidestName));
@@ -65,26 +70,27 @@ std::string pair_text(const PairReport& pair, bool everything) {
     has_header = true;
     text += quantity_line(quantity, width);
   }
-  for (const std::string& hint : pair.hints) text += fmt::format("  perhaps {}\n", shown(hint));
+  for (const std::string& hint : pair.hints) text += indented("perhaps " + shown(hint), screen_width);
   if (everything || !pair.passed())
-    for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", shown(note));
+    for (const std::string& note : pair.notes) text += indented("note: " + shown(note), screen_width);
   if (everything || !pair.passed())
     for (const CostRatio& ratio : pair.cost) {
-      text += fmt::format("  {}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED", ratio.name,
-                          ratio.candidate, ratio.reference);
-      if (ratio.reference > 0) text += fmt::format(", {:.3g} times", ratio.candidate / ratio.reference);
-      text += ratio.limit ? fmt::format("; limit {} times\n", *ratio.limit) : "\n";
+      std::string line = fmt::format("{}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED",
+                                     ratio.name, ratio.candidate, ratio.reference);
+      if (ratio.reference > 0) line += fmt::format(", {:.3g} times", ratio.candidate / ratio.reference);
+      if (ratio.limit) line += fmt::format("; limit {} times", *ratio.limit);
+      text += indented(line, screen_width);
     }
   return text;
 }
 
 }  // namespace
 
-std::string compare_text(const CompareReport& report, bool everything) {
+std::string compare_text(const CompareReport& report, bool everything, const Screen& screen) {
   std::size_t rows = 0;
   std::string details;
   for (const PairReport& pair : report.pairs) {
-    if (report.pairs.size() == 1 || everything || !pair.passed()) details += pair_text(pair, everything);
+    if (report.pairs.size() == 1 || everything || !pair.passed()) details += pair_text(pair, everything, screen.width);
     rows += pair.rows;
   }
   const std::string_view profile = to_string(report.profile);
@@ -94,9 +100,11 @@ std::string compare_text(const CompareReport& report, bool everything) {
           : fmt::format("{} on profile {}", shown(report.tolerances_file, kLongestFileName), profile);
   const std::string_view verdict = report.refused() ? "REFUSED" : report.passed() ? "same" : "DIFFERS";
   std::string text =
-      fmt::format("{}: {} against {} ({}; {} rows compared)\n", verdict, shown(report.candidate, kLongestFileName),
-                  shown(report.reference, kLongestFileName), tolerances, rows);
-  for (const std::string& sentence : comparison_conclusion(report)) text += shown(sentence) + '\n';
+      wrapped(fmt::format("{}: {} against {} ({}; {} rows compared)", verdict, shown(report.candidate, kLongestFileName),
+                          shown(report.reference, kLongestFileName), tolerances, rows),
+              screen.width, 2) +
+      '\n';
+  for (const std::string& sentence : comparison_conclusion(report)) text += wrapped(shown(sentence), screen.width, 2) + '\n';
   return details.empty() ? text : text + '\n' + details;
 }
 

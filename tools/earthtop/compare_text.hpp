@@ -10,7 +10,9 @@ struct CompareReport;
 
 namespace earthtop::tool {
 
+struct Screen;
+
 /// @param everything also list the quantities that passed when many pairs are compared
-std::string compare_text(const CompareReport& report, bool everything);
+std::string compare_text(const CompareReport& report, bool everything, const Screen& screen);
 
 }  // namespace earthtop::tool

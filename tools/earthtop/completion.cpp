@@ -12,6 +12,7 @@
 namespace earthtop::tool {
 namespace {
 
+/// The words with a space between them.
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -36,6 +37,7 @@ std::vector<Option> options_of(const Verb& verb) {
   std::vector<Option> options;
   Option help;
   help.name = kHelpOption;
+  help.short_name = kHelpShort;
   help.help = kHelpText;
   help.target = &unused;
   options.push_back(std::move(help));
@@ -140,14 +142,15 @@ _earthtop() {{
 std::string fish_script(const std::vector<Verb>& verbs) {
   std::string text =
       "# Completion of earthtop in fish:  earthtop completion fish | source\ncomplete -c earthtop -f\n"
-      "complete -c earthtop -n __fish_use_subcommand -l version -d 'what was built, from what and how'\n";
+      "complete -c earthtop -n __fish_use_subcommand -s V -l version -d 'print the version'\n";
   for (const Verb& verb : verbs) {
     text += fmt::format("complete -c earthtop -n __fish_use_subcommand -a {} -d '{}'\n", verb.name, quoted(verb.help));
     const std::string here = fmt::format("complete -c earthtop -n '__fish_seen_subcommand_from {}'", verb.name);
     if (takes_json_files(verb)) text += fmt::format("{} -k -a '(__fish_complete_suffix .json)'\n", here);
     if (const std::string list = words_of(verb); !list.empty()) text += fmt::format("{} -a '{}'\n", here, list);
     for (const Option& option : options_of(verb)) {
-      text += fmt::format("{} -l {} -d '{}'", here, option.name.substr(2), quoted(option.help));
+      const std::string letter = option.short_name.empty() ? "" : " -s " + option.short_name.substr(1);
+      text += fmt::format("{}{} -l {} -d '{}'", here, letter, option.name.substr(2), quoted(option.help));
       if (option.name == "--set")
         text += fmt::format(" -x -a '{}'", set_words());
       else if (option.name == "--out")
@@ -170,13 +173,14 @@ int completion_verb(const Verb& program, std::string_view shell) {
 
 Verb describe_completion(const Verb& program) {
   auto shell = std::make_shared<std::string>();
-  Verb completion("completion", "print a script that completes earthtop's command lines",
+  Verb completion("completion", "print a script with which a shell completes earthtop's command lines",
                   [&program, shell] { return completion_verb(program, *shell); });
   completion.add("SHELL", shell.get(), "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
   completion.describe(
-      "The script completes verbs, options, names of files and examples, and the JSON pointers that --set "
-      "takes.");
-  completion.example("source <(earthtop completion bash)", "completes in this shell; the same line in ~/.bashrc in every one");
+      "The script completes verbs, options, names of files and examples, and the JSON pointers that --set takes.");
+  completion.example("source <(earthtop completion bash)",
+                     "completes in this shell; with the same line in ~/.bashrc, in every shell");
+  completion.example("earthtop completion fish > ~/.config/fish/completions/earthtop.fish", "completes in every fish");
   return completion;
 }
 

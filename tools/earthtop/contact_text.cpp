@@ -82,15 +82,15 @@ std::vector<LabelledLine> contact_balance_lines(const RunResult& result) {
     const double work = rotating.jacobi->integral, error = missed(rotating.jacobi, reference.jacobi);
     const std::string text = fmt::format("to {:.1e} of its size, in both predictions", error);
     lines.push_back(
-        {"Balances", work == 0
-                         ? "friction does no work; the Jacobi integral stays as it is " + text
-                         : fmt::format("friction does the work {:+.6e} J; the Jacobi integral changes by it {}", work, text)});
+        {"Balances", work == 0 ? "friction does no work, and the Jacobi integral is constant " + text
+                               : fmt::format("friction does work of {:+.6e} J, and the Jacobi integral changes by as much, {}",
+                                             work, text)});
   }
   if (rotating.jellett)
     lines.push_back(
         {lines.empty() ? "Balances" : "",
-         fmt::format("Jellett's integral changes by {:+.6e} kg m^3/s, as the Earth and friction's moment say to {:.1e} of "
-                     "its size",
+         fmt::format("Jellett's integral changes by {:+.6e} kg m^3/s, as the effects of the Earth and of friction's moment "
+                     "predict, to {:.1e} of its size",
                      rotating.jellett->last - rotating.jellett->first, missed(rotating.jellett, reference.jellett))});
   return lines;
 }
@@ -101,7 +101,7 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
   const ContactReport& contact = *result.contact;
   const DriftRow* row = last_reliable_row(result);
   lines.push_back(
-      {"Prediction", fmt::format("it moves itself, by t = {} s, with inputs that nobody knows well:", contact.at_s)});
+      {"Prediction", fmt::format("by t = {} s it changes by as much with inputs that nobody knows well:", contact.at_s)});
   bool of_friction = false;
   for (const PredictionChange& change : contact.changes) {
     of_friction = of_friction || change.step.ends_with("%");

@@ -10,7 +10,7 @@
 
 namespace earthtop::tool {
 
-/// A line with its label, which is empty where it goes on from the line before.
+/// A line with its label, which is empty on a line that continues the one before.
 struct LabelledLine {
   std::string_view label;
   std::string text;
@@ -30,7 +30,7 @@ std::vector<LabelledLine> contact_event_lines(const RunResult& result);
 /// The effect of friction's work and of the Earth on the integrals of the motion, and how well the computed motion keeps to
 /// it. Empty where the run has no such balances.
 std::vector<LabelledLine> contact_balance_lines(const RunResult& result);
-/// How far the prediction itself moves with the inputs of the contact, and what that means for the drift.
+/// How much the prediction itself changes with the inputs of the contact, and what that means for the drift.
 std::vector<LabelledLine> prediction_change_lines(const RunResult& result);
 
 }  // namespace earthtop::tool

@@ -7,6 +7,7 @@
 
 #include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "examples.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
@@ -57,14 +58,18 @@ Verb describe_example() {
   auto arguments = std::make_shared<ExampleArguments>();
   Verb example("example", "print a scenario to begin with; without a name, one that explains itself",
                [arguments] { return example_verb(*arguments); });
-  example.add("NAME", &arguments->name, "one of the shipped scenarios").completed_to(example_names());
-  example.add("--annotated", &arguments->annotated, "every key that applies, each explained, with its default");
-  example.add("--list", &arguments->list, "names and titles of the shipped scenarios").without("NAME").without("--annotated");
+  example.add("NAME", &arguments->name, "one of the scenarios that come with the program").completed_to(example_names());
+  example.add("--annotated", &arguments->annotated, "print every key that applies, with an explanation and its default");
+  example.add("--list", &arguments->list, "print the names and titles of all these scenarios")
+      .without("NAME")
+      .without("--annotated");
   example.describe(
-      "The shipped scenarios are inside the program. Printed by name, they are as they are in its source; with "
-      "--annotated every key that applies is there, with an explanation and its default.");
-  example.example("earthtop example > mine.json", "begins with a scenario that explains itself");
-  example.example("earthtop example --list", "lists what is there");
+      "The scenarios are built into the program. One that is named is printed as it stands in the program's source; with "
+      "--annotated, every key that applies is there, with an explanation and its default.");
+  example.example("earthtop example > mine.json", "writes a scenario to begin with, which explains itself");
+  example.example("earthtop example --list", "lists the names and titles");
+  example.example("earthtop example foucault-pendulum | earthtop run -", "runs one of them");
+  example.ends_with(kRefused, "the command line was refused, or there is no scenario of that name");
   return example;
 }
 

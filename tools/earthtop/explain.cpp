@@ -16,7 +16,9 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -30,21 +32,27 @@ struct ExplainArguments {
 
 std::string sized(const std::optional<double>& value) { return value ? fmt::format("{:.2e}", *value) : "?"; }
 
-std::string effects_text(const Budget& budget) {
-  std::string text = fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}  {}\n", "Effect", "", "torque", "largest", "moves axis",
-                                 "drift", "why");
+std::string effects_text(const Budget& budget, std::size_t width) {
+  std::string text =
+      fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}\n", "Effect", "", "torque", "largest", "moves axis", "drift");
   text += fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}\n", "", "", "N m", "N m", "rad", "rad");
   for (const EffectEntry& entry : budget.effects) {
     const std::string in_each = entry.in_difference ? "-" : sized(entry.displacement_rad);
-    text += fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}  {}\n", entry.name, entry.modelled ? "modelled" : "left out",
-                        sized(entry.torque_release_N_m), sized(entry.torque_largest_N_m), in_each, sized(entry.drift_rad),
-                        entry.reason);
+    text += fmt::format("{:<24}{:<10}{:>10}{:>10}{:>12}{:>10}\n", entry.name, entry.modelled ? "modelled" : "left out",
+                        sized(entry.torque_release_N_m), sized(entry.torque_largest_N_m), in_each, sized(entry.drift_rad));
+    text += wrapped("    " + entry.reason, width, 4) + '\n';
   }
-  text +=
-      "moves axis: in both predictions alike, so that it cancels in their difference to first order; what is left is under "
-      "drift\n"
-      "drift: its part of the difference of the two predictions; both at their largest, to first order\n";
-  return text;
+  return text +
+         wrapped(
+             "moves axis: in both predictions alike, so that it cancels in their difference to first order; what remains is "
+             "under drift",
+             width, 4) +
+         '\n' +
+         wrapped(
+             "drift: the effect's share of the difference between the two predictions; both columns at their largest, to "
+             "first order",
+             width, 4) +
+         '\n';
 }
 
 std::string_view unit_of(const std::string& name) {
@@ -52,11 +60,14 @@ std::string_view unit_of(const std::string& name) {
   return row != kInputs.end() ? row->unit : "";
 }
 
-std::string inputs_text(const Budget& budget) {
-  if (!budget.inputs_unavailable.empty()) return "Inputs: " + budget.inputs_unavailable + "\n";
+std::string inputs_text(const Budget& budget, std::size_t screen_width) {
+  if (!budget.inputs_unavailable.empty()) return wrapped("Inputs: " + budget.inputs_unavailable, screen_width, 2) + '\n';
   std::string text =
-      fmt::format("How well the inputs must be known: an error that moves the axis as far as the Earth does, {:.3e} rad\n",
-                  budget.earth_drift_rad);
+      wrapped(fmt::format("How well the inputs must be known: the error of each that moves the axis as far as the "
+                          "Earth does, {:.3e} rad",
+                          budget.earth_drift_rad),
+              screen_width, 2) +
+      '\n';
   std::size_t width = 22;
   for (const InputNeed& need : budget.inputs) width = std::max(width, need.name.size() + 2);
   for (const InputNeed& need : budget.inputs) {
@@ -66,28 +77,36 @@ std::string inputs_text(const Budget& budget) {
         "  {:<{}}{:>14.6g}   {}\n", need.name, width, need.value,
         need.hides_earth ? fmt::format("{:.2e} {}{}", *need.hides_earth, unit_of(need.name), relative) : "has no part in it");
   }
-  text += "  (of latitude and rotation rate: an error that changes the drift by all of itself)\n";
-  return text;
+  return text +
+         wrapped("  (for latitude and rotation rate: an error that changes the drift by its whole size)", screen_width, 3) +
+         '\n';
 }
 
-std::string run_text(const Scene& scene) {
+std::string run_text(const Scene& scene, std::size_t width) {
   const MethodChoice& choice = scene.choice();
-  return fmt::format("\nrun would take {} ({}), some {:.2g} steps, {}\n", to_string(choice.options.method), choice.reason,
-                     scene.estimate().solution.steps, about_seconds(estimated_run_seconds(scene)));
+  return '\n' +
+         wrapped(fmt::format("run would use {} ({}): some {:.2g} steps, {}", to_string(choice.options.method), choice.reason,
+                             scene.estimate().solution.steps, about_seconds(estimated_run_seconds(scene))),
+                 width, 2) +
+         '\n';
 }
 
-std::string explained(const Budget& budget, const Scene& scene) {
+std::string explained(const Budget& budget, const Scene& scene, std::size_t width) {
   const Scenario& scenario = scene.scenario();
   const std::string drift =
       std::isfinite(budget.earth_drift_rad) ? fmt::format("about {:.3e} rad", budget.earth_drift_rad) : "not known";
-  std::string text = fmt::format("{}\nDrift by the Earth's rotation after {} s: {}; {}\n\n", scenario.name, scenario.duration_s,
-                                 drift, matching_rule(scenario));
-  text += effects_text(budget) + '\n' + inputs_text(budget);
+  const auto paragraph = [&](const std::string& sentence) { return wrapped(sentence, width, 2) + '\n'; };
+  std::string text = scenario.name + '\n' +
+                     paragraph(fmt::format("Drift by the Earth's rotation after {} s: {}; {}", scenario.duration_s, drift,
+                                           matching_rule(scenario)));
+  text += '\n' + effects_text(budget, width) + '\n' + inputs_text(budget, width);
   if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
-    text += fmt::format("\nThe motion was followed for {:.4g} s; what is later is taken in proportion to time and drift.\n",
-                        budget.followed_s);
-  text += run_text(scene);
-  for (const std::string& warning : budget.warnings) text += "Warning: " + warning + '\n';
+    text +=
+        '\n' + paragraph(fmt::format("The motion was followed for {:.4g} s; sizes after that are taken in proportion to time "
+                                     "and drift.",
+                                     budget.followed_s));
+  text += run_text(scene, width);
+  for (const std::string& warning : budget.warnings) text += paragraph("Warning: " + warning);
   return text;
 }
 
@@ -111,7 +130,9 @@ std::optional<std::string> watched_explanation(const Scene& scene, bool lively, 
   const ContactExplanation explained = explain_contact(scene, watch);
   if (watch.asks_to_stop()) return std::nullopt;
   progress.reach(1);
-  return json ? contact_explanation_json(explained, scene) : contact_explanation_text(explained, scene) + run_text(scene);
+  const std::size_t width = output_screen().width;
+  return json ? contact_explanation_json(explained, scene)
+              : contact_explanation_text(explained, scene, width) + run_text(scene, width);
 }
 
 int explain_verb(const ExplainArguments& arguments) {
@@ -125,7 +146,7 @@ int explain_verb(const ExplainArguments& arguments) {
   if (scene.scenario().contact)
     text = watched_explanation(scene, lively, arguments.json);
   else if (const auto budget = watched_budget(scene, lively))
-    text = arguments.json ? budget_json(*budget, scene) : explained(*budget, scene);
+    text = arguments.json ? budget_json(*budget, scene) : explained(*budget, scene, output_screen().width);
   if (!text) return report_errors("", {{0, 0, "", "interrupted; nothing was written"}}, arguments.json, interrupted_status());
   print(*text);
   return kDone;
@@ -135,18 +156,25 @@ int explain_verb(const ExplainArguments& arguments) {
 
 Verb describe_explain() {
   auto arguments = std::make_shared<ExplainArguments>();
-  Verb explain("explain", "the effect budget: every torque, the drift it causes, modelled or left out, and why",
+  Verb explain("explain", "print the effect budget: every torque, the drift that it causes, and why it is modelled or left out",
                [arguments] { return explain_verb(*arguments); });
   explain.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
-  explain.add("--json", &arguments->json, "as one JSON document, errors too");
-  explain.add("--quiet", &arguments->quiet, "no warnings about the scenario");
+  explain.add("--json", &arguments->json, "print the budget, or the errors, as one JSON document");
+  explain.add("--quiet", &arguments->quiet, "print no warnings about the scenario");
   add_set_option(explain, arguments->sets);
   explain.describe(
-      "Tells of each torque how large it is, by how much it moves the axis, how much of that is drift, and "
-      "whether the scenario models it. Below stands how well each input must be known if its error is to move "
-      "the axis by less than the Earth does, and what a run would take. Of a top on a table it tells the size of every force, "
-      "of its torque and of the drift, and how well friction and the table's tilt must be known. Nothing is written.");
+      "Lists for each torque how large it is, how far it moves the axis, how much of that is drift, and whether the scenario "
+      "models it. A second table says how well each input must be known for its error to move the axis by less than the Earth "
+      "does, and the last line says which method run would use and how long it would take. For a top on a table, it lists the "
+      "size of every force and of its torque, the drift, and how well friction and the table's tilt must be known. Nothing is "
+      "written.");
   explain.example("earthtop explain toy-top.json", "prints the budget as a table");
+  explain.example("earthtop explain toy-top.json --set /motion/duration_s=600", "the same for ten minutes");
+  explain.example("earthtop example tippe-top | earthtop explain -",
+                  "takes the scenario, a top on a table, from standard input");
+  explain.ends_with(kDone, "the budget is printed");
+  explain.ends_with(kRefused, "the command line or the scenario was refused");
+  explain.ends_with(kWriteFailed, "reading the scenario broke off, or writing to standard output failed");
   return explain;
 }
 

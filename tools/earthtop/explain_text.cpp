@@ -5,11 +5,14 @@
 
 #include "contact_text.hpp"
 #include "earthtop/results/results.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
 
-std::string forces_text(const ContactExplanation& explained) {
+std::string sentence(std::string_view text, std::size_t width) { return wrapped(text, width, 2) + '\n'; }
+
+std::string forces_text(const ContactExplanation& explained, std::size_t width) {
   std::string text = fmt::format("{:<18}{:>11}{:>11}   {:>11}{:>11}\n", "Force", "at release", "largest", "torque", "largest");
   text += fmt::format("{:<18}{:>11}{:>11}   {:>11}{:>11}\n", "", "N", "N", "N m", "N m");
   bool left_out = false;
@@ -19,21 +22,21 @@ std::string forces_text(const ContactExplanation& explained) {
                     size.force_largest_N, size.torque_release_N_m, size.torque_largest_N_m, size.modelled ? "" : "   left out");
     left_out = left_out || !size.modelled;
   }
-  text += "torque: about the centre of mass, at release and at its largest; on the rotating Earth\n";
-  if (left_out) text += "left out: switched off; its size along the motion without it\n";
+  text += sentence("torque: about the centre of mass, at release and at its largest; on the rotating Earth", width);
+  if (left_out) text += sentence("left out: switched off; its size is that along the motion without it", width);
   return text;
 }
 
-std::string friction_text(const ContactExplanation& explained, const ContactSpec& contact) {
+std::string friction_text(const ContactExplanation& explained, const ContactSpec& contact, std::size_t width) {
   std::string text;
-  if (explained.largest_friction_ratio) {
-    text += fmt::format("Friction is {:.3g} of the normal force at most", *explained.largest_friction_ratio);
-    if (contact.law == ContactLaw::rolling) text += ": less friction would let the tip slip";
-    text += "\n";
-  }
+  if (explained.largest_friction_ratio)
+    text += sentence(fmt::format("Friction is at most {:.3g} times the normal force{}", *explained.largest_friction_ratio,
+                                 contact.law == ContactLaw::rolling ? "; with less friction the tip would slip" : ""),
+                     width);
   if (explained.slip_relaxation_1_s)
-    text += fmt::format("A small slip dies out at {:.3g} per second at the release, which every step has to follow\n",
-                        *explained.slip_relaxation_1_s);
+    text += sentence(fmt::format("A small slip dies out at {:.3g} per second at the release, which every step has to follow",
+                                 *explained.slip_relaxation_1_s),
+                     width);
   return text;
 }
 
@@ -43,35 +46,41 @@ std::string need_text(const std::optional<double>& steps, std::string_view step,
   return fmt::format("{:.2g} {} ({})", *steps, percent ? "%" : "arcsec", of);
 }
 
-std::string inputs_text(const ContactExplanation& explained) {
+std::string inputs_text(const ContactExplanation& explained, std::size_t width) {
   if (explained.inputs.empty()) return "How well the inputs must be known: not known\n";
-  std::string text =
-      fmt::format("How well the inputs must be known: an error that moves the prediction by {} s as far as the Earth does\n",
-                  explained.inputs_at_s);
+  std::string text = sentence(fmt::format("How well the inputs must be known: the error of each that moves the prediction at "
+                                          "{} s as far as the Earth does",
+                                          explained.inputs_at_s),
+                              width);
   bool of_friction = false;
   for (const ContactInputNeed& need : explained.inputs) {
     of_friction = of_friction || need.step.ends_with("%");
     text += fmt::format("  {:<22}{}; {}\n", spoken(need.input), need_text(need.hides_axis, need.step, "axis"),
                         need_text(need.hides_tip, need.step, "tip"));
   }
-  text += of_friction ? "  (nobody knows a coefficient of friction to 1 %, and few tables are level to an arcsecond)\n"
-                      : "  (few tables are level to an arcsecond)\n";
-  return text;
+  return text +
+         wrapped(of_friction ? "  (nobody knows a coefficient of friction to 1 %, and few tables are level to an arcsecond)"
+                             : "  (few tables are level to an arcsecond)",
+                 width, 3) +
+         '\n';
 }
 
 }  // namespace
 
-std::string contact_explanation_text(const ContactExplanation& explained, const Scene& scene) {
+std::string contact_explanation_text(const ContactExplanation& explained, const Scene& scene, std::size_t width) {
   const Scenario& scenario = scene.scenario();
   std::string text =
-      fmt::format("{}\nDrift by the Earth's rotation after {:.6g} s: axis {:.3e} rad, tip {:.3e} m; {}\n", scenario.name,
-                  explained.followed_s, explained.drift_axis_rad, explained.drift_tip_m, matching_rule(scenario));
+      scenario.name + '\n' +
+      sentence(fmt::format("Drift by the Earth's rotation after {:.6g} s: axis {:.3e} rad, tip {:.3e} m; {}",
+                           explained.followed_s, explained.drift_axis_rad, explained.drift_tip_m, matching_rule(scenario)),
+               width);
   if (!explained.ended_by.empty())
-    text += fmt::format("Then the run ends: {}\n", explained.ended_by);
+    text += sentence("Then the run ends: " + explained.ended_by, width);
   else if (explained.followed_s < scenario.duration_s * (1 - 1e-9))
-    text += fmt::format("The motion was followed so far, and not to {} s, which would take longer\n", scenario.duration_s);
-  text += '\n' + forces_text(explained) + friction_text(explained, *scenario.contact) + '\n' + inputs_text(explained);
-  return text;
+    text += sentence(fmt::format("The motion was followed only until then; to {} s it would take longer", scenario.duration_s),
+                     width);
+  return text + '\n' + forces_text(explained, width) + friction_text(explained, *scenario.contact, width) + '\n' +
+         inputs_text(explained, width);
 }
 
 }  // namespace earthtop::tool

@@ -10,6 +10,6 @@ namespace earthtop::tool {
 
 /// The sizes of all forces and torques, the expected drift, and how well the inputs must be known. What a scene does not have is not
 /// mentioned.
-std::string contact_explanation_text(const ContactExplanation& explained, const Scene& scene);
+std::string contact_explanation_text(const ContactExplanation& explained, const Scene& scene, std::size_t width);
 
 }  // namespace earthtop::tool

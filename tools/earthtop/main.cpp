@@ -12,9 +12,11 @@
 #include "earthtop/arithmetic.hpp"
 #include "earthtop/error.hpp"
 #include "exhaustion.hpp"
+#include "help_text.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "program.hpp"
+#include "screen.hpp"
 
 namespace earthtop::tool {
 
@@ -24,9 +26,9 @@ static bool wants_json(int argc, char** argv) {
 
 namespace {
 
-int usage_error(const std::string& what, bool json) {
-  const int status = report_errors("", {{0, 0, "", what}}, json, kRefused);
-  if (!json) message("Try: earthtop --help");
+int usage_error(const UsageError& error, bool json) {
+  const int status = report_errors("", {{0, 0, "", error.what()}}, json, kRefused);
+  if (!json) message("Try: " + error.path() + " --help");
   return status;
 }
 
@@ -38,11 +40,11 @@ int parse_and_do(int argc, char** argv, bool json) {
   const auto program = describe_program();
   try {
     const Request request = read_command_line(*program, argc, argv);
-    if (request.help.empty()) return request.verb.action();
-    print(request.help);
+    if (!request.is_for_help) return request.named.verb.action();
+    print(help_text(request.named, output_screen().width));
     return kDone;
   } catch (const UsageError& error) {
-    return usage_error(error.what(), json);
+    return usage_error(error, json);
   }
 }
 

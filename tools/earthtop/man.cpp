@@ -7,9 +7,9 @@
 #include "command_line.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
-#include "exit_status.hpp"
 #include "manual_page.hpp"
 #include "output.hpp"
+#include "unknown_words.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -32,8 +32,8 @@ int man_verb(const Verb& program, const ManArguments& arguments) {
     std::for_each(verbs.begin(), verbs.end(), write);
     return kDone;
   }
-  const auto named = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& verb) { return verb.name == arguments.verb; });
-  print(manual_page(program, named != verbs.end() ? *named : program, version));
+  const std::vector<std::string> words = arguments.verb ? std::vector{*arguments.verb} : std::vector<std::string>();
+  print(manual_page(program, find_verb(program, words).verb, version));
   return kDone;
 }
 
@@ -44,12 +44,15 @@ Verb describe_man(const Verb& program, const std::vector<std::string>& names) {
   Verb man("man", "print the manual: the page of the program or of a verb",
            [&program, arguments] { return man_verb(program, *arguments); });
   man.describe(
-      "Prints a page in roff, with the macros of man(7), made from the tables that --help is made from. "
-      "Without a verb it is the page of the program.");
-  man.add("VERB", &arguments->verb, "whose page").one_of(names);
-  man.add("--all", &arguments->all, "write every page to a file there, e.g. DIR/earthtop-run.1").called("DIR").without("VERB");
+      "Prints a page of the manual in roff, with the macros of man(7). It has all that --help prints, because both are made "
+      "from the same table.");
+  man.add("VERB", &arguments->verb, "the verb that the page is about; without one, the program").completed_to(names);
+  man.add("--all", &arguments->all, "write every page to a file in DIR, e.g. DIR/earthtop-run.1").called("DIR").without("VERB");
   man.example("earthtop man run | man -l -", "reads the page of run");
   man.example("earthtop man --all /usr/local/share/man/man1", "puts the pages where man finds them");
+  man.example("earthtop man > earthtop.1", "writes the page of the program to a file");
+  man.ends_with(kRefused, "there is no such verb");
+  man.ends_with(kWriteFailed, "writing a page failed");
   return man;
 }
 

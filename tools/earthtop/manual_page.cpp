@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "command_line.hpp"
-#include "exit_status.hpp"
+#include "option_text.hpp"
 #include "roff.hpp"
 
 namespace earthtop::tool {
@@ -24,7 +24,8 @@ std::string reference(std::string_view page) { return bold(page) + "(1)"; }
 /// An option or operand as it stands on the command line: "--out DIR", "SCENARIO".
 std::string usage(const Option& option) {
   if (option.is_operand()) return italic(option.name);
-  return option.is_flag() ? bold(option.name) : bold(option.name) + "\\ " + italic(option.value);
+  const std::string name = option.short_name.empty() ? bold(option.name) : bold(option.short_name) + ", " + bold(option.name);
+  return option.is_flag() ? name : name + "\\ " + italic(option.value);
 }
 
 std::string usages(const Verb& verb, bool operands) {
@@ -49,44 +50,14 @@ std::string synopsis(const Verb& verb, const std::string& path) {
   return text;
 }
 
-std::string words_text(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-/// Names of the options that may not be given together with this one, whichever of the two states it.
-std::vector<std::string> conflicts_of(const Option& option, const Verb& verb) {
-  const auto names = [](const Option& one, const Option& other) {
-    return std::find(one.conflicts.begin(), one.conflicts.end(), other.name) != one.conflicts.end();
-  };
-  std::vector<std::string> conflicts;
-  for (const Option& other : verb.options)
-    if (names(option, other) || names(other, option) ||
-        (&other != &option && !option.group.empty() && option.group == other.group))
-      conflicts.push_back(other.name);
-  return conflicts;
-}
-
-/// The effect of an option, and the limits on its value.
-std::string meaning(const Option& option, const Verb& verb) {
-  std::string text = option.help;
-  if (!option.words.empty() && !option.has_other_words) text += "; one of " + words_text(option.words);
-  if (option.range) text += fmt::format("; from {:g} to {:g}", option.range->low, option.range->high);
-  if (const auto conflicts = conflicts_of(option, verb); !conflicts.empty()) text += "; not with " + words_text(conflicts);
-  return roff_text(text);
-}
-
 std::string meanings(const Verb& verb, bool operands) {
   std::string text;
   for (const Option& option : verb.options)
-    if (option.is_operand() == operands) text += paragraph(usage(option), meaning(option, verb));
+    if (option.is_operand() == operands) text += paragraph(usage(option), roff_text(option_meaning(option, verb)));
   return text;
 }
 
-std::string help_meaning() {
-  return paragraph(bold(kHelpShort) + ", " + bold(kHelpOption), roff_text("print a summary of the options and do nothing"));
-}
+std::string help_meaning() { return paragraph(bold(kHelpShort) + ", " + bold(kHelpOption), roff_text(kHelpText)); }
 
 std::string options(const Verb& verb, const std::string& path) {
   std::string text = meanings(verb, true) + meanings(verb, false);
@@ -97,9 +68,9 @@ std::string options(const Verb& verb, const std::string& path) {
   return text;
 }
 
-std::string exit_statuses() {
+std::string exit_statuses(const Verb& verb) {
   std::string text = section("EXIT STATUS");
-  for (const auto& [status, meaning] : kExitStatuses) text += paragraph(bold(std::to_string(status)), roff_text(meaning));
+  for (const auto& [status, meaning] : verb.exit_statuses()) text += paragraph(bold(status), roff_text(meaning));
   return text;
 }
 
@@ -120,16 +91,22 @@ std::string see_also(const Verb& program, const Verb& verb) {
   return section("SEE ALSO") + pages + '\n';
 }
 
+/// The verbs in their groups.
 std::string verbs_of(const Verb& program) {
-  std::string text = section("VERBS");
-  for (const Verb& verb : program.verbs) text += paragraph(reference(manual_page_name(program, verb)), roff_text(verb.help));
+  std::string text = section("VERBS"), group;
+  for (const Verb& verb : program.verbs) {
+    if (verb.group != group) text += fmt::format(".SS {}\n", roff_literal(verb.group));
+    group = verb.group;
+    text += paragraph(reference(manual_page_name(program, verb)), roff_text(verb.help));
+  }
   return text;
 }
 
 std::string environment() {
   return section("ENVIRONMENT") +
          paragraph(bold("NO_COLOR"), roff_text("if set and not empty, there are no colours and no line of progress")) +
-         paragraph(bold("TERM"), roff_text("if it is dumb, neither"));
+         paragraph(bold("TERM"), roff_text("if it is dumb, neither")) +
+         paragraph(bold("COLUMNS"), roff_text("the width of printed text, instead of the terminal's; from 40 to 120"));
 }
 
 std::string capitals(std::string text) {
@@ -157,7 +134,7 @@ std::string manual_page(const Verb& program, const Verb& verb, std::string_view 
   page += section("DESCRIPTION") + roff_text(verb.description);
   if (is_program) page += verbs_of(program);
   page += section("OPTIONS") + help_meaning() + (is_program ? meanings(verb, false) : options(verb, path));
-  page += exit_statuses();
+  page += exit_statuses(verb);
   if (is_program) page += environment();
   page += examples(verb) + see_also(program, verb);
   return page;

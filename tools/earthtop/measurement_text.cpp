@@ -8,6 +8,8 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "screen.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -20,8 +22,8 @@ std::string chi_squared_text(const ChiSquared& chi_squared) {
   std::string text =
       fmt::format("chi-squared {:.6g} of {} degrees of freedom", chi_squared.value, chi_squared.degrees_of_freedom);
   if (chi_squared.p_value)
-    text += *chi_squared.p_value >= 1e-4 || *chi_squared.p_value == 0 ? fmt::format(", chance {:.4g}", *chi_squared.p_value)
-                                                                      : fmt::format(", chance {:.1e}", *chi_squared.p_value);
+    text += *chi_squared.p_value >= 1e-4 || *chi_squared.p_value == 0 ? fmt::format(", p-value {:.4g}", *chi_squared.p_value)
+                                                                      : fmt::format(", p-value {:.1e}", *chi_squared.p_value);
   return text;
 }
 
@@ -34,7 +36,7 @@ std::string quantities_text(const MeasurementReport& report) {
 
 std::string agreement_text(const MeasurementReport& report, bool color) {
   if (report.agrees()) return strong("yes", "32", color);
-  std::string reason = fmt::format("the chance is below {:g}", MeasurementReport::kLeastPValue);
+  std::string reason = fmt::format("the p-value is below {:g}", MeasurementReport::kLeastPValue);
   if (report.status != RunStatus::completed)
     reason = "the prediction does not reach the last row";
   else if (report.fit != FitOutcome::not_asked && !report.fitted)
@@ -42,20 +44,20 @@ std::string agreement_text(const MeasurementReport& report, bool color) {
   return fmt::format("{}: {}", strong("no", "31", color), reason);
 }
 
-std::string estimates_text(const MeasurementReport& report, bool color) {
+std::string estimates_text(const MeasurementReport& report, const Screen& screen) {
   std::string text = "\nEstimates\n";
+  const auto add_detail = [&](std::string_view detail) { text += wrapped_entry("", detail, screen.width, 6); };
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const ParameterEstimate& e = report.estimates[j];
-    const std::string value = with_standard_error(*e.estimate, *e.standard_error);
-    text += fmt::format("  {}  {}{}{}\n      {}\n", printable(e.name), strong(value, "1", color), e.unit.empty() ? "" : " ",
-                        e.unit, printable(estimate_sentence(e, report.scatters_more())));
+    const std::string value = strong(with_standard_error(*e.estimate, *e.standard_error), "1", screen.color);
+    text += fmt::format("  {}  {}{}{}\n", printable(e.name), value, e.unit.empty() ? "" : " ", e.unit);
+    add_detail(printable(estimate_sentence(e, report.scatters_more())));
     for (const Prior& prior : report.priors)
       if (prior.input == e.name)
-        text += fmt::format("      known beforehand as {} {}; the estimate is {:+.2f} of these errors off\n",
-                            with_standard_error(prior.mean, prior.standard_error), prior.unit, prior.pull.value_or(0));
+        add_detail(fmt::format("known beforehand as {} {}; the estimate is {:+.2f} of these errors off",
+                               with_standard_error(prior.mean, prior.standard_error), prior.unit, prior.pull.value_or(0)));
     for (std::size_t k = 0; k < j; ++k)
-      text +=
-          fmt::format("      correlation with {}  {:+.4f}\n", printable(report.estimates[k].name), report.correlation[j][k]);
+      add_detail(fmt::format("correlation with {}  {:+.4f}", printable(report.estimates[k].name), report.correlation[j][k]));
   }
   return text;
 }
@@ -83,27 +85,28 @@ std::string residuals_text(const MeasurementReport& report) {
 
 }  // namespace
 
-std::string measurement_text(const MeasurementReport& report, bool color) {
-  std::string text = fmt::format("{} against {}\n", printable(report.file), printable(report.scenario_name));
-  text += fmt::format("Measured    {} rows: {}\n", report.rows, quantities_text(report));
+std::string measurement_text(const MeasurementReport& report, const Screen& screen) {
+  const bool color = screen.color;
+  std::string text =
+      wrapped(fmt::format("{} against {}", printable(report.file), printable(report.scenario_name)), screen.width, 2) + '\n';
+  const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, screen.width, 12); };
+  add("Measured", fmt::format("{} rows: {}", report.rows, quantities_text(report)));
   if (report.status != RunStatus::completed)
-    text += fmt::format("Prediction  {}\n",
-                        strong(fmt::format("ended at {:.6g} s: {}", report.reached_s, to_string(report.status)), "31", color));
+    add("Prediction", strong(fmt::format("ended at {:.6g} s: {}", report.reached_s, to_string(report.status)), "31", color));
   if (report.correlation_time_s > 0)
-    text += fmt::format("Errors      correlated over {:.6g} s, as stated; chi-squared is of what is new in each\n",
-                        report.correlation_time_s);
-  text += fmt::format("As given    {}\n", chi_squared_text(report.as_given));
+    add("Errors", fmt::format("correlated over {:.6g} s, as stated; chi-squared counts only the part of each that is new",
+                              report.correlation_time_s));
+  add("As given", chi_squared_text(report.as_given));
   if (report.fitted)
-    text += fmt::format("Fitted      {}; {} iteration{}, {} motions\n", chi_squared_text(*report.fitted), report.iterations,
-                        report.iterations == 1 ? "" : "s", report.predictions);
+    add("Fitted", fmt::format("{}; {} iteration{}, {} motions", chi_squared_text(*report.fitted), report.iterations,
+                              report.iterations == 1 ? "" : "s", report.predictions));
   else if (report.fit != FitOutcome::not_asked)
-    text += fmt::format("Fit         {}\n",
-                        strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
-  text += fmt::format("Agreement   {}\n", agreement_text(report, color));
+    add("Fit", strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
+  add("Agreement", agreement_text(report, color));
   for (const UnusedPrior& prior : report.unused_priors)
-    text += fmt::format("Prior       {} did not enter: {}\n", prior.name, printable(prior.reason));
-  for (const std::string& note : report.notes) text += fmt::format("Note        {}\n", printable(note));
-  if (report.fitted) text += estimates_text(report, color);
+    add("Prior", fmt::format("{} did not enter: {}", prior.name, printable(prior.reason)));
+  for (const std::string& note : report.notes) add("Note", printable(note));
+  if (report.fitted) text += estimates_text(report, screen);
   return report.residuals.empty() ? text : text + residuals_text(report);
 }
 

@@ -10,7 +10,9 @@ struct MeasurementReport;
 
 namespace earthtop::tool {
 
-/// Whether measurement and scenario agree, the estimates, and the largest residuals. @param color use terminal colours
-std::string measurement_text(const MeasurementReport& report, bool color);
+struct Screen;
+
+/// Whether measurement and scenario agree, the estimates, and the largest residuals.
+std::string measurement_text(const MeasurementReport& report, const Screen& screen);
 
 }  // namespace earthtop::tool

@@ -16,6 +16,7 @@
 #include "places.hpp"
 #include "plan_text.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -89,7 +90,7 @@ int plan_verb(const PlanArguments& arguments) {
   if (arguments.json)
     print(plan_json(report));
   else if (!arguments.quiet)
-    print(plan_text(report, wants_color()));
+    print(plan_text(report, output_screen()));
   switch (report.outcome) {
     case PlanOutcome::determined: return kDone;
     case PlanOutcome::not_determined: return kNegative;
@@ -102,9 +103,9 @@ int plan_verb(const PlanArguments& arguments) {
 Verb describe_plan() {
   auto arguments = std::make_shared<PlanArguments>();
   PlanArguments& a = *arguments;
-  Verb plan("plan", "what a measurement would tell: standard errors before anything is built",
+  Verb plan("plan", "predict the standard errors of a measurement before anything is built",
             [arguments] { return plan_verb(*arguments); });
-  plan.add("SCENARIO", &a.scenario, "the planned top as a JSON file; - for standard input").json_file().required();
+  plan.add("SCENARIO", &a.scenario, "scenario file (JSON) of the planned top; - is standard input").json_file().required();
   plan.add("--measure", &a.quantities,
            "what is measured: azimuth, tilt, axis, drift_azimuth or drift_tilt, with _rad, _deg or _arcsec; may be repeated")
       .called("QUANTITY_UNIT")
@@ -112,41 +113,47 @@ Verb describe_plan() {
   plan.add("--sigma", &a.sigmas, "standard error of each value, in the quantity's unit; one for each --measure")
       .called("S")
       .required();
-  plan.add("--every", &a.every_s, "distance of the rows in time (s)").called("T").within(1e-9, 1e9).required();
+  plan.add("--every", &a.every_s, "time between rows (s)").called("T").within(1e-9, 1e9).required();
   plan.add("--until", &a.until_s, "time of the last row (s); default: the scenario's duration").called("U").within(1e-9, 1e9);
   plan.add("--correlation-time", &a.correlation_time_s,
-           "errors of a quantity are correlated by exp(-dt/TAU) (s); default 0: independent")
+           "errors of a quantity are correlated by exp(-dt/TAU), TAU in s; default 0: they are independent")
       .called("TAU")
       .within(0, 1e9);
   plan.add("--estimate", &a.estimates,
-           "number of the scenario to be estimated; default: omega_sin_latitude_rad_s, of a gyrocompass "
+           "a number of the scenario to be estimated; default: omega_sin_latitude_rad_s, for a gyrocompass "
            "omega_cos_latitude_rad_s; may be repeated")
       .called("NAME");
-  plan.add("--nuisance", &a.nuisances, "number that is not known either and is fitted along, e.g. spin_rad_s; may be repeated")
+  plan.add("--nuisance", &a.nuisances,
+           "another unknown number, which would be fitted as well, e.g. spin_rad_s; may be repeated")
       .called("NAME");
   plan.add("--optimise", &a.design,
-           "choose this number within its limits so that the first estimate's standard error is least; may be repeated")
+           "choose this number within these limits so that the standard error of the first estimate is smallest; may be "
+           "repeated")
       .called("/POINTER=LOW:HIGH");
-  plan.add("--svg", &a.svg, "write a picture of the standard error over duration, rows and accuracy").called("FILE");
-  plan.add("--write-data", &a.data, "write a simulated measurement: the scenario's motion with normal errors")
+  plan.add("--svg", &a.svg, "write a picture of the standard error against duration, rows and accuracy").called("FILE");
+  plan.add("--write-data", &a.data, "write a simulated measurement: the scenario's motion with normally distributed errors")
       .called("FILE.csv");
-  plan.add("--seed", &a.seed, "of --write-data: another seed gives other errors; default 1").called("N");
+  plan.add("--seed", &a.seed, "for --write-data: another seed gives other errors; default 1").called("N");
   add_set_option(plan, a.sets);
-  plan.add("--json", &a.json, "print one JSON document, errors too");
+  plan.add("--json", &a.json, "print the plan, or the errors, as one JSON document");
   plan.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   plan.describe(
       "Computes how well a planned measurement would determine numbers of the scenario: the Cramer-Rao bound, from the "
-      "derivatives that compare --estimate uses. The scenario's uncertainty block says what is known beforehand. The exit "
-      "status is 1 where the measurement would not determine the numbers; then it is said which, or which combination of "
-      "them.");
+      "derivatives that compare --estimate uses. The scenario's uncertainty block says what is known beforehand. If the "
+      "measurement would not determine the numbers, plan says which, or which combination of them, and what would help.");
   plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --until 60 --nuisance spin_rad_s",
-               "tells how well the Earth's rate would be seen if the spin is not known");
+               "predicts how well the Earth's rotation would be seen if the spin is unknown");
   plan.example(
       "earthtop plan gyro.json --measure tilt_deg --sigma 0.01 --every 0.1 --optimise /release/tilt_deg=5:60 "
       "--optimise /release/spin_rad_s=50:400",
-      "chooses the best tilt and spin");
+      "finds the best tilt and spin");
   plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --write-data simulated.csv --seed 7",
-               "writes data to try earthtop compare with");
+               "writes simulated data, with which to try earthtop compare");
+  plan.ends_with(kDone, "the measurement would determine the numbers");
+  plan.ends_with(kNegative, "the measurement would not determine the numbers");
+  plan.ends_with(kRefused, "the command line or the scenario was refused; nothing was written");
+  plan.ends_with(kNumericalFailure, "the motion could not be computed; or memory ran out");
+  plan.ends_with(kWriteFailed, "writing failed, or reading the scenario broke off");
   return plan;
 }
 

@@ -8,6 +8,8 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/plan/plan.hpp"
+#include "screen.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -31,24 +33,26 @@ std::string measured_text(const PlanReport& report) {
   return text;
 }
 
-std::string estimates_text(const PlanReport& report, bool color) {
+std::string estimates_text(const PlanReport& report, const Screen& screen) {
   std::size_t width = 0;
   for (const PlannedEstimate& estimate : report.estimates) width = std::max(width, estimate.name.size());
   std::string text = "\nStandard errors (Cramer-Rao bound)\n";
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const PlannedEstimate& e = report.estimates[j];
     std::string line = with_unit(fmt::format("{:.7g} ± {:.3g}", e.value, *e.standard_error), e.unit);
-    if (!e.is_nuisance) line = painted(line, "1", color);
+    if (!e.is_nuisance) line = painted(line, "1", screen.color);
     if (!e.is_nuisance && e.significance()) line += fmt::format(": {:.3g} sigma", *e.significance());
     if (e.prior) line += fmt::format("; known beforehand to ± {:.2g}", *e.prior);
-    text += fmt::format("  {:<{}}  {}\n", printable(e.name), width, line);
+    text += wrapped_entry("  " + printable(e.name), line, screen.width, width + 4);
     if (report.estimates.size() == 1) continue;
-    text += fmt::format("  {:<{}}  ± {:.3g} if the others were known exactly", "", width, *e.standard_error_alone);
     std::size_t most = j == 0 ? 1 : 0;
     for (std::size_t k = 0; k < report.estimates.size(); ++k)
       if (k != j && std::abs(report.correlation[j][k]) > std::abs(report.correlation[j][most])) most = k;
-    text += fmt::format("; largest correlation {:+.4f}, with {}\n", report.correlation[j][most],
-                        printable(report.estimates[most].name));
+    text +=
+        wrapped_entry("",
+                      fmt::format("± {:.3g} if the others were known exactly; largest correlation {:+.4f}, with {}",
+                                  *e.standard_error_alone, report.correlation[j][most], printable(report.estimates[most].name)),
+                      screen.width, width + 4);
   }
   return text;
 }
@@ -89,48 +93,49 @@ std::string variations_text(const PlanReport& report) {
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
 }
 
-std::string optimum_text(const PlanReport& report, bool color) {
+std::string optimum_text(const PlanReport& report, const Screen& screen) {
   const PlanOptimum& optimum = *report.optimum;
   const PlannedEstimate& target = report.estimates[0];
   std::string text =
       fmt::format("\nBest within the limits, {} designs tried{}\n", optimum.evaluations,
                   optimum.avoided > 0 ? fmt::format(", {} of them without a motion to rely on", optimum.avoided) : "");
+  const auto add = [&](const std::string& line) { text += wrapped("  " + line, screen.width, 6) + '\n'; };
   std::string sets;
   for (const DesignChoice& choice : optimum.choices) {
-    text += fmt::format("  {}  {}, from {:g} to {:g}{}; the scenario's is {:g}\n", printable(choice.input.pointer),
-                        painted(fmt::format("{:.6g}", choice.best), "1", color), choice.input.low, choice.input.high,
-                        choice.is_at_limit ? ", at the limit" : "", choice.given);
+    add(fmt::format("{}  {}, from {:g} to {:g}{}; the scenario's is {:g}", printable(choice.input.pointer),
+                    painted(fmt::format("{:.6g}", choice.best), "1", screen.color), choice.input.low, choice.input.high,
+                    choice.is_at_limit ? ", at the limit" : "", choice.given));
     sets += fmt::format(" --set {}={:.6g}", choice.input.pointer, choice.best);
   }
-  text += fmt::format("  {}  ± {}: {:.3g} sigma, {:.3g} times smaller than now; {} rows\n", printable(target.name),
-                      with_unit(fmt::format("{:.2e}", optimum.standard_error), target.unit), optimum.significance,
-                      *target.standard_error / optimum.standard_error, optimum.rows);
+  add(fmt::format("{}  ± {}: {:.3g} sigma, {:.3g} times smaller than now; {} rows", printable(target.name),
+                  with_unit(fmt::format("{:.2e}", optimum.standard_error), target.unit), optimum.significance,
+                  *target.standard_error / optimum.standard_error, optimum.rows));
   return text + "  with" + printable(sets) + "\n";
 }
 
 }  // namespace
 
-std::string plan_text(const PlanReport& report, bool color) {
-  std::string text = fmt::format("A measurement of {}\n", printable(report.scenario_name));
-  text += fmt::format("Measured    {}\n", measured_text(report));
+std::string plan_text(const PlanReport& report, const Screen& screen) {
+  std::string text = wrapped(fmt::format("A measurement of {}", printable(report.scenario_name)), screen.width, 2) + '\n';
+  const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, screen.width, 12); };
+  add("Measured", measured_text(report));
   if (report.outcome == PlanOutcome::determined)
-    text += fmt::format("Predicted   {} motions{}\n", report.predictions,
-                        report.verdict ? fmt::format("; {}", to_string(*report.verdict)) : "");
+    add("Predicted",
+        fmt::format("{} motions{}", report.predictions, report.verdict ? fmt::format("; {}", to_string(*report.verdict)) : ""));
   else
-    text += fmt::format("Outcome     {}\n",
-                        painted(fmt::format("{}: {}", to_string(report.outcome), printable(report.reason)), "31", color));
+    add("Outcome", painted(fmt::format("{}: {}", to_string(report.outcome), printable(report.reason)), "31", screen.color));
   if (report.undetermined.size() > 1) {
     std::string changes;
     for (const auto& [name, change] : report.undetermined)
       changes += fmt::format("{}{} by {:+.3g}", changes.empty() ? "" : ", ", printable(name), change);
-    text += fmt::format("            not seen together: {}\n", changes);
+    add("", "a change that would not be seen: " + changes);
   }
-  if (report.outcome == PlanOutcome::not_determined) text += fmt::format("Remedy      {}\n", printable(report.advice));
-  for (const std::string& note : report.notes) text += fmt::format("Note        {}\n", printable(note));
+  if (report.outcome == PlanOutcome::not_determined) add("Remedy", printable(report.advice));
+  for (const std::string& note : report.notes) add("Note", printable(note));
   if (report.outcome != PlanOutcome::determined) return text;
-  text += estimates_text(report, color) + variations_text(report);
-  if (report.optimum) text += optimum_text(report, color);
-  return text + "\n" + printable(report.advice) + "\n";
+  text += estimates_text(report, screen) + variations_text(report);
+  if (report.optimum) text += optimum_text(report, screen);
+  return text + '\n' + wrapped(printable(report.advice), screen.width) + '\n';
 }
 
 }  // namespace earthtop::tool

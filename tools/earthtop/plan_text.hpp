@@ -9,7 +9,9 @@ struct PlanReport;
 
 namespace earthtop::tool {
 
+struct Screen;
+
 /// A plan for the terminal.
-std::string plan_text(const PlanReport& report, bool color);
+std::string plan_text(const PlanReport& report, const Screen& screen);
 
 }  // namespace earthtop::tool

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.hpp"
 
+#include <fmt/core.h>
+
 #include <memory>
 
+#include "earthtop/results/provenance.hpp"
+#include "output.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -13,11 +17,24 @@ struct ProgramArguments {
   bool json = false;
 };
 
-int without_verb(const ProgramArguments& arguments, const Verb& program) {
-  if (arguments.version) return version_verb(arguments.json);
-  std::string names;
-  for (const Verb& verb : program.verbs) names += (names.empty() ? "" : ", ") + verb.name;
-  throw UsageError("a verb is needed: " + names);
+int without_verb(const ProgramArguments& arguments) {
+  if (!arguments.version) throw UsageError("a verb is needed, e.g. run; earthtop --help tells of all verbs");
+  if (arguments.json) return version_verb(true);
+  print(fmt::format("earthtop {}\n", build_info().version));
+  return kDone;
+}
+
+void add_group(Verb& program, std::string_view title, std::vector<Verb> verbs) {
+  for (Verb& verb : verbs) {
+    verb.group = title;
+    program.verbs.push_back(std::move(verb));
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) names.push_back(verb.name);
+  return names;
 }
 
 }  // namespace
@@ -28,26 +45,27 @@ std::unique_ptr<const Verb> describe_program() {
       "earthtop",
       "Spinning tops and gyroscopes in a laboratory that turns with the Earth: how far does the Earth's rotation make "
       "them drift?",
-      nullptr);
-  const Verb& itself = *program;
-  program->action = [arguments, &itself] { return without_verb(*arguments, itself); };
-  program->add("--version", &arguments->version, "what was built, from what and how");
-  program->add("--json", &arguments->json, "with --version: as one JSON document");
+      [arguments] { return without_verb(*arguments); });
+  program->add("--version", &arguments->version, "print the version").abbreviated("-V");
+  program->add("--json", &arguments->json, "with --version: print what earthtop version --json prints");
   program->describe(
       "Predicts how a top or gyroscope of any shape moves in a laboratory that turns with the Earth, how it would move if the "
-      "Earth stood still, and how far the two drift apart, with a bound on the error of that number. "
-      "What is predicted stands in a scenario, a JSON file.");
-  program->example("earthtop example > top.json", "begins with a scenario that explains itself");
-  program->example("earthtop check top.json", "tells what is wrong with it");
+      "Earth stood still, and how far the two motions drift apart, with a bound on the error of that number. "
+      "A scenario, which is a JSON file, says what is to be predicted.");
+  program->example("earthtop example foucault-pendulum | earthtop run -", "runs a scenario that comes with the program");
+  program->example("earthtop example > top.json", "writes a scenario to begin with, which explains every key");
+  program->example("earthtop check top.json", "lists what is wrong with it");
   program->example("earthtop run top.json", "predicts the motion and the drift");
-  program->verbs = {describe_run(),    describe_check(),  describe_explain(), describe_verify(),
-                    describe_bench(),  describe_study(),  describe_compare(), describe_plan(),
-                    describe_report(), describe_schema(), describe_example(), describe_completion(itself),
-                    describe_version()};
-  std::vector<std::string> names;
-  for (const Verb& verb : program->verbs) names.push_back(verb.name);
-  names.insert(names.end() - 1, "man");
-  program->verbs.insert(program->verbs.end() - 1, describe_man(itself, names));
+  for (const StatusMeaning& status : kExitStatuses) program->ends_with(status.status, status.meaning);
+  add_group(*program, "Write a scenario", {describe_example(), describe_check(), describe_schema()});
+  add_group(*program, "Predict a motion and its drift",
+            {describe_run(), describe_explain(), describe_study(), describe_report()});
+  add_group(*program, "Measure, and compare results", {describe_plan(), describe_compare()});
+  add_group(*program, "Judge the program", {describe_verify(), describe_bench()});
+  std::vector<std::string> names = names_of(program->verbs);
+  names.insert(names.end(), {"help", "man", "completion", "version"});
+  add_group(*program, "About the program",
+            {describe_help(*program, names), describe_man(*program, names), describe_completion(*program), describe_version()});
   return program;
 }
 

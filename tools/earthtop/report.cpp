@@ -28,7 +28,7 @@ int report_verb(const ReportArguments& arguments) {
   std::vector<std::string> written = {page.string()};
   std::error_code error;
   if (page.extension() != ".html" && std::filesystem::exists(page, error))
-    throw ScenarioError("", fmt::format("{} is there already, and no page by its name; choose a name that ends in .html",
+    throw ScenarioError("", fmt::format("{} exists, and its name is not that of a page; choose a name that ends in .html",
                                         printable(page.string())));
   write_file(page, report.html);
   if (arguments.svg)
@@ -48,19 +48,30 @@ int report_verb(const ReportArguments& arguments) {
 
 Verb describe_report() {
   auto arguments = std::make_shared<ReportArguments>();
-  Verb report("report", "one self-contained HTML page of a run, a study, a comparison or a bench",
+  Verb report("report", "write one self-contained HTML page about a run, a study, a comparison or a bench",
               [arguments] { return report_verb(*arguments); });
   report
       .add("WHAT", &arguments->what,
-           "results of run, a study, or a document of compare --json or bench --json; - reads one from standard input")
+           "the directory of a run or a study, or a document of compare --json or bench --json; - is standard input")
       .required();
   report.add("--out", &arguments->out, "the page; default: report.html in the directory, or the document's name with .html")
       .called("FILE");
-  report.add("--svg", &arguments->svg, "write its pictures as SVG files beside it, too");
-  report.add("--json", &arguments->json, "print what was written as one JSON document, errors too");
+  report.add("--svg", &arguments->svg, "also write its pictures as SVG files beside it");
+  report.add("--json", &arguments->json, "print the names of the files written, or the errors, as one JSON document");
   report.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
-  report.describe("Writes a page that needs no other file and no network: pictures, tables and where the numbers come from.");
+  report.describe(
+      "Writes a page that needs no other file and no network. It has pictures and tables, and says where the numbers come "
+      "from.");
   report.example("earthtop report out/toy-top", "writes out/toy-top/report.html");
+  report.example("earthtop report out/toy-top --out toy-top.html --svg", "writes toy-top.html, and its pictures beside it");
+  report.example("earthtop compare old new --json | earthtop report - --out comparison.html",
+                 "writes a page about a comparison");
+  report.ends_with(kDone, "the page is written");
+  report.ends_with(
+      kRefused,
+      "the command line was refused; or there is nothing to report on; or another kind of file is in the way; nothing "
+      "was written");
+  report.ends_with(kWriteFailed, "writing failed, or reading broke off");
   return report;
 }
 

@@ -16,6 +16,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "summary_text.hpp"
 #include "verbs.hpp"
 
@@ -35,9 +36,9 @@ struct RunArguments {
 };
 
 int interrupted(const RunArguments& arguments, const std::string& where) {
-  return report_errors(
-      "", {{0, 0, "", fmt::format("interrupted {}; nothing was written, the same command starts it again", where)}},
-      arguments.json, interrupted_status());
+  return report_errors("",
+                       {{0, 0, "", fmt::format("interrupted {}; nothing was written; the same command starts again", where)}},
+                       arguments.json, interrupted_status());
 }
 
 /// Whether --set changed the prediction, and not only how it is computed or reported.
@@ -75,8 +76,8 @@ int report_nothing_kept(const RunResult& result, const RunArguments& arguments) 
   if (!result.solution_is_whole)
     return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scene.scenario().duration_s));
   const char* message =
-      "interrupted when the motion was whole, but not the bounds on its error or its verdict; nothing was written, the same "
-      "command starts it again; with --partial an interrupted run keeps the rows";
+      "interrupted when the motion was complete, but not the bounds on its error or its verdict; nothing was written; the same "
+      "command starts again; with --partial an interrupted run keeps the rows";
   return report_errors("", {{0, 0, "", message}}, arguments.json, interrupted_status());
 }
 
@@ -111,20 +112,22 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   return run;
 }
 
-/// The drift over time as a sparkline: one line of block characters.
-std::string sparkline(const RunResult& result) {
-  constexpr std::size_t kColumns = 48;
+/// The drift over time as a sparkline: one line of block characters. @param width  columns of the line
+std::string sparkline(const RunResult& result, std::size_t width) {
+  constexpr std::size_t kLeast = 8, kMost = 48;
   constexpr std::array<const char*, 8> kLevels = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   double largest = 0;
   for (const DriftRow& row : result.rows) largest = std::max(largest, row.drift_axis_rad);
   if (!(largest > 0) || result.rows.size() < 2) return "";
   std::string line = "Drift       0 s ";
-  const std::size_t columns = std::min(kColumns, result.rows.size());
+  const std::string end = fmt::format(" {:g} s, the largest {:.3g} rad\n", result.rows.back().t_s, largest);
+  const std::size_t room = width - std::min(width, line.size() + end.size() - 1);
+  const std::size_t columns = std::min(std::clamp(room, kLeast, kMost), result.rows.size());
   for (std::size_t i = 0; i < columns; ++i) {
     const DriftRow& row = result.rows[i * (result.rows.size() - 1) / (columns - 1)];
     line += kLevels[static_cast<std::size_t>(std::clamp(row.drift_axis_rad / largest * 8, 0.0, 7.0))];
   }
-  return line + fmt::format(" {:g} s, the largest {:.3g} rad\n", result.rows.back().t_s, largest);
+  return line + end;
 }
 
 int run_verb(const RunArguments& arguments) try {
@@ -137,15 +140,16 @@ int run_verb(const RunArguments& arguments) try {
   if (!is_written) return report_nothing_kept(result, arguments);
   if (was_interrupted)
     message(fmt::format(
-        "earthtop: error: interrupted; {} in {}",
-        is_partial(result) ? "the rows are whole, without bounds on their errors and verdict," : "but the results are whole,",
+        "earthtop: error: interrupted; {}, in {}",
+        is_partial(result) ? "the rows are whole, but without error bounds and verdict" : "but the results are whole",
         printable(dir.string())));
+  const Screen screen = output_screen();
   try {
     if (arguments.json)
       print(summary);
     else if (!arguments.quiet)
-      print(summary_text(result, dir.string(), is_changed, wants_color()) +
-            (is_lively_terminal(STDOUT_FILENO) ? sparkline(result) : ""));
+      print(summary_text(result, dir.string(), is_changed, screen) +
+            (is_lively_terminal(STDOUT_FILENO) ? sparkline(result, screen.width) : ""));
   } catch (const WriteError& error) {
     throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
   }
@@ -173,33 +177,47 @@ int run_verb(const RunArguments& arguments) try {
 
 Verb describe_run() {
   auto arguments = std::make_shared<RunArguments>();
-  Verb run("run", "predict a top's motion with and without the Earth's rotation, and its drift",
+  Verb run("run", "predict a top's motion with and without the Earth's rotation, and how far the two drift apart",
            [arguments] { return run_verb(*arguments); });
   run.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
-  run.add("--out", &arguments->out, "directory of the results; default: out/<name>").called("DIR");
+  run.add("--out", &arguments->out, "directory for the results; default: out/<name>").called("DIR");
   run.add("--force", &arguments->force, "overwrite the results of another scenario");
   run.add("--partial", &arguments->partial,
-          "if interrupted when only error bounds and verdict are missing, write the rows without them");
-  run.add("--json", &arguments->json, "print the summary as one JSON document, errors too");
+          "if the run is interrupted when only error bounds and verdict are missing, write the rows without them");
+  run.add("--json", &arguments->json, "print the summary, or the errors, as one JSON document");
   run.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
   run.add("--no-step-limit", &arguments->no_step_limit,
-          "go on where the run takes more than ten times the steps estimated; without it, it stops there");
+          "continue beyond ten times the estimated number of steps, where a run would otherwise stop");
   arguments->jobs = std::thread::hardware_concurrency() > 1 ? 2 : 1;
   run.add("--jobs", &arguments->jobs,
-          "threads: with two, error bounds are computed beside the solution; default: as there are cores")
+          "number of threads: with two, the error bounds are computed at the same time as the motion; default: 2, or 1 on a "
+          "single core")
       .called("N")
       .within(1, 4096);
   add_set_option(run, arguments->sets);
   run.describe(
-      "Integrates the top's motion in the laboratory that turns with the Earth, and beside it the motion that "
-      "is predicted without the Earth's rotation. The difference is the drift; its error bound and a verdict on "
-      "what it is worth come with it. Into the directory go trajectory.csv, summary.json, timing.json and "
-      "drift.svg, and torques.csv where the scenario asks for a ledger. They change together or not at all. The "
-      "results of another scenario are overwritten with --force only. The summary on standard output is for "
-      "people, or with --json the content of summary.json.");
+      "Integrates the top's motion in the laboratory that turns with the Earth, and also the motion that is predicted without "
+      "the Earth's rotation. The difference between the two is the drift; it is reported with a bound on its error and a "
+      "verdict on how far it can be trusted. The directory receives trajectory.csv, summary.json, timing.json and drift.svg, "
+      "and torques.csv if the scenario asks for a ledger. These files are replaced together or not at all. The results of "
+      "another scenario are overwritten only with --force. Standard output shows the summary for people or, with --json, the "
+      "content of summary.json.");
   run.example("earthtop run toy-top.json", "predicts the motion and writes it to out/toy-top");
   run.example("earthtop run toy-top.json --set /site/latitude_deg=60 --out north", "the same at another latitude");
   run.example("earthtop example foucault-pendulum | earthtop run -", "takes the scenario from standard input");
+  run.example("earthtop run toy-top.json --json > summary.json", "prints the summary as JSON, for other programs");
+  run.ends_with(kDone, "the run is complete and its results are written, whatever the verdict on the drift");
+  run.ends_with(kRefused,
+                "the command line or the scenario was refused, or the directory holds the results of another scenario; nothing "
+                "was written");
+  run.ends_with(kNumericalFailure,
+                "the run stopped early, by a numerical failure or at its limit of steps, and the rows before that are kept; or "
+                "the accuracy asked for was not reached; or memory or threads ran out");
+  run.ends_with(kWriteFailed,
+                "writing failed, or reading the scenario broke off; if only standard output failed, the results are whole");
+  run.ends_with(
+      kInterrupted,
+      "interrupted by SIGHUP, SIGINT or SIGTERM; nothing was written, or with --partial the rows, if they were whole");
   return run;
 }
 

@@ -22,10 +22,11 @@ struct DescribedFile {
 };
 constexpr std::array<DescribedFile, 4> kDescribedFiles = {{
     {nullptr, "", scenario_schema, scenario_reference_markdown},
-    {"--study", "of a study file instead", study_schema, study_reference_markdown},
-    {"--mapping", "of a mapping file instead, which compare takes beside a foreign CSV", mapping_schema,
+    {"--study", "describe a study file instead", study_schema, study_reference_markdown},
+    {"--mapping", "describe a mapping file instead, with which compare reads a foreign CSV file", mapping_schema,
      mapping_reference_markdown},
-    {"--tolerances", "of a tolerance file instead, which compare takes", tolerances_schema, tolerances_reference_markdown},
+    {"--tolerances", "describe a tolerance file instead, which compare takes", tolerances_schema,
+     tolerances_reference_markdown},
 }};
 
 struct SchemaArguments {
@@ -45,16 +46,16 @@ int schema_verb(const SchemaArguments& arguments) {
 
 Verb describe_schema() {
   auto arguments = std::make_shared<SchemaArguments>();
-  Verb schema("schema", "what a scenario may say: a JSON Schema (draft 7) for editors",
+  Verb schema("schema", "print what a scenario may say, as a JSON Schema (draft 7) for editors",
               [arguments] { return schema_verb(*arguments); });
-  schema.add("--markdown", &arguments->markdown, "the same for people: a table of all keys");
+  schema.add("--markdown", &arguments->markdown, "print it for people, as a table of all keys");
   for (std::size_t i = 1; i < kDescribedFiles.size(); ++i)
     schema.add(kDescribedFiles[i].flag, &arguments->chosen[i], kDescribedFiles[i].what).in_group("file");
   schema.describe(
-      "An editor that is given the schema completes keys, shows what they mean and marks what is wrong while a "
-      "file is written. The schema is made from the table that files are read by.");
+      "With the schema, an editor completes keys, shows what they mean and marks what is wrong as you type. The schema is made "
+      "from the same table by which files are read.");
   schema.example("earthtop schema > scenario.schema.json", "keeps the schema for an editor");
-  schema.example("earthtop schema --study --markdown", "prints what a study file may say, for people");
+  schema.example("earthtop schema --study --markdown", "prints all keys of a study file as a table");
   return schema;
 }
 

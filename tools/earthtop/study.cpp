@@ -18,9 +18,11 @@
 #include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "study_progress.hpp"
 #include "study_text.hpp"
 #include "verbs.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -75,8 +77,10 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
     print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
                       about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
   if (!arguments.json && sample.refused > 0)
-    print(fmt::format("{} of {} points looked at are refused, the first one because of {}\n", sample.refused, sample.looked_at,
-                      sample.first_refusal));
+    print(wrapped(fmt::format("{} of {} points looked at are refused, the first one because of {}", sample.refused,
+                              sample.looked_at, sample.first_refusal),
+                  output_screen().width, 2) +
+          '\n');
   return kDone;
 }
 
@@ -109,20 +113,20 @@ std::string written_document(const fs::path& store) {
   }
 }
 
-void tell_results(const fs::path& store, bool json, bool quiet) {
+void print_results(const fs::path& store, bool json, bool quiet) {
   if (quiet && !json) return;
   const std::string text = written_document(store);
-  if (json)
-    print(text);
-  else
-    print(study_text(text) +
-          fmt::format("\nResults in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes\n",
-                      printable(store.parent_path().string())));
+  if (json) return print(text);
+  const std::size_t width = output_screen().width;
+  const std::string files =
+      fmt::format("Results in {}: study.csv, study.json, study.sqlite, and study.svg if it has one or two axes",
+                  printable(store.parent_path().string()));
+  print(study_text(text, width) + '\n' + wrapped(files, width, 2) + '\n');
 }
 
-void tell_missing_checksums(const fs::path& store, bool has_checksums) {
+void warn_of_missing_checksums(const fs::path& store, bool has_checksums) {
   if (!has_checksums)
-    message(fmt::format("{} has no checksums, since an older earthtop made it: damage would not be noticed",
+    message(fmt::format("{} was made by an older earthtop and has no checksums, so damage to it would not be noticed",
                         printable(store.string())));
 }
 
@@ -166,7 +170,7 @@ int study_verb(const StudyArguments& arguments) {
                         printable(report.store.string())));
   if (!report.damage.empty() && !arguments.quiet && !arguments.json)
     message(fmt::format("{} was repaired; it {}", printable(report.store.string()), printable(report.damage)));
-  if (!arguments.quiet) tell_missing_checksums(report.store, report.has_checksums);
+  if (!arguments.quiet) warn_of_missing_checksums(report.store, report.has_checksums);
   if (report.interrupted)
     return report_errors("",
                          {{0, 0, "",
@@ -175,7 +179,7 @@ int study_verb(const StudyArguments& arguments) {
                          arguments.json, interrupted_status());
   if (options.shard.is_whole()) {
     write_study_results(report.store);
-    tell_results(report.store, arguments.json, arguments.quiet);
+    print_results(report.store, arguments.json, arguments.quiet);
   } else {
     print_shard_report(report, arguments);
   }
@@ -187,7 +191,7 @@ int study_verb(const StudyArguments& arguments) {
 /// Holds a store against its checksums and tells what is wrong. @returns the exit status
 int check_store(const fs::path& store) {
   const StudyStoreCheck check = check_study_store(store);
-  tell_missing_checksums(store, check.has_checksums);
+  warn_of_missing_checksums(store, check.has_checksums);
   if (check.damage.empty()) return kDone;
   message(fmt::format("earthtop: error: {} {}", printable(store.string()), printable(check.damage)));
   return kNegative;
@@ -201,7 +205,7 @@ int merge_verb(const StudyArguments& arguments) {
   const fs::path merged = study_store(dir);
   write_study_results(merged);
   const auto [planned, computed, failed] = study_counts(written_document(merged));
-  tell_results(merged, arguments.json, arguments.quiet);
+  print_results(merged, arguments.json, arguments.quiet);
   if (computed < planned)
     message(fmt::format("earthtop: {} of {} points are missing; earthtop study STUDY.json --out {} computes them",
                         planned - computed, planned, printable(dir.string())));
@@ -212,7 +216,7 @@ int show_verb(const StudyArguments& arguments) {
   const fs::path store = store_of(arguments.store);
   const int status = check_store(store);
   const std::string text = study_json(store);
-  print(arguments.json ? text : study_text(text));
+  print(arguments.json ? text : study_text(text, output_screen().width));
   return status;
 }
 
@@ -229,44 +233,67 @@ Verb describe_study() {
   auto arguments = std::make_shared<StudyArguments>();
   StudyArguments& a = *arguments;
   const auto add_output_flags = [&](Verb& verb) {
-    verb.add("--json", &a.json, "print the results as one JSON document, errors too");
+    verb.add("--json", &a.json, "print the results, or the errors, as one JSON document");
     verb.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");
   };
-  Verb study("study", "a parameter study: many runs, resumable; merge, show and export its results",
+  Verb study("study", "run a parameter study: many runs, resumable; merge, show and export its results",
              [arguments] { return study_verb(*arguments); });
   study.add("STUDY", &a.study, "study file (JSON); - is standard input").json_file();
-  study.add("--out", &a.out, "directory of store and results; default: out/studies/<name>").called("DIR");
-  study.add("--jobs", &a.jobs, "threads; default: one a core").called("N").within(1, 4096);
-  study.add("--shard", &a.shard, "compute every N-th point only, from the K-th on").called("K/N");
-  study.add("--force", &a.force, "throw away a store of another study");
-  study.add("--keep-going", &a.keep_going, "compute it even if all points looked at beforehand are refused alike");
+  study.add("--out", &a.out, "directory for the store and the results; default: out/studies/<name>").called("DIR");
+  study.add("--jobs", &a.jobs, "number of threads; default: one per core").called("N").within(1, 4096);
+  study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
+  study.add("--force", &a.force, "discard the store of another study");
+  study.add("--keep-going", &a.keep_going,
+            "compute the study even if all points looked at beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
-  study.add("--repair", &a.repair, "keep the intact points of a damaged store and compute the others again");
-  study.add("--dry-run", &a.dry_run, "count the points and estimate time and disk, compute nothing");
+  study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
+  study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; compute nothing");
   add_output_flags(study);
 
   Verb merge("merge", "put the stores of shards together", [arguments] { return merge_verb(*arguments); });
+  merge.describe("Puts the points of several stores of one study into one store, and writes and prints its results.");
+  merge.example("earthtop study merge part*/shard-*.sqlite --out all", "puts the shards together");
+  merge.ends_with(kDone, "all points of the study are there, and none has failed");
+  merge.ends_with(kNegative, "points failed or are missing");
+  merge.ends_with(kRefused, "the command line or a store was refused; nothing was written");
+  merge.ends_with(kWriteFailed, "writing failed, or reading a store broke off");
   merge.add("STORE", &a.stores, "stores, or directories that hold one").required();
   merge.add("--out", &a.out, "directory of the merged store and its results").called("DIR").required();
-  merge.add("--force", &a.force, "throw away a store of another study there");
+  merge.add("--force", &a.force, "discard the store of another study there");
   add_output_flags(merge);
 
-  Verb show("show", "what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });
+  Verb show("show", "print what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });
+  show.describe("Prints what the study itself prints at its end, also while it is running or after it was interrupted.");
+  show.example("earthtop study show out/studies/latitudes", "prints statistics, fits and indices");
+  show.ends_with(kNegative, "the store is damaged: a point does not match its checksum");
+  show.ends_with(kRefused, "the command line was refused, or there is no such store");
+  show.ends_with(kWriteFailed, "reading the store broke off, or writing to standard output failed");
   show.add("STORE", &a.store, "a store, or the directory that holds it").required();
-  show.add("--json", &a.json, "as one JSON document");
+  show.add("--json", &a.json, "print it as one JSON document");
 
-  Verb table("export", "the points as CSV on standard output", [arguments] { return export_verb(*arguments); });
+  Verb table("export", "print the points of a store as CSV", [arguments] { return export_verb(*arguments); });
+  table.describe("Prints a line for every point that has been computed, as in study.csv.");
+  table.example("earthtop study export out/studies/latitudes > points.csv", "writes the points to a file");
+  table.ends_with(kNegative, "the store is damaged: a point does not match its checksum");
+  table.ends_with(kRefused, "the command line was refused, or there is no such store");
+  table.ends_with(kWriteFailed, "reading the store broke off, or writing to standard output failed");
   table.add("STORE", &a.store, "a store, or the directory that holds it").required();
 
   study.describe(
-      "Runs a scenario at many points, of a grid or a sample, and keeps every point in a store as soon "
-      "as it is computed. Interrupted, it goes on from there when the same command is given again. At the end "
-      "it prints statistics, fits and indices and writes study.csv, study.json, study.sqlite and, of one or two "
-      "axes, study.svg beside the store. With --shard several machines share the points; merge puts their "
-      "stores together.");
-  study.example("earthtop study latitudes.json --dry-run", "counts the points and estimates time and disk");
+      "Runs a scenario at many points, those of a grid or a sample, and keeps every point in a store, study.sqlite, as soon as "
+      "it is computed. If the study is interrupted, the same command continues it. At the end it prints statistics, fits and "
+      "indices, and writes study.csv, study.json and, for one or two axes, study.svg beside the store. With --shard, several "
+      "machines share the points; merge then puts their stores together.");
+  study.example("earthtop study latitudes.json --dry-run", "counts the points, and estimates time and disk space");
   study.example("earthtop study latitudes.json --shard 1/4 --out part1", "computes a quarter of the points");
   study.example("earthtop study merge part*/shard-*.sqlite --out all", "puts the shards together");
+  study.example("earthtop study latitudes.json", "computes all points, and prints and writes the results");
+  study.ends_with(kDone, "all points are computed, and none has failed");
+  study.ends_with(kNegative, "points failed; or merge found points missing, or show or export found the store damaged");
+  study.ends_with(kRefused, "the command line or the study was refused, or the store is another study's; nothing was written");
+  study.ends_with(kNumericalFailure, "memory or threads ran out");
+  study.ends_with(kWriteFailed, "writing failed, or reading an input broke off");
+  study.ends_with(kInterrupted, "interrupted by SIGHUP, SIGINT or SIGTERM; the same command continues the study");
   study.verbs = {merge, show, table};
   return study;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -149,22 +150,26 @@ std::string indices_text(const Json& document) {
   return text;
 }
 
-std::string figures_text(const Json& document) {
+std::string figures_text(const Json& document, std::size_t width) {
   std::string text;
   for (const Json& figure : document.at("figures"))
-    text +=
-        fmt::format("  {}: {} {} = {:.10g}; stated {:.10g} +- {:.2g}, {}\n", figure.at("met").get<bool>() ? "met" : "NOT MET",
-                    cell(figure.at("figure")), figure.at("computed").is_null() ? "(missing)" : "",
-                    figure.at("computed").is_null() ? NAN : figure.at("computed").get<double>(),
-                    figure.at("value").get<double>(), figure.at("tolerance").get<double>(), cell(figure.at("origin")));
+    text += wrapped(fmt::format(
+                        "  {}: {} {} = {:.10g}; stated {:.10g} +- {:.2g}, {}", figure.at("met").get<bool>() ? "met" : "NOT MET",
+                        cell(figure.at("figure")), figure.at("computed").is_null() ? "(missing)" : "",
+                        figure.at("computed").is_null() ? NAN : figure.at("computed").get<double>(),
+                        figure.at("value").get<double>(), figure.at("tolerance").get<double>(), cell(figure.at("origin"))),
+                    width, 6) +
+            '\n';
   return text.empty() ? "" : "\nFigures known from elsewhere\n" + text;
 }
 
-std::string failures_text(const Json& document) {
+std::string failures_text(const Json& document, std::size_t width) {
   std::string text;
   for (const Json& failure : document.at("failures"))
-    text +=
-        fmt::format("  point {}: {}: {}\n", cell(failure.at("point")), cell(failure.at("status")), cell(failure.at("reason")));
+    text += wrapped(fmt::format("  point {}: {}: {}", cell(failure.at("point")), cell(failure.at("status")),
+                                cell(failure.at("reason"))),
+                    width, 6) +
+            '\n';
   const auto failed = document.at("points_failed").get<std::uint64_t>(), shown = std::uint64_t{document.at("failures").size()};
   if (failed > shown) text += fmt::format("  and {} more\n", failed - shown);
   return text.empty() ? "" : "\nFailed points\n" + text;
@@ -172,17 +177,17 @@ std::string failures_text(const Json& document) {
 
 }  // namespace
 
-std::string study_text(std::string_view json) {
+std::string study_text(std::string_view json, std::size_t width) {
   const Json document = Json::parse(json);
   const std::string title = printable(document.at("title").get<std::string>());
-  std::string text = fmt::format("{}\n", title.empty() ? document.at("name").get<std::string>() : title);
+  std::string text = wrapped(title.empty() ? document.at("name").get<std::string>() : title, width, 2) + '\n';
   if (const std::string finding = printable(document.at("finding").get<std::string>()); !finding.empty())
-    text += fmt::format("Finding     {}\n", finding);
+    text += wrapped_entry("Finding", finding, width, 12);
   text += fmt::format("Points      {} of {}, {} failed\n", cell(document.at("points_computed")),
                       cell(document.at("points_planned")), cell(document.at("points_failed")));
   const std::string points = points_text(document);
   return text + points + statistics_text(document) + (points.empty() ? marginals_text(document) : "") + fits_text(document) +
-         indices_text(document) + figures_text(document) + failures_text(document);
+         indices_text(document) + figures_text(document, width) + failures_text(document, width);
 }
 
 StudyCounts study_counts(std::string_view json) {

@@ -9,7 +9,8 @@
 namespace earthtop::tool {
 
 /// Text for a document of `study_json`: points, statistics, means along the axes, fits, indices, figures.
-std::string study_text(std::string_view document);
+/// @param width  columns of a line of prose
+std::string study_text(std::string_view document, std::size_t width);
 
 /// Numbers of points in such a document: planned, computed, and failed among the computed ones.
 struct StudyCounts {

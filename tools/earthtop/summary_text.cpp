@@ -14,6 +14,8 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "number_text.hpp"
+#include "screen.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -53,24 +55,28 @@ std::string_view axes_of(Observer observer) {
 
 class Page {
  public:
-  explicit Page(bool color) : color_(color) {}
+  explicit Page(const Screen& screen) : screen_(screen) {}
 
   void heading(std::string_view text) { line("{}", strong(text)); }
-  void entry(std::string_view label, std::string_view text) { line("{:<12}{}", label, text); }
+  void entry(std::string_view label, std::string_view text, std::size_t indent = 12) {
+    text_ += wrapped_entry(label, text, screen_.width, indent);
+  }
   template <class... Values>
   void line(fmt::format_string<Values...> format, Values&&... values) {
-    text_ += fmt::format(format, std::forward<Values>(values)...) + '\n';
+    constexpr std::size_t kIndent = 14;
+    text_ += wrapped(fmt::format(format, std::forward<Values>(values)...), screen_.width, kIndent) + '\n';
   }
+  void gap() { text_ += '\n'; }
   std::string strong(std::string_view text) const { return dressed("1", text); }
   std::string warning(std::string_view text) const { return dressed("33", text); }
   std::string text() && { return std::move(text_); }
 
  private:
   std::string dressed(std::string_view code, std::string_view text) const {
-    return color_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+    return screen_.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
   }
 
-  bool color_;
+  Screen screen_;
   std::string text_;
 };
 
@@ -87,7 +93,7 @@ void write_scene(Page& page, const Scene& scene, double reached_s) {
 
 void write_top(Page& page, const Scene& scene) {
   page.heading("Your top");
-  for (const auto& [label, text] : top_lines(scene.top())) page.line("  {:<17}{}", label, text);
+  for (const auto& [label, text] : top_lines(scene.top())) page.entry(fmt::format("  {}", label), text, 19);
 }
 
 /// The summary of the drift over the rows that can be trusted, which are mostly all of them.
@@ -192,11 +198,13 @@ void write_threshold(Page& page, const RunResult& result) {
       break;
     case ThresholdCrossing::tangential:
       page.entry("Threshold", page.warning(threshold + "only touched" + computed));
-      page.entry("", page.warning("the drift turns back within its error of it: whether and when it passes is not known"));
+      page.entry("", page.warning(
+                         "the drift turns back within its error of the threshold, so whether and when it passes is not known"));
       break;
     case ThresholdCrossing::uncertain:
       page.entry("Threshold", page.warning(threshold + "passed or not" + computed));
-      page.entry("", page.warning("within the error of the drift until the run ends, or beyond what its bound can tell"));
+      page.entry(
+          "", page.warning("the drift stays within its error of the threshold until the run ends, or its bound cannot decide"));
       break;
   }
 }
@@ -211,22 +219,10 @@ std::string theory_line(const TheoryReport& report, double sign) {
                      report.unit);
 }
 
-/// Why the drift is what it is; broken into lines as long as the others.
+/// Why the drift is what it is.
 void write_why(Page& page, const RunResult& result) {
-  constexpr std::size_t kColumns = 100;
   const char* label = "Why";
-  for (const WhySentence& sentence : result.why) {
-    std::string_view rest = sentence.text;
-    while (!rest.empty()) {
-      std::size_t end = rest.size();
-      for (std::size_t at = 0, columns = 0; at < rest.size() && columns <= kColumns; ++at) {
-        if (rest[at] == ' ' || at + 1 == rest.size()) end = rest[at] == ' ' ? at : rest.size();
-        columns += (static_cast<unsigned char>(rest[at]) & 0xC0) != 0x80;  // bytes that go on with a character take no column
-      }
-      page.entry(std::exchange(label, ""), rest.substr(0, end));
-      rest.remove_prefix(std::min(rest.size(), end + 1));
-    }
-  }
+  for (const WhySentence& sentence : result.why) page.entry(std::exchange(label, ""), sentence.text);
 }
 
 void write_trend(Page& page, const RunResult& result) {
@@ -238,7 +234,7 @@ void write_trend(Page& page, const RunResult& result) {
         page.entry("", fmt::format("the mean over {} to {} s and no more than that, as {}", secular->window_s[0],
                                    secular->window_s[1], secular->reason));
       else
-        page.entry("", fmt::format("± contains 95 %; from {:.3g} turns of precession, {:.6g} to {:.6g} s",
+        page.entry("", fmt::format("± is a 95 % interval; from {:.3g} turns of precession, {:.6g} to {:.6g} s",
                                    secular->turns_seen.value_or(0), secular->window_s[0], secular->window_s[1]));
     } else {
       page.entry("Trend", "not determined: " + secular->reason);
@@ -276,7 +272,7 @@ void write_sensitivities(Page& page, const RunResult& result) {
     page.entry("Inputs", page.warning("no sensitivities: " + report.unavailable));
     return;
   }
-  page.entry("Inputs", fmt::format("the axis drift at {} s changes, per unit of the input, by", report.at_s));
+  page.entry("Inputs", fmt::format("per unit of the input, the axis drift at {} s changes by", report.at_s));
   for (const InputSensitivity& input : report.inputs) {
     if (!input.unavailable.empty()) {
       page.entry("", page.warning(fmt::format("{}: {}", input.name, input.unavailable)));
@@ -324,19 +320,19 @@ std::string described(const IntegrationReport& report) {
 
 }  // namespace
 
-std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color) {
+std::string summary_text(const RunResult& result, const std::string& directory, bool changed, const Screen& screen) {
   const Scenario& scenario = result.scene.scenario();
-  Page page(color);
+  Page page(screen);
   page.heading(printable(scenario.title.empty() ? scenario.name : scenario.title));
   write_scene(page, result.scene, result.reached_s);
   if (result.status != RunStatus::completed)
     page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
                                                    result.reached_s, scenario.duration_s)));
-  page.line("");
+  page.gap();
   write_top(page, result.scene);
-  page.line("");
+  page.gap();
   write_drift(page, result);
-  page.line("");
+  page.gap();
   write_verdict(page, result);
   write_stops(page, result);
   write_lines(page, contact_event_lines(result));

@@ -10,9 +10,10 @@ struct RunResult;
 
 namespace earthtop::tool {
 
+struct Screen;
+
 /// @param directory where the result files are
 /// @param changed the scenario differs from its file, so that a headline figure that is not met says nothing about the program
-/// @param color use terminal colours
-std::string summary_text(const RunResult& result, const std::string& directory, bool changed, bool color);
+std::string summary_text(const RunResult& result, const std::string& directory, bool changed, const Screen& screen);
 
 }  // namespace earthtop::tool

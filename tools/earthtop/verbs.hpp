@@ -21,10 +21,10 @@ Verb describe_plan();
 Verb describe_report();
 Verb describe_schema();
 Verb describe_example();
-/// @param program has all verbs; must outlive the returned verb
-Verb describe_completion(const Verb& program);
-/// @param program as for `describe_completion` @param names names of all verbs
+/// @param program will have all verbs; must outlive the returned verb   @param names names of all verbs
+Verb describe_help(const Verb& program, const std::vector<std::string>& names);
 Verb describe_man(const Verb& program, const std::vector<std::string>& names);
+Verb describe_completion(const Verb& program);
 Verb describe_version();
 
 /// Prints the version, the commit it was built from, and how it was built. @throws WriteError

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include "command_line.hpp"
 #include "earthtop/run.hpp"
@@ -16,7 +17,9 @@
 #include "json_object.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -70,24 +73,27 @@ std::string_view word(VerificationOutcome outcome) {
   return "skipped";
 }
 
-constexpr std::size_t kNameWidth = 28, kCriterionWidth = 66;
+constexpr std::size_t kNameWidth = 28, kCriterionWidth = 47;
 
-/// The name of a case and of its criterion in columns; if they are too long, the line is broken after them.
-std::string left_part(const std::string& name, const std::string& criterion) {
-  std::string line = fmt::format("{:<{}}  {:<{}}", printable(name), kNameWidth, printable(criterion), kCriterionWidth);
-  if (line.size() > kNameWidth + 2 + kCriterionWidth) line += fmt::format("\n{:{}}", "", kNameWidth + 2 + kCriterionWidth);
-  return line;
+/// The criterion in the table's first column; one that is too long has a line of its own.
+std::string criterion_cell(const std::string& criterion) {
+  const std::string cell = "  " + printable(criterion);
+  const std::size_t columns = columns_of(cell);
+  if (columns <= kCriterionWidth) return cell + std::string(kCriterionWidth - columns, ' ');
+  return cell + '\n' + std::string(kCriterionWidth, ' ');
 }
 
-std::string line_of(const VerificationRow& row) {
-  std::string line = left_part(row.name, row.criterion);
-  if (row.outcome == VerificationOutcome::skipped) return fmt::format("{}  {:>27}  {}\n", line, "", "slow: with --slow");
-  line += fmt::format("  {:>8.1e}  {:>7.0e}  {:>6.2f}  {}\n", row.error, row.bound, row.seconds, word(row.outcome));
-  return row.remark.empty() ? line : fmt::format("{}{:{}}  {}\n", line, "", kNameWidth, printable(row.remark));
+/// The lines of a criterion, below the name of its case.
+std::string lines_of(const VerificationRow& row, std::size_t width) {
+  const std::string cell = criterion_cell(row.criterion);
+  if (row.outcome == VerificationOutcome::skipped) return cell + "  slow: judged with --slow\n";
+  const std::string line =
+      fmt::format("{} {:>8.1e} {:>7.0e} {:>7.2f}  {}\n", cell, row.error, row.bound, row.seconds, word(row.outcome));
+  return row.remark.empty() ? line : line + wrapped("      " + printable(row.remark), width, 6) + '\n';
 }
 
 std::string head() {
-  return fmt::format("{}  {:>8}  {:>7}  {:>6}\n", left_part("case", "criterion"), "error", "bound", "cpu s");
+  return fmt::format("{:<{}} {:>8} {:>7} {:>7}\n", "case, criterion", kCriterionWidth, "error", "bound", "cpu s");
 }
 
 JsonObject json_of(const VerificationRow& row) {
@@ -118,11 +124,12 @@ std::string sum_of(const Counts& counts) {
 }
 
 int list_criteria(const std::vector<ScenarioSource>& sources) {
+  const std::size_t width = output_screen().width;
   for (const ScenarioSource& source : sources) {
     const Scenario scenario = parse_scenario(source);
-    print(fmt::format("{:<{}}  {}\n", scenario.name, kNameWidth, printable(scenario.title)));
+    print(wrapped_entry(scenario.name, printable(scenario.title), width, kNameWidth + 2));
     for (const CriterionSpec& criterion : scenario.criteria)
-      print(fmt::format("  {}{}\n", criterion_text(criterion), criterion.slow ? " (slow)" : ""));
+      print(wrapped(fmt::format("  {}{}", criterion_text(criterion), criterion.slow ? " (slow)" : ""), width, 6) + '\n');
   }
   return kDone;
 }
@@ -143,13 +150,17 @@ int verify_verb(const VerifyArguments& arguments) {
   Parts parts(watch, std::accumulate(work.begin(), work.end(), 0.0));
   Counts counts;
   std::vector<JsonObject> rows;
+  std::string name;  // of the last case printed
+  const std::size_t width = output_screen().width;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     verify(sources[i], {arguments.slow, parts.next(work[i])}, [&](const VerificationRow& row) {
       counts.include(row);
-      if (arguments.json)
+      if (arguments.json) {
         rows.push_back(json_of(row));
-      else
-        display.aside([&] { print(line_of(row)); });
+        return;
+      }
+      const std::string heading = std::exchange(name, row.name) == row.name ? "" : printable(row.name) + '\n';
+      display.aside([&] { print(heading + lines_of(row, width)); });
     });
     if (watch.asks_to_stop())
       return report_errors("", {{0, 0, "", "interrupted; the same command starts again"}}, arguments.json,
@@ -174,17 +185,21 @@ Verb describe_verify() {
   Verb verify("verify", "run scenarios and judge them by their criteria; the hard cases by default",
               [arguments] { return verify_verb(*arguments); });
   verify.add("SCENARIO", &arguments->files, "scenario files (JSON) with criteria, or directories of them").json_file();
-  verify.add("--json", &arguments->json, "print the table as one JSON document, errors too");
-  verify.add("--slow", &arguments->slow, "judge criteria, too, that take over a minute");
+  verify.add("--json", &arguments->json, "print the table, or the errors, as one JSON document");
+  verify.add("--slow", &arguments->slow, "also judge criteria that take more than a minute");
   verify.add("--list", &arguments->list, "print the criteria; run nothing");
   verify.describe(
-      "A criterion owes nothing to the run that it judges: it is an invariant, a closed form, a published "
-      "value, an equivalence, an exact zero, an order of convergence, a verdict or a refusal. Without an "
-      "operand the hard cases are judged, which are inside the program. The exit status is 1 where a criterion "
-      "is not met.");
+      "A criterion does not depend on the run that it judges: it is an invariant, a closed form, a published value, an "
+      "equivalence, an exact zero, an order of convergence, a verdict or a refusal. Without an operand, verify judges the hard "
+      "cases that are built into the program. For each criterion it prints the error and the bound that the error must not "
+      "exceed.");
   verify.example("earthtop verify", "judges the hard cases");
   verify.example("earthtop verify --list", "prints what would be judged");
-  verify.example("earthtop verify my.json scenarios/hard", "judges a file and a directory");
+  verify.example("earthtop verify my-case.json cases/", "judges a file, and all files of a directory");
+  verify.ends_with(kDone, "every criterion that was judged is met");
+  verify.ends_with(kNegative, "a criterion is not met");
+  verify.ends_with(kRefused, "the command line or a scenario was refused, or a scenario has no criteria; nothing was run");
+  verify.ends_with(kWriteFailed, "reading a scenario broke off, or writing to standard output failed");
   return verify;
 }
 

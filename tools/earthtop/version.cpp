@@ -36,12 +36,14 @@ int version_verb(bool json) {
 
 Verb describe_version() {
   auto json = std::make_shared<bool>(false);
-  Verb version("version", "what was built, from what and how", [json] { return version_verb(*json); });
-  version.add("--json", json.get(), "as one JSON document");
+  Verb version("version", "print what was built, from what, and how", [json] { return version_verb(*json); });
+  version.add("--json", json.get(), "print it as one JSON document");
   version.describe(
-      "Prints version, commit, compiler and its flags, the versions of libraries, and which of the optional "
-      "parts were compiled in.");
-  version.example("earthtop version --json", "the same for programs");
+      "Prints the version, the commit, the compiler and its flags, the versions of the libraries, and which optional parts "
+      "were "
+      "compiled in.");
+  version.example("earthtop version", "prints one line for each");
+  version.example("earthtop version --json", "prints the same for programs");
   return version;
 }
 
