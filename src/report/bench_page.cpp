@@ -172,10 +172,9 @@ Report bench_page(const Json& document) {
         fmt::format("<p>{}. Reference: {}; its witness: {}.</p>\n", escaped(text_of(scene, "title")),
                     escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
             page.chart_of_marks(fmt::format("bench{}", i), bench_chart(scene, entries), marks,
-                                "Error against processor time; below and to the left is better, and nothing lies there beyond "
-                                "the front. Filled marks: the reduced "
-                                "equations; hollow ones: the general ones, dashed in body axes, dash-dotted in other axes. "
-                                "Dotted: long double; dots far apart: float128.") +
+                                "Error against processor time. Marks further down or to the left are better; no mark beats those on "
+                                "the front in both. Filled marks: the reduced equations; hollow ones: the general equations, "
+                                "dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: float128.") +
             entries_table(scene));
   }
   return page.finish();

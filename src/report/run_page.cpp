@@ -31,7 +31,7 @@ std::string verdict_of(const Run& run) {
   std::string text =
       fmt::format("<strong>{}</strong>: {}.", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
   if (const auto from = run.number("/drift/verdict_from_s"))
-    text += fmt::format(" From {} on the drift is not to be trusted.", number_html(*from, "s"));
+    text += fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
   if (run.word("/outcome/status") != "completed")
     text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
                         number_html(run.number("/outcome/reached_s").value_or(0), "s"));
@@ -127,7 +127,7 @@ double largest_gravity(const Run& run) {
 
 std::string torques_html(const Run& run, Page& page) {
   if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
-    return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
+    return "<p>Not computed here for a run of this length; earthtop explain computes them.</p>\n";
   const Budget budget = effect_budget(*run.scene, run.watch);
   if (run.watch.asks_to_stop()) throw Interrupted();
   std::vector<Bar> bars;
@@ -171,8 +171,8 @@ std::string invariants_section(const Run& run) {
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
                     number_html(change / scale, "", 3)});
   }
-  if (rows.empty()) return "<p>Nothing is conserved in this scene.</p>\n";
-  return table_html({"quantity", "at release", "largest change", "over its largest term"}, rows);
+  if (rows.empty()) return "<p>Nothing is conserved in this scenario.</p>\n";
+  return table_html({"quantity", "at release", "largest change", "relative to its largest term"}, rows);
 }
 
 std::string numerics_section(const Run& run) {
