@@ -167,7 +167,7 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
 
 Panel residual_panel(const MeasurementReport& report, const Series& series, LineColor color, double per_s) {
   const std::string name = spoken(series.front()->quantity);
-  Panel panel{{name + ": measured less model", "standard errors"}, {}, 150};
+  Panel panel{{name + ": measured minus model", "standard errors"}, {}, 150};
   Line line{label(report, series, "residual"), {}, {}, color, LineStyle::points, Marker::circle};
   for (const MeasurementResidual* residual : thinned(series)) {
     line.x.push_back(residual->t_s * per_s);
@@ -219,7 +219,7 @@ Figure residuals_histogram(const MeasurementReport& report) {
     ++bars.y[static_cast<std::size_t>(place)];
     beyond += std::abs(value) > kEnd ? 1 : 0;
   }
-  Line normal{"normal errors of the stated size", {}, {}, LineColor::vermillion};
+  Line normal{"expected of the stated errors", {}, {}, LineColor::vermillion};
   for (int k = -100; k <= 100; ++k) {
     normal.x.push_back(kEnd * k / 100);
     normal.y.push_back(n * width * normal_density(normal.x.back()));
