@@ -188,7 +188,7 @@ Figure measurement_figure(const MeasurementReport& report) {
   constexpr LineColor kColors[] = {LineColor::blue, LineColor::vermillion, LineColor::green, LineColor::purple};
   const double end_s = report.residuals.empty() ? 0 : report.residuals.back().t_s;
   const TimeUnit time = time_unit(end_s);
-  Figure figure{fmt::format("{} and {}", report.file, report.scenario_name),
+  Figure figure{fmt::format("{} and {}", report.file.substr(report.file.find_last_of('/') + 1), report.scenario_name),
                 fmt::format("Measured values with their standard errors, and the model {}",
                             report.fitted ? "with the fitted numbers" : "as the scenario gives it"),
                 {"Time since release", time.name},

@@ -80,10 +80,10 @@ std::string path_html(const Run& run, Page& page) {
   picture.up = level ? "North" : "the table's axis 2";
   const std::string scale = factor == 1
                                 ? "Both predictions to scale"
-                                : fmt::format("The prediction to scale; its drift drawn {} times as large", times_text(factor));
+                                : fmt::format("The prediction to scale, its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
   const std::string caption = fmt::format(
-      "The table from above, the same scale in both directions. {}: it is really {} at most. Rings: start. Dots: end.", scale,
+      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end.", scale,
       length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
   return page.picture("path", path_svg(picture), caption,
                       table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)",
@@ -164,7 +164,10 @@ std::string seen_html(const Run& run) {
     html += fmt::format("Its slip falls from {:.3g} m/s to {:.3g} m/s. ", slip.first, slip.last);
   double least = kNoNumber, most = kNoNumber;
   for (const double newtons : force) least = std::fmin(least, newtons), most = std::fmax(most, newtons);
-  if (least <= most) html += fmt::format("The table's normal force stays between {:.4g} N and {:.4g} N.", least, most);
+  const std::string low = fmt::format("{:.4g} N", least), high = fmt::format("{:.4g} N", most);
+  if (least <= most)
+    html += "The table's normal force " +
+            (low == high ? "is " + low + " throughout." : "stays between " + low + " and " + high + ".");
   return html + "</p>\n";
 }
 

@@ -60,7 +60,8 @@ std::string estimates_html(const Json& document) {
                     number_or_nothing(estimate.at("standard_error_scaled"), unit, 2),
                     number_or_nothing(estimate.at("start"), unit, 9)});
   }
-  return wide_table({"input", "estimate", "standard error", "standard error from the scatter, if larger", "scenario's value"}, rows);
+  return wide_table({"input", "estimate", "standard error", "standard error from the scatter, if larger", "scenario's value"},
+                    rows);
 }
 
 /// The correlation matrix of the estimates; empty for fewer than two.
@@ -114,7 +115,8 @@ std::string agreement_html(const Json& document) {
   std::vector<std::string> notes;
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
-         "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors are "
+         "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors "
+         "are "
          "right.</p>\n";
 }
 
@@ -134,8 +136,8 @@ Report measurement_page(const Json& document) {
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
   Page page("measurement", "Measurement of " + scenario);
   const std::vector<std::string> told = sentences(document);
-  page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.", count_in(document.at("rows")),
-                            escaped(document.at("file").get<std::string>()), escaped(scenario),
+  page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
+                            count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),
                             agrees ? "agree" : "do not agree"));
   page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
   if (!document.at("estimates").empty())

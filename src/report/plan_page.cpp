@@ -50,10 +50,9 @@ std::string errors_html(const Json& document) {
                     number_cell(estimate.at("standard_error"), unit, 3), number_cell(estimate.at("significance"), "", 3),
                     number_cell(estimate.at("standard_error_alone"), unit, 3), number_cell(estimate.at("prior"), unit, 3)});
   }
-  return table_html(
-      {"input", "scenario's value", "standard error", "value / standard error", "standard error if the others were known",
-       "known beforehand to"},
-      rows);
+  return table_html({"input", "scenario's value", "standard error", "value / standard error",
+                     "standard error if the others were known", "known beforehand to"},
+                    rows);
 }
 
 /// This table shows how much each unknown costs the first estimate.
@@ -102,8 +101,10 @@ Report plan_page(const Json& document) {
   if (!is_determined) return page.finish();
   const std::string unit = report.estimates.at(0).unit;
   page.section("estimates", "Standard errors", errors_html(document) + costs_html(document, unit));
-  page.section("changes", "What a change would do",
-               page.chart("changes", plan_figure(report), "The Cramér-Rao bound of the standard error when one thing in the plan is changed and the rest is kept."));
+  page.section(
+      "changes", "What a change would do",
+      page.chart("changes", plan_figure(report),
+                 "The Cramér-Rao bound of the standard error when one thing in the plan is changed and the rest is kept."));
   if (const Json& optimum = document.at("optimum"); optimum.is_object())
     page.section("optimum", "Best within the limits", optimum_html(optimum, unit));
   return page.finish();

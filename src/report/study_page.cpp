@@ -125,7 +125,8 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   add_points(points, page, watch);
   const std::string curves = curves_section(study, page);
   if (!curves.empty()) page.section("curves", "Curves", curves);
-  page.section("explore", computed > kMostSinglePoints ? "Where the points lie" : "The points", "<div id=\"explorer\"></div>\n");
+  page.section("explore", computed > kMostSinglePoints ? "Where the points lie" : "The points",
+               "<div id=\"explorer\"></div>\n");
   page.section("statistics", "Statistics", statistics_section(study));
   if (std::string fits = fits_section(study); !fits.empty()) page.section("fits", "Fits", std::move(fits));
   if (std::string figures = figures_section(study); !figures.empty())
