@@ -188,7 +188,7 @@ Figure measurement_figure(const MeasurementReport& report) {
   constexpr LineColor kColors[] = {LineColor::blue, LineColor::vermillion, LineColor::green, LineColor::purple};
   const double end_s = report.residuals.empty() ? 0 : report.residuals.back().t_s;
   const TimeUnit time = time_unit(end_s);
-  Figure figure{fmt::format("{} and {}", report.file, report.scenario_name),
+  Figure figure{fmt::format("{} and {}", report.file.substr(report.file.find_last_of('/') + 1), report.scenario_name),
                 fmt::format("Measured values with their standard errors, and the model {}",
                             report.fitted ? "with the fitted numbers" : "as the scenario gives it"),
                 {"Time since release", time.name},
@@ -219,7 +219,7 @@ Figure residuals_histogram(const MeasurementReport& report) {
     ++bars.y[static_cast<std::size_t>(place)];
     beyond += std::abs(value) > kEnd ? 1 : 0;
   }
-  Line normal{"normally distributed errors", {}, {}, LineColor::vermillion};
+  Line normal{"expected of the stated errors", {}, {}, LineColor::vermillion};
   for (int k = -100; k <= 100; ++k) {
     normal.x.push_back(kEnd * k / 100);
     normal.y.push_back(n * width * normal_density(normal.x.back()));

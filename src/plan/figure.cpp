@@ -8,7 +8,7 @@
 namespace earthtop {
 
 Figure plan_figure(const PlanReport& report) {
-  Figure figure{"What a measurement would show", "", {"Factor", "", AxisScale::logarithmic}, {}};
+  Figure figure{"What a measurement would show", "", {"Changed by a factor of", "", AxisScale::logarithmic}, {}};
   if (report.estimates.empty()) return figure;
   const PlannedEstimate& target = report.estimates[0];
   figure.subtitle = fmt::format("{}: standard error of {}", report.scenario_name, target.name);
@@ -18,9 +18,9 @@ Figure plan_figure(const PlanReport& report) {
     LineColor color;
     Marker marker;
   };
-  constexpr Curve kCurves[] = {{PlanChange::duration, "times as long", LineColor::blue, Marker::circle},
-                               {PlanChange::rows, "times as many rows", LineColor::vermillion, Marker::square},
-                               {PlanChange::sigma, "times as accurate", LineColor::green, Marker::triangle}};
+  constexpr Curve kCurves[] = {{PlanChange::duration, "measured longer", LineColor::blue, Marker::circle},
+                               {PlanChange::rows, "more rows", LineColor::vermillion, Marker::square},
+                               {PlanChange::sigma, "smaller standard errors", LineColor::green, Marker::triangle}};
   Panel panel{{"Standard error", target.unit, AxisScale::logarithmic}, {}, 320};
   for (const Curve& curve : kCurves) {
     Line line{curve.label, {}, {}, curve.color, LineStyle::solid, curve.marker};
@@ -32,7 +32,8 @@ Figure plan_figure(const PlanReport& report) {
     panel.lines.push_back(std::move(line));
   }
   const double value = std::abs(target.value);
-  if (value > 0) panel.lines.push_back({"its value", {0.125, 4}, {value, value}, LineColor::grey, LineStyle::dashed});
+  if (value > 0)
+    panel.lines.push_back({"the scenario's value", {0.125, 4}, {value, value}, LineColor::grey, LineStyle::dashed});
   figure.panels.push_back(std::move(panel));
   return figure;
 }

@@ -11,12 +11,12 @@
 namespace earthtop {
 namespace {
 
-constexpr double kRow = 17;  // px
+constexpr double kRow = 17, kEntryGap = 18;  // px
 
 std::string label_of(const Line& line, const Sheet& sheet) { return shorten(line.label, sheet.legend_characters); }
 
 double legend_width(const Line& line, const Sheet& sheet) {
-  return kCharacter * static_cast<double>(character_count(label_of(line, sheet))) + 8 + 22 + 18;
+  return kCharacter * static_cast<double>(character_count(label_of(line, sheet))) + 8 + 22 + kEntryGap;
 }
 
 double caption_width(const Panel& panel) {
@@ -51,24 +51,43 @@ Legend::Legend(const Panel& panel, const Sheet& sheet) : sheet_(&sheet) {
   }
   const double room = sheet.width - sheet.text_left - sheet.right;
   if (lines_.empty() || caption_width(panel) + width <= room) return;
-  columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(room / widest));
-  rows_ = (lines_.size() + columns_ - 1) / columns_;
+  if (sheet.legend_as_text)
+    place_as_text(room);
+  else
+    place_in_columns(room, widest);
+}
+
+void Legend::place_in_columns(double room, double widest) {
+  const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>(room / widest));
+  rows_ = (lines_.size() + columns - 1) / columns;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    places_.push_back({i / columns, room / static_cast<double>(columns) * static_cast<double>(i % columns)});
+}
+
+void Legend::place_as_text(double room) {
+  double right = room;  // so that the first entry begins a row
+  for (const Line* line : lines_) {
+    const double width = legend_width(*line, *sheet_);
+    if (right + width > room + kEntryGap) {  // nothing follows the last entry of a row
+      ++rows_;
+      right = 0;
+    }
+    places_.push_back({rows_ - 1, right});
+    right += width;
+  }
 }
 
 double Legend::height() const { return kRow * static_cast<double>(rows_); }
 
 void Legend::draw(std::string& out, double baseline) const {
   if (rows_ > 0) {
-    const double column = (sheet_->width - sheet_->text_left - sheet_->right) / static_cast<double>(columns_),
-                 top = baseline - height() + kRow;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const std::size_t row = i / columns_;
-      draw_legend_entry(out, *lines_[i], *sheet_, sheet_->text_left + column * static_cast<double>(i % columns_),
-                        top + kRow * static_cast<double>(row));
-    }
+    const double top = baseline - height() + kRow;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      draw_legend_entry(out, *lines_[i], *sheet_, sheet_->text_left + places_[i].left,
+                        top + kRow * static_cast<double>(places_[i].row));
     return;
   }
-  double right = sheet_->width - sheet_->right + 18;
+  double right = sheet_->width - sheet_->right + kEntryGap;
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
     right -= legend_width(**line, *sheet_);
     draw_legend_entry(out, **line, *sheet_, right, baseline);

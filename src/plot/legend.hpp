@@ -10,8 +10,8 @@
 
 namespace earthtop {
 
-/// Drawn above the panel, so that it never hides a line: right-aligned beside the panel's caption if it fits there, else in
-/// columns below it.
+/// Drawn above the panel, so that it never hides a line: right-aligned beside the panel's caption if it fits there, else below
+/// it, in columns, or, where the picture is narrow, as in a text: each entry after the one before it.
 class Legend {
  public:
   /// @param panel  must outlive the legend
@@ -22,9 +22,17 @@ class Legend {
   void draw(std::string& out, double baseline) const;
 
  private:
+  struct Place {
+    std::size_t row;
+    double left;  ///< px
+  };
+  void place_in_columns(double room, double widest);
+  void place_as_text(double room);
+
   const Sheet* sheet_;
   std::vector<const Line*> lines_;
-  std::size_t columns_ = 0, rows_ = 0;  ///< 0: in the caption's line
+  std::size_t rows_ = 0;       ///< 0: in the caption's line
+  std::vector<Place> places_;  ///< of the entries below the caption
 };
 
 }  // namespace earthtop

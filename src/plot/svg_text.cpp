@@ -7,6 +7,7 @@ namespace earthtop {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+constexpr std::string_view kJoints = "_./";  // a name without spaces may be broken after these
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
@@ -57,15 +58,22 @@ std::string shorten(std::string_view text, std::size_t count) {
 std::vector<std::string> lines_of(std::string_view text, std::size_t count, std::size_t most) {
   std::vector<std::string> lines;
   while (lines.size() + 1 < most && character_count(text) > count) {
-    std::size_t end = 0, seen = 0, space = text.npos;
+    std::size_t end = 0, seen = 0, space = text.npos, joint = 0;
     for (; end < text.size() && seen <= count; ++end) {
       if (continues(text[end])) continue;
       if (text[end] == ' ' && end > 0) space = end;
+      if (seen < count && kJoints.find(text[end]) != kJoints.npos) joint = end + 1;
       ++seen;
     }
-    if (space == text.npos) break;  // one long word
-    lines.emplace_back(text.substr(0, space));
-    text.remove_prefix(space + 1);
+    if (space != text.npos) {
+      lines.emplace_back(text.substr(0, space));
+      text.remove_prefix(space + 1);
+    } else if (joint > 0) {
+      lines.emplace_back(text.substr(0, joint));
+      text.remove_prefix(joint);
+    } else {
+      break;  // one long word
+    }
   }
   lines.push_back(shorten(text, count));
   return lines;

@@ -14,7 +14,8 @@ std::string escape_xml(std::string_view text);
 /// At most `count` characters of a UTF-8 text; if it was cut, the last one is an ellipsis.
 std::string shorten(std::string_view text, std::size_t count);
 
-/// A text in at most `most` lines of at most `count` characters, broken at spaces; what is left over is cut as by `shorten`.
+/// A text in at most `most` lines of at most `count` characters, broken at spaces, or, where a line has none, after one of "_./";
+/// what is left over is cut as by `shorten`.
 std::vector<std::string> lines_of(std::string_view text, std::size_t count, std::size_t most);
 
 /// Number of characters of a UTF-8 text.

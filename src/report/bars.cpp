@@ -47,8 +47,7 @@ std::string drawn_bars(const BarLayout& layout, const std::string& name, const s
       "<rect class=\"et-page\" width=\"{0}\" height=\"{1}\"/>\n<text x=\"{4}\" y=\"30\" class=\"et-h\">{2}</text>\n",
       layout.width, height, escape_xml(title), name, layout.label_above ? layout.bars_left : 24);
   const int decades = static_cast<int>(high - low);
-  const int stride = layout.label_above ? (decades + layout.most_decades - 1) / layout.most_decades
-                                        : std::max(1, decades / layout.most_decades);
+  const int stride = (decades + layout.most_decades - 1) / layout.most_decades;
   for (int decade = static_cast<int>(low); decade <= static_cast<int>(high); decade += stride)
     out += fmt::format(
         "<path class=\"et-grid\" d=\"M{0:.2f} {1}V{2}\"/><text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"{5}\">{4}</text>\n",

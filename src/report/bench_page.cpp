@@ -147,8 +147,8 @@ std::string entries_table(const Json& scene) {
     rows.push_back({entry.value("on_front", false) ? "front" : "", entry.value("auto", false) ? "auto" : "",
                     escaped(text_of(entry, "method")), escaped(text_of(entry, "equations")),
                     escaped(text_of(entry, "precision")), number_of(entry, "relative_tolerance"),
-                    number_html(error_of(entry, scene), "", 3), number_of(entry, "seconds"), number_of(entry, "evaluations", 8),
-                    escaped(text_of(entry, "outcome"))});
+                    std::isfinite(error_of(entry, scene)) ? number_html(error_of(entry, scene), "", 3) : "",
+                    number_of(entry, "seconds"), number_of(entry, "evaluations", 8), escaped(text_of(entry, "outcome"))});
   return table_html(
       {"", "", "method", "equations", "precision", "tolerance", "error (rad)", "seconds", "evaluations", "outcome"}, rows);
 }
@@ -167,16 +167,15 @@ Report bench_page(const Json& document) {
     std::vector<Mark> marks;
     marks.reserve(entries.size());
     for (const Entry& entry : entries) marks.push_back({entry.seconds, entry.error, entry.text()});
-    page.section(
-        fmt::format("scene{}", i), text_of(scene, "scenario"),
-        fmt::format("<p>{}. Reference: {}; its witness: {}.</p>\n", escaped(text_of(scene, "title")),
-                    escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
-            page.chart_of_marks(fmt::format("bench{}", i), bench_chart(scene, entries), marks,
-                                "Error against processor time; below and to the left is better, and nothing lies there beyond "
-                                "the front. Filled marks: the reduced "
-                                "equations; hollow ones: the general ones, dashed in body axes, dash-dotted in other axes. "
-                                "Dotted: long double; dots far apart: float128.") +
-            entries_table(scene));
+    page.section(fmt::format("scene{}", i), text_of(scene, "scenario"),
+                 fmt::format("<p>{}. Reference: {}; checked against {}.</p>\n", escaped(text_of(scene, "title")),
+                             escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
+                     page.chart_of_marks(
+                         fmt::format("bench{}", i), bench_chart(scene, entries), marks,
+                         "Error against processor time. Marks further down or to the left are better; no mark beats those on "
+                         "the front in both. Filled marks: the reduced equations; hollow ones: the general equations, "
+                         "dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: float128.") +
+                     entries_table(scene));
   }
   return page.finish();
 }

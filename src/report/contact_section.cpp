@@ -80,10 +80,10 @@ std::string path_html(const Run& run, Page& page) {
   picture.up = level ? "North" : "the table's axis 2";
   const std::string scale = factor == 1
                                 ? "Both predictions to scale"
-                                : fmt::format("The prediction to scale; its drift drawn {} times as large", times_text(factor));
+                                : fmt::format("The prediction to scale, its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
   const std::string caption = fmt::format(
-      "The table from above, the same scale in both directions. {}: in truth it is {} at most. Rings: start. Dots: end.", scale,
+      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end.", scale,
       length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
   return page.picture("path", path_svg(picture), caption,
                       table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)",
@@ -159,12 +159,15 @@ std::string seen_html(const Run& run) {
     html += fmt::format("The Earth's rotation moves its end by {} {}. ", length_text(drift, 3), toward(run, dx.last, dy.last));
   const std::vector<double> state = values(run, "contact_state"), force = values(run, "normal_force_N");
   if (std::all_of(state.begin(), state.end(), [](double s) { return s == static_cast<double>(ContactState::roll); }))
-    html += "It rolls all the time. ";
+    html += "It rolls throughout. ";
   else if (slip.first > 0 && slip.last < 0.1 * slip.first)
     html += fmt::format("Its slip falls from {:.3g} m/s to {:.3g} m/s. ", slip.first, slip.last);
   double least = kNoNumber, most = kNoNumber;
   for (const double newtons : force) least = std::fmin(least, newtons), most = std::fmax(most, newtons);
-  if (least <= most) html += fmt::format("The table carries it with {:.4g} N to {:.4g} N.", least, most);
+  const std::string low = fmt::format("{:.4g} N", least), high = fmt::format("{:.4g} N", most);
+  if (least <= most)
+    html += "The table's normal force " +
+            (low == high ? "is " + low + " throughout." : "stays between " + low + " and " + high + ".");
   return html + "</p>\n";
 }
 
@@ -230,8 +233,8 @@ std::string balances_html(const Run& run) {
         "first_kg_m3_s", "last_kg_m3_s", "integral_kg_m3_s", "kg m³/s");
   }
   if (rows.empty()) return "";
-  return "<p>What the contact changes at a known rate, from the release to the last row:</p>\n" +
-         table_html({"quantity", "prediction", "changes by", "integral of its rate", "difference over its size"}, rows);
+  return "<p>The contact changes these quantities at a known rate; from the release to the last row:</p>\n" +
+         table_html({"quantity", "prediction", "changes by", "integral of its rate", "relative difference"}, rows);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void add_azimuth(const Run& run, Figure& figure) {
   }
   panel.lines.push_back({"secular line", t, scaled(std::move(line), unit.per_si), LineColor::grey, LineStyle::broad});
   const ReadableUnit small = angle_unit(largest_size(rest));
-  Panel beside{{"Azimuth less its secular line", std::string(small.name)}, {}, 120};
+  Panel beside{{"Azimuth minus its secular line", std::string(small.name)}, {}, 120};
   beside.lines.push_back({"residual", t, scaled(std::move(rest), small.per_si)});
   figure.panels.push_back(std::move(panel));
   figure.panels.push_back(std::move(beside));
@@ -108,7 +108,7 @@ std::string bound_of(const Run& run) {
                                  error_html(*drift, *bound, angle_unit(*drift)));
   constexpr double kFar = 10;
   if (*bound > 0 && *drift >= kFar * *bound)
-    html += fmt::format(", a part of {} of it", error_html(0, *bound / *drift, ReadableUnit{"", "", 1}));
+    html += fmt::format(", a fraction of {}", error_html(0, *bound / *drift, ReadableUnit{"", "", 1}));
   return html + fmt::format(". In radians the angle is {}.</p>\n", known_html(*drift, *bound, "rad"));
 }
 
@@ -121,7 +121,7 @@ std::string trend_of(const Run& run) {
   if (rate && bound) {
     html = fmt::format("<p>Trend: the azimuth drifts by {}, clockwise from above", known_html(*rate, *bound, "rad/s"));
     if (const auto turns = run.number("/drift/secular/turns_seen"))
-      html += fmt::format(", from {} turns of precession; ± contains 95 %", number_html(*turns, "", 3));
+      html += fmt::format(", over {} turns of precession; ± is the 95 % bound", number_html(*turns, "", 3));
     else
       html += ": the mean of the run and no more, as " + word_of("/drift/secular/reason");
     html += ".</p>\n";
@@ -176,7 +176,7 @@ std::string drift_section(const Run& run, Page& page, const std::string& note) {
   Figure figure = drift_figure(run);
   std::string caption = "The angle between the two axes and its part in tilt";
   if (figure.panels.size() > 1) caption += "; the azimuth";
-  if (figure.panels.size() > 2) caption += ", and what is left of it beside its secular line";
+  if (figure.panels.size() > 2) caption += ", and what is left of it without its secular line";
   return page.chart("parts", std::move(figure), caption + "." + note) + bound_of(run) +
          bound_chart_html(page, "axis", bound_figure(run)) + trend_of(run) + events_of(run);
 }

@@ -25,10 +25,10 @@ std::string number_or_nothing(const Json& value, const std::string& unit, int di
 
 std::string chi_squared_html(const Json& chi_squared) {
   if (!chi_squared.is_object()) return "";
-  std::string html = fmt::format("{} of {} degrees of freedom", number_html(chi_squared.at("value").get<double>(), "", 6),
+  std::string html = fmt::format("{} with {} degrees of freedom", number_html(chi_squared.at("value").get<double>(), "", 6),
                                  chi_squared.at("degrees_of_freedom").get<double>());
-  if (const Json& chance = chi_squared.at("p_value"); chance.is_number())
-    html += ", chance " + number_html(chance.get<double>(), "", 3);
+  if (const Json& p_value = chi_squared.at("p_value"); p_value.is_number())
+    html += ", p-value " + number_html(p_value.get<double>(), "", 3);
   return html;
 }
 
@@ -60,7 +60,8 @@ std::string estimates_html(const Json& document) {
                     number_or_nothing(estimate.at("standard_error_scaled"), unit, 2),
                     number_or_nothing(estimate.at("start"), unit, 9)});
   }
-  return wide_table({"input", "estimate", "standard error", "the same by the scatter, where larger", "the scenario's"}, rows);
+  return wide_table({"input", "estimate", "standard error", "standard error from the scatter, if larger", "scenario's value"},
+                    rows);
 }
 
 /// The correlation matrix of the estimates; empty for fewer than two.
@@ -88,12 +89,12 @@ std::string priors_html(const Json& document) {
   }
   std::vector<std::string> unused;
   for (const Json& prior : document.value("unused_priors", Json::array()))
-    unused.push_back(escaped(words_of(prior, "name") + " did not enter: " + words_of(prior, "reason")));
+    unused.push_back(escaped(words_of(prior, "name") + " was not used: " + words_of(prior, "reason")));
   if (rows.empty() && unused.empty()) return "";
   return "<h3>Known beforehand</h3>\n" +
          (rows.empty()
               ? ""
-              : wide_table({"input", "known as", "standard error", "the estimate lies off by, in these errors"}, rows)) +
+              : wide_table({"input", "known as", "standard error", "the estimate differs by, in these errors"}, rows)) +
          list_html(unused);
 }
 
@@ -110,11 +111,12 @@ std::string agreement_html(const Json& document) {
     facts.emplace_back("chi-squared after the fit", fitted);
   if (const Json time = document.value("correlation_time_s", Json()); time.is_number())
     facts.emplace_back(
-        "errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared is of what is new in each");
+        "errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared counts what is new in each");
   std::vector<std::string> notes;
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
-         "<p>The chance is that of a chi-squared as large or larger, if the scenario and the stated standard errors are "
+         "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors "
+         "are "
          "right.</p>\n";
 }
 
@@ -134,8 +136,8 @@ Report measurement_page(const Json& document) {
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
   Page page("measurement", "Measurement of " + scenario);
   const std::vector<std::string> told = sentences(document);
-  page.headline(fmt::format("{} rows of {} against the scenario {}: they <strong>{}</strong>.", count_in(document.at("rows")),
-                            escaped(document.at("file").get<std::string>()), escaped(scenario),
+  page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
+                            count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),
                             agrees ? "agree" : "do not agree"));
   page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
   if (!document.at("estimates").empty())
@@ -149,17 +151,17 @@ Report measurement_page(const Json& document) {
   page.section(
       "data", "Data and model",
       page.chart("data", std::move(over_time),
-                 "Measured values, the model, and measured less model in standard errors. Azimuths are counted on over "
-                 "whole turns where the model's are near enough to each other.",
+                 "The measured values, the model, and their difference in standard errors. Azimuths are counted beyond "
+                 "whole turns where the model's lie close enough together.",
                  std::move(times)));
   page.section(
       "residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
       page.chart("residuals", residuals_histogram(report),
                  report.correlation_time_s > 0
-                     ? "What is new in each residual beside those before it, and the numbers that normal errors of the "
-                       "stated size and correlation would give."
-                     : "Residuals in standard errors, and the numbers that normal, independent errors of the stated size "
-                       "would give."));
+                     ? "What is new in each residual after those before it, and the counts expected of normally distributed "
+                       "errors of the stated size and correlation."
+                     : "Residuals in standard errors, and the counts expected of independent, normally distributed errors "
+                       "of the stated size."));
   return page.finish();
 }
 

@@ -50,8 +50,9 @@ std::string errors_html(const Json& document) {
                     number_cell(estimate.at("standard_error"), unit, 3), number_cell(estimate.at("significance"), "", 3),
                     number_cell(estimate.at("standard_error_alone"), unit, 3), number_cell(estimate.at("prior"), unit, 3)});
   }
-  return table_html(
-      {"input", "the scenario's", "standard error", "value over it", "if the others were known", "known beforehand"}, rows);
+  return table_html({"input", "scenario's value", "standard error", "value / standard error",
+                     "standard error if the others were known", "known beforehand to"},
+                    rows);
 }
 
 /// This table shows how much each unknown costs the first estimate.
@@ -69,8 +70,8 @@ std::string optimum_html(const Json& optimum, const std::string& unit) {
     rows.push_back({escaped(choice.at("pointer").get<std::string>()), number_cell(choice.at("best"), "", 6),
                     number_cell(choice.at("low"), "", 6), number_cell(choice.at("high"), "", 6),
                     choice.at("at_limit").get<bool>() ? "yes" : "no", number_cell(choice.at("given"), "", 6)});
-  return "<p>Standard error there: " + number_cell(optimum.at("standard_error"), unit, 3) + "</p>\n" +
-         table_html({"input", "best", "from", "to", "at a limit", "the scenario's"}, rows);
+  return "<p>The standard error there is " + number_cell(optimum.at("standard_error"), unit, 3) + ".</p>\n" +
+         table_html({"input", "best", "from", "to", "at a limit", "scenario's value"}, rows);
 }
 
 }  // namespace
@@ -100,8 +101,10 @@ Report plan_page(const Json& document) {
   if (!is_determined) return page.finish();
   const std::string unit = report.estimates.at(0).unit;
   page.section("estimates", "Standard errors", errors_html(document) + costs_html(document, unit));
-  page.section("changes", "What changes would do",
-               page.chart("changes", plan_figure(report), "Cramer-Rao bound for changes of the plan, each made alone."));
+  page.section(
+      "changes", "What a change would do",
+      page.chart("changes", plan_figure(report),
+                 "The Cramér-Rao bound of the standard error when one thing in the plan is changed and the rest is kept."));
   if (const Json& optimum = document.at("optimum"); optimum.is_object())
     page.section("optimum", "Best within the limits", optimum_html(optimum, unit));
   return page.finish();

@@ -31,7 +31,7 @@ std::string verdict_of(const Run& run) {
   std::string text =
       fmt::format("<strong>{}</strong>: {}.", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
   if (const auto from = run.number("/drift/verdict_from_s"))
-    text += fmt::format(" From {} on the drift is not to be trusted.", number_html(*from, "s"));
+    text += fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
   if (run.word("/outcome/status") != "completed")
     text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
                         number_html(run.number("/outcome/reached_s").value_or(0), "s"));
@@ -57,7 +57,8 @@ Json torques_of(const Run& run, const Model<double>& model) {
                {"gravity_N_m", Json::array()},
                {"coriolis_N_m", Json::array()},
                {"transverse_N_m", Json::array()},
-               {"centrifugal_N_m", Json::array()}};
+               {"centrifugal_N_m", Json::array()},
+               {"others_applied", run.scene->scenario().effects.applied.any()}};  // the first are then the sum with gravity's
   const std::size_t stride = std::max<std::size_t>(1, run.rows.size() / kMostArrows), q = column("q_LB_w"),
                     w = column("w_LB_B_x_rad_s");
   for (std::size_t i = 0; i < run.rows.size(); i += stride) {
@@ -127,7 +128,7 @@ double largest_gravity(const Run& run) {
 
 std::string torques_html(const Run& run, Page& page) {
   if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
-    return "<p>Not computed for a run of this length: earthtop explain does.</p>\n";
+    return "<p>Not computed here for a run of this length; earthtop explain computes them.</p>\n";
   const Budget budget = effect_budget(*run.scene, run.watch);
   if (run.watch.asks_to_stop()) throw Interrupted();
   std::vector<Bar> bars;
@@ -153,7 +154,8 @@ std::string ledger_section(const Run& run, Page& page) {
   try {
     return torques_html(run, page);
   } catch (const ScenarioError& error) {  // the results are there, but this version does not follow such a scene
-    return fmt::format("<p>Not computed: {}.</p>\n", escaped(error.what()));
+    return fmt::format("<p>Not computed: {}.</p>\n",
+                       escaped(error.diagnostics().empty() ? error.what() : error.diagnostics()[0].message));
   }
 }
 
@@ -171,8 +173,8 @@ std::string invariants_section(const Run& run) {
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
                     number_html(change / scale, "", 3)});
   }
-  if (rows.empty()) return "<p>Nothing is conserved in this scene.</p>\n";
-  return table_html({"quantity", "at release", "largest change", "over its largest term"}, rows);
+  if (rows.empty()) return "<p>Nothing is conserved in this scenario.</p>\n";
+  return table_html({"quantity", "at release", "largest change", "relative to its largest term"}, rows);
 }
 
 std::string numerics_section(const Run& run) {
@@ -184,11 +186,11 @@ std::string numerics_section(const Run& run) {
     rows.push_back({part, escaped(run.word(at + "method")), escaped(run.word(at + "observer")), escaped(run.word(at + "model")),
                     escaped(run.word(at + "precision")), fmt::format("{:g}", run.number(at + "relative_tolerance").value_or(0)),
                     fmt::format("{:.0f}", steps), fmt::format("{:.0f}", run.number(at + "steps_rejected").value_or(0)),
-                    steps > 0 ? number_html(duration / steps, "s", 3) : "",
+                    steps > 0 ? number_html(duration / steps, "", 3) : "",
                     fmt::format("{:.0f}", run.number(at + "right_hand_side_evaluations").value_or(0))});
   }
   return table_html(
-      {"", "method", "observer", "model", "precision", "tolerance", "steps", "rejected", "mean step", "evaluations"}, rows);
+      {"", "method", "observer", "model", "precision", "tolerance", "steps", "rejected", "mean step (s)", "evaluations"}, rows);
 }
 
 std::string provenance_section(const Run& run) {

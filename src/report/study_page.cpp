@@ -29,7 +29,7 @@ std::string statistics_section(const Json& study) {
       row.push_back(shown(statistics.value(key, Json())));
     rows.push_back(std::move(row));
   }
-  return table_html({"quantity", "points", "mean", "standard deviation", "least", "5 %", "median", "95 %", "largest"}, rows);
+  return table_html({"quantity", "points", "mean", "standard deviation", "minimum", "5 %", "median", "95 %", "maximum"}, rows);
 }
 
 std::string fits_section(const Json& study) {
@@ -125,7 +125,8 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   add_points(points, page, watch);
   const std::string curves = curves_section(study, page);
   if (!curves.empty()) page.section("curves", "Curves", curves);
-  page.section("explore", computed > kMostSinglePoints ? "Where the points lie" : "Any cut", "<div id=\"explorer\"></div>\n");
+  page.section("explore", computed > kMostSinglePoints ? "Where the points lie" : "The points",
+               "<div id=\"explorer\"></div>\n");
   page.section("statistics", "Statistics", statistics_section(study));
   if (std::string fits = fits_section(study); !fits.empty()) page.section("fits", "Fits", std::move(fits));
   if (std::string figures = figures_section(study); !figures.empty())

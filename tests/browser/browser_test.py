@@ -39,7 +39,7 @@ HOSTILE_PURPOSE = ("<!--<script></script><script>window.hacked=1</script>\u2028-
 HOSTILE_DIRECTORY = "x</title><img src=x onerror=alert(3)>\"'&#?%3C"  # one in another: the slash is in the path
 
 GROUPS = {1: "loads in silence", 2: "headline", 3: "sphere turns", 4: "animation", 5: "charts and keyboard",
-          6: "foreign text is text", 7: "print, dark, reduced motion", 8: "accessible", 9: "phone and paper"}
+          6: "foreign text is text", 7: "print, dark, reduced motion", 8: "accessible", 9: "phone, tablet and paper"}
 
 SPHERE = "document.querySelector('canvas#sphere, #sphere canvas')"
 PLAY = "document.querySelector('#play')"
@@ -374,6 +374,8 @@ class Examination:
         self.expect(9, not on_phone, f"{on_phone}")
         for index in range(self.page.evaluate(f"{CURVES}.length")):
             self.readout(f"{CURVES}[{index}]", f"chart {index} on a phone", 9)
+        on_tablet = list(layout.tablet_faults(self.page))
+        self.expect(9, not on_tablet, f"{on_tablet}")
         self.page.resize(devtools.WIDTH)
 
     def reduced_motion(self) -> None:

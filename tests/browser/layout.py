@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a page must look like on a phone and on paper, measured in the browser."""
+"""What a page must look like on a phone, on a tablet and on paper, measured in the browser."""
 
 import collections
 import pathlib
@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import devtools
 
 PHONE_PX = 390
+TABLET_PX = 820
 SMALLEST_TEXT_PX = 12.0
 LEAST_FILLED = 0.6  # share of the printed height of each page but the last: figures are whole, so something may not fit
 LEAST_OF_LAST = 0.04  # more than a line
@@ -65,6 +66,18 @@ def phone_faults(page: devtools.Page, expects_charts: bool) -> Iterator[str]:
     }).length""")
     if boxes:
         yield f"{boxes} tables in no box that scrolls, has a name and takes the focus"
+
+
+def tablet_faults(page: devtools.Page) -> Iterator[str]:
+    """Leaves the page at the width of a tablet."""
+    page.resize(TABLET_PX)
+    page.frames(2)
+    width = page.evaluate("document.documentElement.scrollWidth")
+    if width > TABLET_PX:
+        yield f"the page is {width} px wide on a tablet of {TABLET_PX} px"
+    _, faults = page.evaluate(TEXTS.replace("SMALLEST", str(SMALLEST_TEXT_PX)))
+    if faults:
+        yield f"{len(faults)} labels on a tablet: {faults[:6]}"
 
 
 def filled_shares(pdf: bytes) -> list[float]:

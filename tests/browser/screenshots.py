@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of the pages of `earthtop report` to be looked at: each page at three widths, light and dark, and printed on A4.
+"""Pictures of the pages of `earthtop report` to be looked at, more runs among them than the tests open: each page at three
+widths, light and dark, and printed on A4.
 $CHROMIUM may name the browser; the printed pages need pdftoppm.
 
 usage: screenshots.py PATH_OF_EARTHTOP OUT_DIRECTORY [PAGE.html ...]
@@ -13,10 +14,16 @@ import sys
 import tempfile
 
 import devtools
-from shipped_pages import Program, shipped_pages
+from shipped_pages import SCENARIOS, Program, Report, shipped_pages
 
 WIDTHS = (390, 820, 1280)  # px: a phone, a tablet, a desk
 PRINTED_DPI = 60
+MORE_RUNS = ("free-gyro", "hard/t08-gyrocompass", "sleeping-top-above-critical", "nesc-tumbling-brick", "rolling-ball",
+             "southern-hemisphere")
+
+
+def more_runs(program: Program) -> list[Report]:
+    return [program.run_report(pathlib.Path(name).name, SCENARIOS / f"{name}.json", pathlib.Path(name).name) for name in MORE_RUNS]
 
 
 def take(page: devtools.Page, name: str, file: pathlib.Path, out: pathlib.Path) -> None:
@@ -50,8 +57,9 @@ def main() -> int:
         return 1
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="earthtop-pages-") as directory:
-        reports = shipped_pages(Program(options.earthtop, pathlib.Path(directory)))
-        files = [(report.name, report.page) for report in reports]
+        program = Program(options.earthtop, pathlib.Path(directory))
+        reports = shipped_pages(program)
+        files = [(report.name, report.page) for report in [*reports, *more_runs(program)]]
         files += [(page.stem, page.resolve()) for page in options.pages]
         with devtools.Browser(chromium) as browser:
             for name, file in files:

@@ -221,5 +221,5 @@ function paintTop(pen, project, eye, scene) {
   ink.place = scene.tip;
   const centre = shape.kind === "disc" ? times(shape.height, body.axis ?? ghost.axis ?? origin) : shape.centre && body.attitude ?
     turnedBy(body.attitude, shape.centre) : origin;
-  for (const { name, vector } of scene.torques) paintArrow(ink, centre, times(0.6, vector), name, kTorques[name]);
+  for (const { name, says, vector } of scene.torques) paintArrow(ink, centre, times(0.6, vector), name, says);
 }

@@ -321,7 +321,7 @@ function explorerParts(room) {
     return select;
   };
   const log = Object.assign(element("input"), { type: "checkbox", checked: true });
-  return { controls, canvas, outside, state, shown, scenario, add, choice, log, addLog: () => add("Logarithmic ", log) };
+  return { controls, canvas, outside, state, shown, scenario, add, choice, log, addLog: () => add("Logarithmic over many decades ", log) };
 }
 
 /** The mark next to the chosen one in a direction: nearest, and more ahead than aside. */

@@ -17,7 +17,7 @@ function readTorques(torques) {
       const u = step > 0 ? clamp((time - moments[i]) / step, 0, 1) : 0;
       return combine(1 - u, row(i), u, row(i + 1));
     };
-    return { name, count, largest, at };
+    return { name, says: name === "gravity" && torques?.others_applied ? "applied" : kTorques[name], count, largest, at };
   }).filter((torque) => torque.count);
   const unit = Math.max(0, ...all.map((torque) => torque.largest));
   for (const torque of all) {
@@ -51,9 +51,9 @@ function makePlace(moments, numbers) {
   return { count, at, until };
 }
 
-function torqueLabel({ name, largest, decade }) {
-  if (largest === 0) return `${kTorques[name]} torque: zero`;
-  return `${kTorques[name]} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
+function torqueLabel({ says, largest, decade }) {
+  if (largest === 0) return `${says} torque: zero`;
+  return `${says} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
 }
 
 /** The speeds to choose from: those at which the animation takes about a second to about ten minutes, by 1, 2 and 5. */
@@ -150,7 +150,7 @@ function startTop(data) {
       body: { axis: drawn, turned, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
       ghost: { axis: ref, turned, attitude: motion.refAttitude.at(time), carry: (v) => v },
       earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
-      torques: shown ? motion.torques.map((t) => ({ name: t.name, vector: times(t.scale, t.at(time)) })) : [],
+      torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });
   };
   const tell = () => {

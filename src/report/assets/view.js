@@ -204,7 +204,7 @@ function suitableMagnification(axis, ref) {
   return largest > 0 && largest < kShownDrift ? roundDown(kShownDrift / largest) : 1;
 }
 
-function timesText(factor) { return factor === 1 ? "once, as it is" : `${factor.toLocaleString("en")} times`; }
+function timesText(factor) { return factor === 1 ? "at its true size" : `${factor.toLocaleString("en")} times as large`; }
 
 /** A sentence on how the drift is drawn, and where it would be too large for that. */
 function magnificationText(axis, ref) {

@@ -78,11 +78,11 @@ function tellAnswer(summary, columns) {
   if (!isNumber(reliable.axis_rad)) headline.replaceChildren("No row of this run can be trusted.");
   else {
     headline.replaceChildren("After ", ...numberElement(reliable.at_s, "s", 6), " the axis stands ",
-      ...numberElement(reliable.axis_rad, "rad", 10), ` (${angleText(reliable.axis_rad / kRadian)}) from where it would without the ` +
+      ...numberElement(reliable.axis_rad, "rad", 10), ` (${angleText(reliable.axis_rad / kRadian)}) from where it would stand without the ` +
       "Earth's rotation; the error of that number is at most ", ...numberElement(reliable.axis_bound_rad, "rad", 2), ".");
     const tip = columns.drift_tip_m?.at(-1), bound = columns.drift_tip_bound_m?.at(-1);
     if (isNumber(tip) && isNumber(bound))
-      headline.append(" It touches the table ", ...numberElement(tip, "m", 6), " from there, with an error of at most ",
+      headline.append(" It touches the table ", ...numberElement(tip, "m", 6), " from where it would without it, with an error of at most ",
         ...numberElement(bound, "m", 2), ".");
   }
   const word = String(summary.drift.verdict), verdict = byId("verdict");
@@ -103,7 +103,7 @@ function tellEarth(factor) {
 function tellError({ message, place, remedy }) {
   const alert = byId("alert");
   alert.hidden = false;
-  alert.textContent = `Not computed: ${message}${place ? ` (${place})` : ""}.${remedy ? ` ${remedy}.` : ""} The pictures show the last run that was.`;
+  alert.textContent = `Not computed: ${message}${place ? ` (${place})` : ""}.${remedy ? ` ${remedy}.` : ""} The pictures still show the last run.`;
   byId("results").classList.add("stale");
 }
 
@@ -182,7 +182,7 @@ function run(isNew = false) {
   // The browser has yet to translate the engine well when a top's first run is timed.
   kState.took = (performance.now() - began) / (isNew ? 3 : 1);
   byId("cost").textContent = `Computed in ${Math.ceil(kState.computed)} ms, to a certified bound.` +
-    (kState.took > kSlow ? " That is too long to follow a moving slider: computed when it comes to rest." : "");
+    (kState.took > kSlow ? " That is too long to follow a moving slider, so the top is computed when the slider comes to rest." : "");
 }
 
 /** At most one run a frame, with the latest settings; a slow run only when the slider has come to rest. */
