@@ -148,23 +148,29 @@ class Runner:
             self.notes.append((part.line, f"{part.language}, took {usage.ru_utime + usage.ru_stime:.0f} s of processor time"))
         return None if late.is_set() else process.returncode, printed
 
-    def judge(self, part, status, printed):
+    def judge(self, part, status, printed, culprit=""):
         expected = getattr(part, "status", None) or 0
         if status is None:
-            self.fault(part, f"takes more than {self.options.timeout:g} s", printed, last=20)
+            self.fault(part, f"takes more than {self.options.timeout:g} s{culprit}", printed, last=20)
         elif status != expected:
-            self.fault(part, f"status {status} instead of {expected}", printed, last=20)
+            self.fault(part, f"status {status} instead of {expected}{culprit}", printed, last=20)
         return status == expected
 
-    def run_and_judge(self, part, command):
-        """The command must end with the status of the block; what it prints can be shown."""
+    def run_and_judge(self, part, command, failed=None):
+        """The command must end with the status of the block; what it prints can be shown. `failed` may come to name what fails."""
         self.counts["run"] += 1
         status, self.printed = self.start(part, command)
         self.why_not_printed = None
-        self.judge(part, status, self.printed)
+        culprit = ""
+        if failed and os.path.exists(failed):
+            with open(failed, encoding="utf-8") as stream:
+                culprit = ", from " + " ".join(stream.read().split())
+        self.judge(part, status, self.printed, culprit)
 
     def run_sh(self, part):
-        self.run_and_judge(part, ["bash", "-euo", "pipefail", "-c", part.text])
+        failed = os.path.join(tempfile.mkdtemp(dir=self.options.scratch), "failed")
+        trap = f"trap 'printf \"line %s: %s\" $((LINENO + {part.line})) \"$BASH_COMMAND\" >{shlex.quote(failed)}' ERR; "
+        self.run_and_judge(part, ["bash", "-euo", "pipefail", "-c", trap + part.text], failed)
 
     def run_text(self, part):
         if self.printed is None:
@@ -322,5 +328,8 @@ class Runner:
     def summary(self):
         print(f"{self.path}: " + ", ".join(f"{number} {what}" for what, number in self.counts.items()) +
               (f", {len(self.faults)} faults" if self.faults else ""))
+        lines_of = {}
         for line, note in sorted(self.notes):
-            print(f"  line {line}, {note}")
+            lines_of.setdefault(note, []).append(str(line))
+        for note, lines in lines_of.items():
+            print(f"  line{'s' if len(lines) > 1 else ''} {', '.join(lines)}: {note}")

@@ -73,7 +73,8 @@ class Planted(unittest.TestCase):
 class Blocks(Planted):
     def test_a_wrong_status(self):
         self.sound(block("sh", "earthtop say hello"))
-        self.faulty("\n" + block("sh", "earthtop say hello\nearthtop nonsense"), 2, "status 2 instead of 0")
+        self.faulty("\n" + block("sh", "earthtop say hello\nearthtop nonsense"), 2,
+                    "status 2 instead of 0, from line 4: earthtop nonsense")
         self.faulty(block("sh", "false | true"), 1, "status 1 instead of 0")
         self.faulty(block("sh", "echo $undefined"), 1, "status 1 instead of 0")
         self.sound(block("sh", "earthtop nonsense", "status 2"))
@@ -124,7 +125,7 @@ class Blocks(Planted):
     def test_python(self):
         session = block("python", ">>> a = 2\n>>> a + 1\n3") + block("python", "print(a * 2)") + block("text", "4")
         self.assertIn("README.md: 2 run, 1 checked", self.sound(session, "--python", self.root))
-        self.assertIn("line 1, python, not run: the tests of the Python package run it", self.sound(session))
+        self.assertIn("lines 1, 6: python, not run: the tests of the Python package run it", self.sound(session))
         self.faulty("\n" + block("python", ">>> 1 + 1\n3"), 2, "fails in Python", "--python", self.root)
         self.assertIn('"README.md", line 2', self.faulty(block("python", "1 / 0"), 1, "fails in Python", "--python", self.root))
 
@@ -132,7 +133,7 @@ class Blocks(Planted):
         for language in ("", "console", "csv"):
             self.faulty(block(language, "earthtop"), 1, f"nothing checks a block of {language or 'no language'}")
             said = self.sound(block(language, "earthtop", "not run: needs a cluster"))
-            self.assertIn(f"  line 2, {language or 'no language'}, not run: needs a cluster\n", said)
+            self.assertIn(f"  line 2: {language or 'no language'}, not run: needs a cluster\n", said)
         self.faulty("Text:\n\n    earthtop\n", 3, "nothing checks a block of no language")
         self.sound("Text:\n\n<!-- not run: a formula -->\n    a = [b](c)\n\n    d\n")
         self.sound("- A list\n\n    goes on.\n")
@@ -144,11 +145,11 @@ class Blocks(Planted):
         self.faulty("<!-- not run: needs a cluster -->\n\n" + block("sh", "true"), 1, "no block follows this mark")
         self.faulty(block("sh", "true", "stauts 2"), 1, "not a mark of a block: stauts 2")
         said = self.sound(block("sh", "exit 1", "not run: takes 20 minutes") + block("text", "result"))
-        self.assertIn("README.md: 0 run, 0 checked, 2 not run\n  line 2, sh, not run: takes 20 minutes\n  line 5, text, not run: as ", said)
+        self.assertIn("README.md: 0 run, 0 checked, 2 not run\n  line 2: sh, not run: takes 20 minutes\n  line 5: text, not run: as ", said)
 
     def test_list(self):
-        said = self.sound(block("sh", "exit 1") + block("text", "no") + block("sh", "exit 1", "not run: needs a cluster"), "--list")
-        self.assertEqual(said, "README.md: 1 run, 1 checked, 1 not run\n  line 8, sh, not run: needs a cluster\n")
+        said = self.sound(block("sh", "exit 1") + block("text", "no") + block("sh", "exit 1", "not run: needs a cluster") * 2, "--list")
+        self.assertEqual(said, "README.md: 1 run, 1 checked, 2 not run\n  lines 8, 12: sh, not run: needs a cluster\n")
 
     def test_all_manuals(self):
         self.write(os.path.join(self.root, "room", "README.md"), block("sh", "exit 1"))
