@@ -71,13 +71,21 @@ class Runner:
         self.not_run(part, reason)
         self.printed, self.why_not_printed = None, reason
 
+    def guard(self):
+        """A folder of commands that refuse: no block changes the machine."""
+        folder = tempfile.mkdtemp(dir=self.options.scratch)
+        for name in ("apt", "apt-get", "sudo"):
+            path = os.path.join(folder, name)
+            self.write(path, "#!/bin/sh\necho \"$0 changes the machine: mark the block as not run\" >&2\nexit 1\n")
+            os.chmod(path, 0o755)
+        return folder
+
     def run(self):
-        program = self.options.program
+        places = (self.guard(), os.path.dirname(self.options.program), os.environ["PATH"])
         self.environment = {key: value for key, value in os.environ.items() if not key.startswith(("EARTHTOP_", "XDG_", "PYTHON"))}
         self.environment.update({
-            "PATH": os.path.dirname(program) + os.pathsep + os.environ["PATH"], "HOME": tempfile.mkdtemp(dir=self.options.scratch),
-            "NO_COLOR": "1", "COLUMNS": "100", "LC_ALL": "C.UTF-8", "TERM": "dumb", "PAGER": "cat", "MANPAGER": "cat",
-            "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1",
+            "PATH": os.pathsep.join(places), "HOME": tempfile.mkdtemp(dir=self.options.scratch), "NO_COLOR": "1", "COLUMNS": "100",
+            "LC_ALL": "C.UTF-8", "TERM": "dumb", "PAGER": "cat", "MANPAGER": "cat", "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1",
             # There may be no network: what needs one fails everywhere.
             **{name: "http://127.0.0.1:9" for name in ("http_proxy", "https_proxy", "HTTP_PROXY", "HTTPS_PROXY")}})
         if any(self.needs_library(part) for part in self.parts):

@@ -100,6 +100,9 @@ class Blocks(Planted):
         home = os.environ.get("HOME", "/")
         self.faulty(block("sh", "earthtop width") + block("text", f"100 1 {home}"), 4, f"not printed, or not in this order: 100 1 {home}")
 
+        said = self.faulty(block("sh", "sudo true"), 1, "status 1 instead of 0")
+        self.assertIn("sudo changes the machine", said)
+
     def test_json(self):
         self.sound(block("json", '{ "body": 1 }'))
         self.faulty(block("json", '{ "boby": 1 }'), 1, "status 1 instead of 0")
