@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measures the table of speeds: the processor time of whole runs, of one motion against odeint's rkf78 of the same form in the
-# same process, and of a study. The scenes are in tools/bench/scenes.
+# same process, and of a study. The scenarios are in tools/bench/scenarios.
 #   tools/bench/table.sh [--repetitions N] [--most SECONDS] PROGRAM...
 # With several programs they take turns, so that both meet the same machine; of each the median is printed.
 #   --repetitions N   how often each is run; default 5
@@ -18,7 +18,7 @@ while [[ ${1:-} == --* ]]; do
   shift 2
 done
 (($# > 0)) || { echo "table.sh: no program given" >&2 && exit 2; }
-scenes=$(cd "$(dirname "$0")/scenes" && pwd)
+scenarios=$(cd "$(dirname "$0")/scenarios" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -54,18 +54,18 @@ row() {
 
 programs=("$@")
 echo "Processor time of whole runs (s)"
-for scene in toy-top toy-top-viscous toy-top-tide toy-top-gradient toy-top-coulomb toy-top-platform damped-gyrocompass \
+for scenario in toy-top toy-top-viscous toy-top-tide toy-top-gradient toy-top-coulomb toy-top-platform damped-gyrocompass \
   unbalanced-gyro-600s unbalanced-gyro-hour fast-gyro-20s fast-gyro-40s fast-gyro-60s fast-gyro-day \
   pivot-of-table table-frictionless table-rolling table-viscous table-contensou table-coulomb; do
-  row "$scene" PROGRAM run "$scenes/$scene.json" --out "$work/out"
+  row "$scenario" PROGRAM run "$scenarios/$scenario.json" --out "$work/out"
 done
 echo "Processor time of a study of 1,000 toy tops, on one thread (s)"
-row thousand-toy-tops PROGRAM study "$scenes/thousand-toy-tops.json" --out "$work/out" --jobs 1
+row thousand-toy-tops PROGRAM study "$scenarios/thousand-toy-tops.json" --out "$work/out" --jobs 1
 for program in "${programs[@]}"; do
   echo "One motion, $program"
-  for scene in asymmetric-10s toy-top; do
-    echo " $scene"
-    "$program" bench "$scenes/$scene.json" --workload motion --error axis --methods taylor,rkf78 --repetitions 11 --limit 0.2 |
+  for scenario in asymmetric-10s toy-top; do
+    echo " $scenario"
+    "$program" bench "$scenarios/$scenario.json" --workload motion --error axis --methods taylor,rkf78 --repetitions 11 --limit 0.2 |
       sed -n -e 's/^Milliseconds/  &/p' -e '/^Milliseconds/,$ {/^   .* double /p}' -e '/ 1e-\(09\|12\) /p'
   done
 done

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws what a whole run costs against duration, spin and friction: processor time of `earthtop run --jobs 1`, median of three.
 
-    tools/readme/cost.py [EARTHTOP]      the program; default: build/release/tools/earthtop/earthtop
+    tools/bench/cost.py [EARTHTOP]      the program; default: build/release/tools/earthtop/earthtop
 
-Writes tools/readme/cost.svg.
+Writes tools/bench/pictures/cost.svg.
 """
 
 import json
@@ -116,7 +116,7 @@ def picture(lines):
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build/release/tools/earthtop/earthtop")
     lines = measured(program)
-    (ROOT / "tools/readme/cost.svg").write_text(picture(lines))
+    (ROOT / "tools/bench/pictures/cost.svg").write_text(picture(lines))
     for title, unit, scenario, points in lines:
         print(f"{scenario}, {title}:", ", ".join(f"{x:g} {unit} {y:.3g} s {m}" for x, y, m in points))
 
