@@ -23,7 +23,7 @@ struct Sheet {
   bool legend_as_text;  ///< whether a legend below the caption is set like a text, instead of in columns
   double plot_width() const { return width - left - right; }
 };
-inline constexpr Sheet kWideSheet{860, 74, 30, 74, 8, 80, 100, 1000, 1000, 2, 1e9, false};
+inline constexpr Sheet kWideSheet{860, 74, 30, 74, 8, 80, 101, 1000, 1000, 2, 1e9, false};
 inline constexpr Sheet kNarrowSheet{340, 58, 22, 8, 4, 30, 44, 36, 42, 4, 300, true};
 inline constexpr const Sheet& sheet_of(PlotWidth width) { return width == PlotWidth::wide ? kWideSheet : kNarrowSheet; }
 

@@ -87,7 +87,7 @@ function tellAnswer(summary, columns) {
   }
   const word = String(summary.drift.verdict), verdict = byId("verdict");
   verdict.className = `verdict ${/^[a-z_]+$/.test(word) ? word : ""}`;
-  verdict.replaceChildren(element("strong", "", word.replaceAll("_", " ")), `: ${summary.drift.verdict_reason}`);
+  verdict.replaceChildren(element("strong", "", word.replaceAll("_", " ")), `: ${summary.drift.verdict_reason}.`);
   if (summary.outcome.status !== "completed")
     verdict.append(` The run stopped: ${summary.outcome.status}, at ${format(summary.outcome.reached_s)} s.`);
   byId("why").replaceChildren(...(summary.why ?? []).map(({ text }) => element("li", "", text)));
@@ -199,6 +199,7 @@ function ask(isAtRest) {
 // --- settings
 
 function sliderText(row, value) {
+  if (row.rate) return value === 1 ? "the true one" : `${value.toLocaleString("en")} times the true one`;
   return `${format(value, 4)}${row.unit === "°" ? "°" : ` ${row.unit}`}`;
 }
 
