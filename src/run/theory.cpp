@@ -82,21 +82,21 @@ std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
   const double rate_scale = std::sqrt(energy_scale);
   const double size = std::max(std::abs(change.energy) / energy_scale,
                                std::max(std::abs(change.vertical), std::abs(change.axial)) / rate_scale);
-  // Derivatives along the change, by differences over a small part of the constants.
-  constexpr double kPart = 1e-4;
-  const double h = size > 0 ? kPart / size : 0;
-  const auto rate_at = [&](double times) -> double {
-    const double s = times * h;
+  // Derivatives along the change, by differences over a small part of the constants. Next to the vertical or to a separatrix the
+  // rate bends within that part; a hundredth of it then has another slope, and what they differ by is not known.
+  constexpr double kPart = 1e-4, kFinePart = 1e-6;
+  const auto rate_at = [&](double s) -> double {
     const auto there = mean_rates({constants.energy + s * change.energy, constants.vertical + s * change.vertical,
                                    constants.axial + s * change.axial, constants.gravity});
     return there ? there->precession_rad_s : std::numeric_limits<double>::quiet_NaN();
   };
   double first = 0, second = 0, uncertain = 0;
-  if (h > 0) {
-    const double p1 = rate_at(1), m1 = rate_at(-1), p2 = rate_at(2), m2 = rate_at(-2);
+  if (size > 0) {
+    const double h = kPart / size, fine = kFinePart / size;
+    const double p1 = rate_at(h), m1 = rate_at(-h), p2 = rate_at(2 * h), m2 = rate_at(-2 * h);
     const double narrow = (p1 - m1) / (2 * h), wide = (p2 - m2) / (4 * h);
     first = narrow + (narrow - wide) / 3;
-    uncertain = std::abs(narrow - wide);
+    uncertain = std::abs(narrow - wide) + std::abs(first - (rate_at(fine) - rate_at(-fine)) / (2 * fine));
     second = (p1 - 2 * rates->precession_rad_s + m1) / (h * h);
   }
   if (!std::isfinite(first) || !std::isfinite(second)) return std::nullopt;

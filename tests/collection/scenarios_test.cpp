@@ -61,9 +61,9 @@ TEST(Collection, HeadlinesAreTheGeneratedValues) {
 std::string table_line(const Scenario& scenario) {
   const HeadlineSpec& headline = scenario.headline.value();
   const std::string time = fmt::format(" at {} s", headline.at_s.value_or(scenario.duration_s));
-  return fmt::format("| [`{0}`]({0}.json) | {1} | `{2}`{3} | {4:.10g} ± {5:.0e} | {6} |", scenario.name,
-                     scenario.title, headline.quantity, headline.quantity.find('.') == std::string::npos ? time : "",
-                     headline.value, headline.tolerance, headline.origin.substr(0, headline.origin.find(':')));
+  return fmt::format("| [`{0}`]({0}.json) | {1} | `{2}`{3} | {4:.10g} ± {5:.0e} | {6} |", scenario.name, scenario.title,
+                     headline.quantity, headline.quantity.find('.') == std::string::npos ? time : "", headline.value,
+                     headline.tolerance, headline.origin.substr(0, headline.origin.find(':')));
 }
 
 TEST(Collection, ManualTableIsTrue) {
@@ -71,7 +71,8 @@ TEST(Collection, ManualTableIsTrue) {
   const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::string table;
   for (const auto& scenario : shipped_files()) table += table_line(parse_file(scenario)) + "\n";
-  EXPECT_NE(readme.find("\n" + table + "\n"), std::string::npos) << "The table of scenarios in scenarios/README.md should be\n" << table;
+  EXPECT_NE(readme.find("\n" + table + "\n"), std::string::npos) << "The table of scenarios in scenarios/README.md should be\n"
+                                                                 << table;
 }
 
 }  // namespace

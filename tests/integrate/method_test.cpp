@@ -47,7 +47,8 @@ TEST(Methods, TheManualSaysWhatEachIsWorth) {
     table += "| `" + std::string(to_string(method)) + "` | " + std::string(row_of(method).worth) + " |\n";
   std::ifstream file(std::string(EARTHTOP_TESTS) + "/../include/earthtop/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(readme.find("\n" + table), std::string::npos) << "The table of methods in include/earthtop/README.md should be\n" << table;
+  EXPECT_NE(readme.find("\n" + table), std::string::npos) << "The table of methods in include/earthtop/README.md should be\n"
+                                                          << table;
 }
 
 }  // namespace

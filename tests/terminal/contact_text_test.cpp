@@ -85,12 +85,13 @@ TEST(ContactText, BalancesAreThoseOfTheWorsePrediction) {
   result.contact->reference = {ContactBalance{1, 2, 0.5, 2e-12, 4}, ContactBalance{10, 8, -1, 4e-12, 8}};
   const std::string text = joined(contact_balance_lines(result));
   EXPECT_NE(
-      text.find("Balances|friction does work of -2.000000e+00 J, and the Jacobi integral changes by as much, to 5.0e-13 of its size"),
+      text.find(
+          "Balances|friction does work of -2.000000e+00 J, and the Jacobi integral changes by as much, to 5.0e-13 of its size"),
       std::string::npos)
       << text;
-  EXPECT_NE(
-      text.find("|Jellett's integral changes by +2.000000e+00 kg m^3/s, as the effects of the Earth and of friction's moment predict, to 5.0e-13"),
-      std::string::npos)
+  EXPECT_NE(text.find("|Jellett's integral changes by +2.000000e+00 kg m^3/s, as the effects of the Earth and of friction's "
+                      "moment predict, to 5.0e-13"),
+            std::string::npos)
       << text;
   result.contact->rotating.jacobi->integral = 0;
   EXPECT_NE(joined(contact_balance_lines(result)).find("friction does no work"), std::string::npos);

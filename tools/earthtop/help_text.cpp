@@ -28,8 +28,7 @@ class List {
       if (const std::size_t end = columns_of(term) + kGap; end <= kWidest) indent = std::max(indent, end);
     if (indent == 0 || indent + kRoom > width) indent = kBelow;
     std::string lines = '\n' + std::string(title) + '\n';
-    for (const auto& [term, meaning] : entries_)
-      lines += wrapped_entry(term, meaning, width, indent);
+    for (const auto& [term, meaning] : entries_) lines += wrapped_entry(term, meaning, width, indent);
     return lines;
   }
 
