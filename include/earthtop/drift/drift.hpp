@@ -44,14 +44,14 @@ struct BasicDriftRow {
   std::array<T, 3> ref_w_LB_B = {};
   std::array<T, 3> axis_L = {T(0), T(0), T(1)};  ///< body axis 3 in East, North, Up
   std::array<T, 3> ref_axis_L = {T(0), T(0), T(1)};
-  T drift_axis_rad = T(0);             ///< angle between the two axes
-  T drift_axis_bound_rad = T(0);       ///< bound on the error of `drift_axis_rad`
-  std::optional<T> drift_azimuth_rad;  ///< difference of compass azimuths, continuous; none where an axis is vertical
-  T drift_tilt_rad = T(0);             ///< difference of the axes' angles to the vertical
-  T drift_attitude_rad = T(0);         ///< angle of R_ref^T R_rot, 0 to pi
-  T drift_attitude_bound_rad = T(0);   ///< bound on the error of `drift_attitude_rad`
-  T drift_spin_rad = T(0);             ///< difference of the spin phases, continuous
-  bool drift_reliable = true;          ///< false from the time at which the run's verdict calls the drift unreliable
+  T drift_axis_rad = T(0);                    ///< angle between the two axes
+  T drift_axis_bound_rad = T(0);              ///< bound on the error of `drift_axis_rad`
+  std::optional<T> drift_azimuth_rad;         ///< difference of compass azimuths, continuous; none where an axis is vertical
+  T drift_tilt_rad = T(0);                    ///< difference of the axes' angles to the vertical
+  T drift_attitude_rad = T(0);                ///< angle of R_ref^T R_rot, 0 to pi
+  T drift_attitude_bound_rad = T(0);          ///< bound on the error of `drift_attitude_rad`
+  T drift_spin_rad = T(0);                    ///< difference of the spin phases, continuous
+  bool drift_reliable = true;                 ///< false from the time at which the run's verdict calls the drift unreliable
   std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
 };
 using DriftRow = BasicDriftRow<double>;
