@@ -34,6 +34,4 @@ on_stdout() { grep -q -- "$1" out.txt || fault "no '$1' on standard output"; }
 says() { tr -s ' \n' ' ' <out.txt | grep -q -- "$1" || fault "no '$1' on standard output, wherever its lines end"; }
 on_stderr() { grep -q -- "$1" err.txt || fault "no '$1' on standard error"; }
 nothing_on_stdout() { [ ! -s out.txt ] || fault "standard output is not empty"; }
-nothing_# says TEXT: the same where the line may have been broken within the text: the output's words, with one space between them.
-says() { tr -s ' \n' ' ' <out.txt | grep -q -- "$1" || fault "no '$1' on standard output, wherever its lines end"; }
-on_stderr() { [ ! -s err.txt ] || fault "standard error is not empty"; }
+nothing_on_stderr() { [ ! -s err.txt ] || fault "standard error is not empty"; }

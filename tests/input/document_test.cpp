@@ -62,7 +62,7 @@ TEST(Document, IsRefusedWithAPlace) {
   expect_refused("{\"a\": [1, 2", "summary.json:1:12: error: /a: the text ends here");
   expect_refused("", "summary.json:1:1: error: is empty; a summary is an object {...}");
   expect_refused("[1]", "summary.json:1:1: error: the text is an array; a summary is an object {...}");
-  expect_refused("{\"a\": " + repeated("[", 64) + repeated("]", 64) + "}", "nested more than 64 deep");
+  expect_refused("{\"a\": " + repeated("[", 64) + repeated("]", 64) + "}", "nested more than 64 levels deep");
   EXPECT_EQ(refusal_of("{\"a\": " + repeated("[", 63) + repeated("]", 63) + "}"), "accepted");
 }
 

@@ -24,7 +24,7 @@ TEST(ScenarioSyntax, FirstSyntaxErrorStandsWhereItIs) {
   expect_one("{\"_a\": 1.}", "1:10 /_a", "decimal point");
   expect_one("{\"_a\": 1e}", "1:10 /_a", "exponent");
   expect_one("{\"_a\": -}", "1:9 /_a", "'-' must be followed by a digit");
-  expect_one("{\"_a\": True}", "1:8 /_a", "\"True\" is no JSON value");
+  expect_one("{\"_a\": True}", "1:8 /_a", "\"True\" is not a JSON value");
   expect_one("{\"_a\": 'x'}", "1:8 /_a", "single quotes");
   expect_one("{ // note\n}", "1:3 ", "JSON has no comments");
   expect_one("{\"_a\": \"x\ny\"}", "1:10 /_a", "line break");
@@ -104,7 +104,7 @@ TEST(ScenarioSyntax, DepthIsLimitedTo64) {
   const Found found = found_in(commented(nested(65)));
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_TRUE(found.places[0].starts_with("1:71 /_c/0/0")) << found.places[0];
-  EXPECT_TRUE(found.says(0, "more than 64 deep"));
+  EXPECT_TRUE(found.says(0, "more than 64 levels deep"));
 }
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)

@@ -92,7 +92,7 @@ TEST_F(Write, WhatIsNotOursIsRefusedUnlessForced) {
       check_output_directory(dir_, made_up_run().scene, false);
       FAIL() << "accepted: " << text;
     } catch (const ScenarioError& error) {
-      EXPECT_NE(std::string(error.what()).find("not a summary"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("summary.json was not written by earthtop"), std::string::npos) << error.what();
     }
     EXPECT_NO_THROW(check_output_directory(dir_, made_up_run().scene, true)) << text;
   }

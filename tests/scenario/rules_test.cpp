@@ -84,7 +84,7 @@ TEST(ScenarioDefaults, NameComesFromTheFile) {
   } catch (const ScenarioError& error) {
     ASSERT_EQ(error.diagnostics().size(), 1u);
     EXPECT_EQ(error.diagnostics()[0].pointer, "/name");
-    EXPECT_NE(error.diagnostics()[0].message.find("\"My Top\" cannot stand in; give a name"), std::string::npos);
+    EXPECT_NE(error.diagnostics()[0].message.find("\"My Top\" cannot replace it; give a name"), std::string::npos);
   }
 }
 
