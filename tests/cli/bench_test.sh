@@ -57,7 +57,7 @@ done
 cp files/bench-top.csv before.csv
 # shellcheck disable=SC2086
 expect 2 bench top.json $few --out files
-on_stderr 'bench-top.csv: error: is there already'
+on_stderr 'bench-top.csv: error: already exists'
 nothing_on_stdout
 cmp -s before.csv files/bench-top.csv || fault "refused, and yet overwritten"
 # shellcheck disable=SC2086

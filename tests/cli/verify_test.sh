@@ -56,7 +56,7 @@ for arguments in missing.json "known.json plain.json" empty misspelt.json "known
   nothing_on_stdout
   on_stderr 'error: '
 done
-on_stderr '/criteria/0/set: makes a scene with /body/mass_kg'
+on_stderr '/criteria/0/set: makes a scenario in which /body/mass_kg'
 expect 2 verify plain.json --json
 on_stdout '"errors"'
 nothing_on_stderr
