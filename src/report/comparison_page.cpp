@@ -19,32 +19,15 @@ std::vector<double> numbers(const Json& list, double factor) {
   return values;
 }
 
-/// A name that may be broken after its dots and underscores, so that it leaves room for the columns beside it.
-std::string name_html(const std::string& name) {
-  std::string html;
-  for (const char c : escaped(name)) {
-    html += c;
-    if (c == '.' || c == '_') html += "<wbr>";
-  }
-  return html;
-}
-
-/// "t = 58.7 s", which stays in one line.
-std::string place_html(const std::string& place) {
-  std::string html;
-  for (const char c : escaped(place)) html += c == ' ' ? "&nbsp;" : std::string(1, c);
-  return html;
-}
-
 /// A table of the quantities that failed, or of all.
 std::string quantities_table(const Json& pair, bool everything) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& quantity : pair.value("quantities", Json::array())) {
     if (!everything && quantity.value("passed", false)) continue;
-    rows.push_back({quantity.value("passed", false) ? "ok" : "<strong>FAILED</strong>", name_html(text_of(quantity, "name")),
-                    number_of(quantity, "largest_difference"), place_html(text_of(quantity, "where")),
+    rows.push_back({quantity.value("passed", false) ? "ok" : "<strong>FAILED</strong>", escaped(text_of(quantity, "name")),
+                    number_of(quantity, "largest_difference"), escaped(text_of(quantity, "where")),
                     number_of(quantity, "tolerance"), escaped(text_of(quantity, "tolerance_origin")),
-                    number_of(quantity, "share_used", 2), place_html(text_of(quantity, "first_violation")),
+                    number_of(quantity, "share_used", 2), escaped(text_of(quantity, "first_violation")),
                     escaped(text_of(quantity, "change")), escaped(text_of(quantity, "reason"))});
   }
   if (rows.empty()) return "";
