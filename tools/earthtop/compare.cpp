@@ -257,7 +257,7 @@ Verb describe_compare() {
   compare.ends_with(kDone, "nothing differs; or measurement and scenario agree; or the new reference is written");
   compare.ends_with(kNegative, "something differs; or the measurement and the scenario do not agree, or there is no fit");
   compare.ends_with(kRefused,
-                    "the command line or an input was refused, e.g. because it is empty or has no end; nothing was written");
+                    "the command line or an input was refused, e.g. because it is empty or incomplete; nothing was written");
   compare.ends_with(kNumericalFailure,
                     "the motion of the scenario could not be computed to the last measured row; or memory ran out");
   compare.ends_with(kWriteFailed, "writing failed, or reading an input broke off");
