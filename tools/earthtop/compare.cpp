@@ -88,7 +88,7 @@ void require_outputs_apart(const CompareArguments& arguments) {
     throw ScenarioError("", "--write-scenario and --svg name the same file; give two");
   require_apart({arguments.junit, arguments.svg, arguments.fitted},
                 {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances},
-                "is, or is in, what is compared");
+                "is, or is in, one of the inputs");
 }
 
 MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
@@ -111,7 +111,7 @@ void require_place_for_scenario(const ScenarioSource& source, const CompareArgum
     throw ScenarioError("", "--write-scenario writes estimates into the scenario; name them with --estimate");
   std::error_code error;
   if (std::filesystem::exists(arguments.fitted, error) && !arguments.force)
-    throw ScenarioError("", fmt::format("{} is there already; give another name, or --force", printable(arguments.fitted)));
+    throw ScenarioError("", fmt::format("{} already exists; give another name, or --force", printable(arguments.fitted)));
   require_writable_scenario(source, split_sets(arguments.sets), arguments.fitted);
 }
 

@@ -106,10 +106,10 @@ std::string written_document(const fs::path& store) {
     std::ifstream file(name);
     if (!file && errno == ENOMEM) throw std::bad_alloc();
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (text.empty()) throw ReadError(name.string(), "reading broke off; see to the file");
+    if (text.empty()) throw ReadError(name.string(), "reading broke off; check the file");
     return text;
   } catch (const std::ios_base::failure&) {
-    throw ReadError(name.string(), "reading broke off; see to the file");
+    throw ReadError(name.string(), "reading broke off; check the file");
   }
 }
 
@@ -158,7 +158,7 @@ int study_verb(const StudyArguments& arguments) {
     options.on_progress = [&](const StudyProgress& progress) {
       if (!told && progress.before > 0) {
         line.clear();
-        message(fmt::format("resuming: {} of {} points are there already", progress.before, progress.wanted));
+        message(fmt::format("resuming: {} of {} points have already been computed", progress.before, progress.wanted));
       }
       told = true;
       line.show(progress_text(progress));
@@ -188,7 +188,7 @@ int study_verb(const StudyArguments& arguments) {
   return kNegative;
 }
 
-/// Holds a store against its checksums and tells what is wrong. @returns the exit status
+/// Checks a store against its checksums and reports what is wrong. @returns the exit status
 int check_store(const fs::path& store) {
   const StudyStoreCheck check = check_study_store(store);
   warn_of_missing_checksums(store, check.has_checksums);
