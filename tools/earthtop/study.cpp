@@ -77,7 +77,7 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
     print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
                       about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
   if (!arguments.json && sample.refused > 0)
-    print(wrapped(fmt::format("{} of {} points looked at are refused, the first one because of {}", sample.refused,
+    print(wrapped(fmt::format("{} of {} points examined are refused, the first one because of {}", sample.refused,
                               sample.looked_at, sample.first_refusal),
                   output_screen().width, 2) +
           '\n');
@@ -244,7 +244,7 @@ Verb describe_study() {
   study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
   study.add("--force", &a.force, "discard the store of another study");
   study.add("--keep-going", &a.keep_going,
-            "compute the study even if all points looked at beforehand are refused for the same reason");
+            "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
   study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
   study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; compute nothing");
