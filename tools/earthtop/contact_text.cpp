@@ -107,7 +107,7 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
     std::string text = fmt::format("axis {:.2e} rad, tip {:.2e} m per {} of {}", change.axis_rad, change.tip_m, change.step,
                                    spoken(change.input));
     if (row && row->t_s == contact.at_s && change.axis_rad > 0)
-      text += fmt::format(" (the Earth's drift of the axis is {:.2g} of that)", row->drift_axis_rad / change.axis_rad);
+      text += fmt::format(" (the Earth's drift of the axis is {:.2g} times that)", row->drift_axis_rad / change.axis_rad);
     lines.push_back({"", std::move(text)});
   }
   lines.push_back({"", of_friction ? "nobody knows a coefficient of friction to 1 %, so the prediction is uncertain; the "
