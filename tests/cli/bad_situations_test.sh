@@ -84,7 +84,7 @@ mkfifo pipe.json
 refused missing.json 'missing.json: error: there is no such file; '
 refused folder 'folder: error: is a directory; '
 refused pipe.json 'pipe.json: error: is a FIFO; '
-refused /dev/zero '/dev/zero: error: is no regular file; '
+refused /dev/zero '/dev/zero: error: is not a regular file; '
 refused "$(printf 'steer\033[2J\nme\302\233.json')" 'steer.x1b.2J.x0ame.u009b.json: error: there is no such file; '
 refused "$(printf '%05000d' 0)" 'cannot be opened (File name too long)'
 ln -s loop.json loop.json
@@ -165,13 +165,13 @@ ln -s nowhere dangling
 ln -s circle circle
 for link in dangling circle; do
   expect 2 run top.json --out "$link"
-  on_stderr "$link: error: is a link that leads to no directory; "
+  on_stderr "$link: error: is a link that does not lead to a directory; "
 done
 [ ! -e nowhere ] || fault "a dangling link was followed"
 echo precious >precious
 for file in trajectory.csv summary.json; do ln -sf "$work/precious" "place/$file"; done
 expect 2 run top.json --out place
-on_stderr 'not a summary'
+on_stderr 'its summary.json was not written by earthtop; '
 expect 0 run top.json --out place --force --quiet
 [ "$(cat precious)" = precious ] || fault "a link was followed, and its target overwritten"
 for file in trajectory.csv summary.json; do [ ! -L "place/$file" ] || fault "$file is still a link"; done
@@ -179,7 +179,7 @@ nothing_left place
 rm place/summary.json
 mkfifo place/summary.json
 expect 2 run top.json --out place
-on_stderr 'not a summary'
+on_stderr 'its summary.json was not written by earthtop; '
 keep old
 expect 2 run top.json --out old --set /release/spin_rad_s=201
 on_stderr 'holds the results of another scenario; '

@@ -85,7 +85,7 @@ on_stdout 'equal axis error'
 expect 0 bench top.json --methods rkf78 --repetitions 1 --limit 0.001 --set /motion/duration_s=0.02
 on_stdout 'too_slow$'
 on_stdout 'not_tried$'
-on_stdout 'stopped after 0.001 s'
+says 'stopped after 0.001 s'
 
 # Without the Earth's rotation there is no drift, so the error of the attitude is used; a scene that is too long for a reference
 # is shortened, and a message says so.

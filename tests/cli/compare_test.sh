@@ -44,7 +44,7 @@ expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --set /numeric
 expect 1 compare short loose
 on_stdout 'other scenario: /numerics/relative_tolerance'
 grep -q 'has no error bounds' out.txt && fault "a key that differs is taken for a number without bounds"
-on_stdout 'is within.*; what else differs is named below.$'
+says 'is within.*; what else differs is named below\.'
 
 # Exit statuses and what is written.
 expect 0 compare runs/toy-top runs/toy-top
@@ -73,7 +73,7 @@ mkdir empty
 expect 2 compare runs/toy-top empty
 head -c 1000 runs/toy-top/trajectory.csv >cut.csv
 expect 2 compare runs/toy-top/trajectory.csv cut.csv
-on_stderr 'cut.csv:[0-9]*:1: error: the last line has no end'
+on_stderr 'cut.csv:[0-9]*:1: error: the last line is incomplete'
 
 # A measurement: the azimuth of every tenth row, exact to twelve digits, with a claimed standard error of a thousandth of a
 # radian.
@@ -120,7 +120,7 @@ expect 0 compare fitted.json measured.csv --json
 sed -n '/"as_given": {/,/}/s/.*"value": //p' out.txt >chi-again.txt
 cmp chi-fitted.txt chi-again.txt || fault "the fitted scenario has another chi-squared"
 expect 2 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json
-on_stderr 'fitted.json is there already'
+on_stderr 'fitted.json already exists'
 expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json --force --quiet
 expect 2 compare fitted.json measured.csv --estimate spin_rad_s --write-scenario fitted.json --force
 expect 2 compare "$scenarios/toy-top.json" measured.csv --write-scenario other.json

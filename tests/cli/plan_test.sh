@@ -52,7 +52,7 @@ azimuth="--measure azimuth_deg --sigma 0.01 --every 0.5"
   refused 'every' "$top" --measure tilt_deg --sigma 1
   refused 'did you mean azimuth_deg' "$top" --measure azimut_deg --sigma 1 --every 1
   refused 'give each --measure its own' "$top" --measure tilt_deg --measure azimuth_deg --sigma 1 --every 1
-  refused 'is no number' "$top" --measure tilt_deg --sigma 0,01 --every 1
+  refused 'is not a number' "$top" --measure tilt_deg --sigma 0,01 --every 1
   refused 'above 0' "$top" --measure tilt_deg --sigma 0 --every 1
   refused 'every' "$top" --measure tilt_deg --sigma 1 --every 0
   refused 'every' "$top" --measure tilt_deg --sigma 1 --every nan
@@ -69,7 +69,7 @@ azimuth="--measure azimuth_deg --sigma 0.01 --every 0.5"
   refused 'chaotic' "$scenarios/hard/h11-chaotic.json" --measure tilt_deg --sigma 1 --every 0.1 --estimate gravity_m_s2
   cp "$top" mine.json
   expect 2 plan mine.json $azimuth --write-data ./mine.json
-  on_stderr 'is what is read; write to another place'
+  on_stderr 'is one of the inputs; write to another place'
   cmp -s "$top" mine.json || fault "the scenario was overwritten"
   expect 2 plan mine.json $azimuth --write-data same --svg ./same
   on_stderr 'name the same file'

@@ -47,11 +47,11 @@ for flag in --dry-run --quiet; do
   expect 2 study misspelt.json $flag
   on_stderr '/axes/0/pointer: /site/lattitude_deg.*did you mean "latitude_deg"'
   expect 2 study hopeless.json $flag
-  on_stderr '/site/latitude_deg: 100 is out of range.*all 20 points looked at, of 1000.*--keep-going'
+  on_stderr '/site/latitude_deg: 100 is out of range.*all 20 points examined, of 1000.*--keep-going'
 done
 [ ! -e out ] || fault "a hopeless study left a directory"
 expect 0 study hopeless.json --dry-run --keep-going
-on_stdout '20 of 20 points looked at are refused'
+on_stdout '20 of 20 points examined are refused'
 expect 1 study hopeless.json --keep-going --quiet --out room
 expect 0 study small.json --out room # without --force: nothing had been completed there
 on_stderr "another study's, no point of which had been completed"

@@ -129,7 +129,7 @@ TEST_F(Program, RefusesAGigabyteAtOnce) {
   expect_refused("a file", "large.json", std::regex("^large\\.json: error: has more than 16 MiB.*; "));
   expect_refused("standard input", "-", std::regex("^<stdin>: error: has more than 16 MiB.*; "), "large.json");
   expect_refused("no end", "-", std::regex("^<stdin>: error: has more than 16 MiB.*; "), "/dev/zero");
-  expect_refused("a device", "/dev/zero", std::regex("^/dev/zero: error: is no regular file; "));
+  expect_refused("a device", "/dev/zero", std::regex("^/dev/zero: error: is not a regular file; "));
 }
 
 }  // namespace

@@ -66,10 +66,9 @@ TEST(ContactText, TheMotionOfThePredictionItselfIsSaid) {
   RunResult result = test::made_up_contact_run();
   result.rows.back().drift_axis_rad = 4e-3;
   const std::string text = joined(prediction_change_lines(result));
-  EXPECT_NE(
-      text.find(
-          "axis 8.00e-03 rad, tip 8.80e-04 m per 1 % of friction coefficient (the Earth's drift of the axis is 0.5 of that)"),
-      std::string::npos)
+  EXPECT_NE(text.find("axis 8.00e-03 rad, tip 8.80e-04 m per 1 % of friction coefficient (the Earth's drift of the axis is 0.5 "
+                      "times that)"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("per 1 arcsec of table tilt"), std::string::npos) << text;
   EXPECT_NE(text.find("nobody knows a coefficient of friction to 1 %"), std::string::npos) << text;

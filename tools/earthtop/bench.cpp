@@ -10,6 +10,7 @@
 #include "command_line.hpp"
 #include "earthtop/bench/comparison.hpp"
 #include "output.hpp"
+#include "screen.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -148,7 +149,7 @@ int bench_verb(const BenchArguments& arguments) {
   for (const Scene& scene : scenes) {
     reports.push_back(bench_one(scene, arguments));
     if (!arguments.json && !arguments.quiet)
-      print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), arguments.brief));
+      print((reports.size() > 1 ? "\n" : "") + bench_text(reports.back(), arguments.brief, output_screen().width));
   }
   if (arguments.out) write_bench(reports, *arguments.out, arguments.force);
   if (arguments.json) print(bench_json(reports));
@@ -197,7 +198,8 @@ Verb describe_bench() {
       "Times every method at several tolerances and in every precision that fits the scenario, and measures its error against "
       "a "
       "reference. The table marks the Pareto front: the contenders that no other one beats in both speed and error.");
-  bench.example("earthtop bench toy-top.json --brief", "prints the fastest contenders for each error");
+  bench.example("earthtop bench toy-top.json --brief",
+                "prints the contenders on the Pareto front, and the one that run would choose");
   bench.example("earthtop bench toy-top.json --methods auto,taylor --out bench",
                 "compares taylor with the method that run would choose, and writes the table and a picture");
   bench.example("earthtop bench toy-top.json --duration 1 --json > bench.json", "writes a document, e.g. for earthtop report");

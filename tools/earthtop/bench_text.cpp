@@ -7,6 +7,7 @@
 
 #include "earthtop/bench/comparison.hpp"
 #include "earthtop/error.hpp"
+#include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -24,19 +25,23 @@ const char* workload_text(Workload workload) {
   return "both motions and the drift between them";
 }
 
-std::string head(const BenchReport& report, ErrorKind kind) {
+std::string head(const BenchReport& report, ErrorKind kind, std::size_t width) {
   const BenchErrors& error = report.reference.error;
-  std::string text = fmt::format("{}, {:g} s: {}\n", report.scenario, report.duration_s, workload_text(report.workload));
-  text += fmt::format("Processor  {}; seconds of one core, median of up to {} repetitions, [least, most]\n",
-                      processor_description(), report.options.repetitions);
-  text += fmt::format("Errors     largest of {} checkpoints (rad); the largest drift is {:.3g} rad; compared: {}\n",
-                      report.options.checkpoints, report.largest_drift, to_string(kind));
-  text += fmt::format(
-      "Reference  {}\n           against {}\n           good to {} rad in the axis, {} in the attitude, {} in the drift\n",
-      report.reference.source, report.reference.witness, number(error.axis), number(error.attitude), number(error.drift));
-  text += fmt::format("Peers      {}\n", peers_description());
+  std::string text =
+      wrapped(fmt::format("{}, {:g} s: {}", report.scenario, report.duration_s, workload_text(report.workload)), width, 2) +
+      '\n';
+  const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, width, 11); };
+  add("Processor", fmt::format("{}; seconds of one core, median of up to {} repetitions, [least, most]",
+                               processor_description(), report.options.repetitions));
+  add("Errors", fmt::format("largest of {} checkpoints (rad); the largest drift is {:.3g} rad; compared: {}",
+                            report.options.checkpoints, report.largest_drift, to_string(kind)));
+  add("Reference", report.reference.source);
+  add("", "against " + report.reference.witness);
+  add("", fmt::format("good to {} rad in the axis, {} in the attitude, {} in the drift", number(error.axis),
+                      number(error.attitude), number(error.drift)));
+  add("Peers", peers_description());
   for (const BenchEntry& entry : report.entries)
-    if (entry.contender.is_auto) text += fmt::format("auto       {}\n", describe(entry.contender));
+    if (entry.contender.is_auto) add("auto", describe(entry.contender));
   return text;
 }
 
@@ -60,7 +65,7 @@ std::string row(const BenchEntry& entry, bool on_front, const BenchErrors& least
   return text + '\n';
 }
 
-std::string table(const BenchReport& report, ErrorKind kind, bool brief) {
+std::string table(const BenchReport& report, ErrorKind kind, bool brief, std::size_t width) {
   std::string text =
       fmt::format("   {:<19} {:<19} {:<11} {:<16} {:>8} {:>8} {:>8} {:>9} {:<20} {:>9} {:>8}\n", "method", "equations",
                   "precision", "tolerance", "axis", "attitude", "drift", "seconds", "[least, most]", "RHS", "steps");
@@ -76,13 +81,14 @@ std::string table(const BenchReport& report, ErrorKind kind, bool brief) {
     if (!brief || front[i] || report.entries[i].contender.is_auto)
       text += row(report.entries[i], front[i], report.reference.error);
   }
-  text += "*: on the Pareto front: no other is both as fast and as exact; a: what auto takes\n";
+  text += wrapped("*: on the Pareto front: no other is both as fast and as exact; a: what auto takes", width, 3) + '\n';
   if (slow > 0)
-    text += fmt::format(
-        "{} of {} contenders are too_slow, stopped after {:g} s of processor time (--limit), or not_tried, too slow already at "
-        "a "
-        "coarser tolerance\n",
-        slow, report.entries.size(), report.options.most_seconds);
+    text +=
+        wrapped(fmt::format("{} of {} contenders are too_slow, stopped after {:g} s of processor time (--limit), or not_tried, "
+                            "too slow already at a coarser tolerance",
+                            slow, report.entries.size(), report.options.most_seconds),
+                width, 3) +
+        '\n';
   return text;
 }
 
@@ -90,11 +96,12 @@ std::string cost(const std::optional<FamilyCost>& cost) {
   return cost ? (cost->at_most ? "<=" : "") + seconds_text(1e3 * cost->seconds) : "-";
 }
 
-std::string equal_error(const BenchReport& report, ErrorKind kind) {
-  std::string text = fmt::format(
-      "Milliseconds at equal {} error (<=: the cheapest setting tried is already better; -: not reached)\n   {:<19} {:<19} "
-      "{:<11}",
-      to_string(kind), "method", "equations", "precision");
+std::string equal_error(const BenchReport& report, ErrorKind kind, std::size_t width) {
+  std::string text =
+      wrapped(fmt::format("Milliseconds at equal {} error (<=: the cheapest setting tried is already better; -: not reached)",
+                          to_string(kind)),
+              width, 3);
+  text += fmt::format("\n   {:<19} {:<19} {:<11}", "method", "equations", "precision");
   for (const double error : kEqualErrors) text += fmt::format(" {:>9}", fmt::format("{:.0e}", error));
   text += fmt::format(" {:>11}\n", "least error");
   for (const BenchFamily& family : families(report)) {
@@ -113,9 +120,9 @@ std::string equal_error(const BenchReport& report, ErrorKind kind) {
 
 }  // namespace
 
-std::string bench_text(const BenchReport& report, bool brief) {
+std::string bench_text(const BenchReport& report, bool brief, std::size_t width) {
   const ErrorKind kind = report.compared;
-  return head(report, kind) + '\n' + table(report, kind, brief) + '\n' + equal_error(report, kind);
+  return head(report, kind, width) + '\n' + table(report, kind, brief, width) + '\n' + equal_error(report, kind, width);
 }
 
 }  // namespace earthtop::tool

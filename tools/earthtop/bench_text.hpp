@@ -12,6 +12,6 @@ namespace earthtop::tool {
 
 /// The table of one scenario, and the cost of each family of methods at equal error.
 /// @param brief list only the methods on the Pareto front and the one that `auto` chooses
-std::string bench_text(const BenchReport& report, bool brief);
+std::string bench_text(const BenchReport& report, bool brief, std::size_t width);
 
 }  // namespace earthtop::tool

@@ -90,7 +90,8 @@ Named innermost(const Named& outer) {
   return outer;
 }
 
-/// Complains of the first word that no verb takes: that tells more than what is missing because of it. @throws UsageError
+/// Complains of the first word that no verb takes, which says more than a complaint of what is missing because of it.
+/// @throws UsageError
 void require_known_words(const NamedVerb& named, const CLI::App& app) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (!unknown.empty()) throw UsageError(complaint_of_unknown(named, unknown.front()), named.path);

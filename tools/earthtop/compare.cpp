@@ -88,7 +88,7 @@ void require_outputs_apart(const CompareArguments& arguments) {
     throw ScenarioError("", "--write-scenario and --svg name the same file; give two");
   require_apart({arguments.junit, arguments.svg, arguments.fitted},
                 {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances},
-                "is, or is in, what is compared");
+                "is, or is in, one of the inputs");
 }
 
 MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
@@ -111,7 +111,7 @@ void require_place_for_scenario(const ScenarioSource& source, const CompareArgum
     throw ScenarioError("", "--write-scenario writes estimates into the scenario; name them with --estimate");
   std::error_code error;
   if (std::filesystem::exists(arguments.fitted, error) && !arguments.force)
-    throw ScenarioError("", fmt::format("{} is there already; give another name, or --force", printable(arguments.fitted)));
+    throw ScenarioError("", fmt::format("{} already exists; give another name, or --force", printable(arguments.fitted)));
   require_writable_scenario(source, split_sets(arguments.sets), arguments.fitted);
 }
 
@@ -257,7 +257,7 @@ Verb describe_compare() {
   compare.ends_with(kDone, "nothing differs; or measurement and scenario agree; or the new reference is written");
   compare.ends_with(kNegative, "something differs; or the measurement and the scenario do not agree, or there is no fit");
   compare.ends_with(kRefused,
-                    "the command line or an input was refused, e.g. because it is empty or has no end; nothing was written");
+                    "the command line or an input was refused, e.g. because it is empty or incomplete; nothing was written");
   compare.ends_with(kNumericalFailure,
                     "the motion of the scenario could not be computed to the last measured row; or memory ran out");
   compare.ends_with(kWriteFailed, "writing failed, or reading an input broke off");

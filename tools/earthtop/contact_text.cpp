@@ -100,21 +100,20 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
   if (!result.contact || result.contact->changes.empty()) return lines;
   const ContactReport& contact = *result.contact;
   const DriftRow* row = last_reliable_row(result);
-  lines.push_back(
-      {"Prediction", fmt::format("by t = {} s it changes by as much with inputs that nobody knows well:", contact.at_s)});
+  lines.push_back({"Prediction", fmt::format("by t = {} s it changes, with inputs that nobody knows well, by", contact.at_s)});
   bool of_friction = false;
   for (const PredictionChange& change : contact.changes) {
     of_friction = of_friction || change.step.ends_with("%");
     std::string text = fmt::format("axis {:.2e} rad, tip {:.2e} m per {} of {}", change.axis_rad, change.tip_m, change.step,
                                    spoken(change.input));
     if (row && row->t_s == contact.at_s && change.axis_rad > 0)
-      text += fmt::format(" (the Earth's drift of the axis is {:.2g} of that)", row->drift_axis_rad / change.axis_rad);
+      text += fmt::format(" (the Earth's drift of the axis is {:.2g} times that)", row->drift_axis_rad / change.axis_rad);
     lines.push_back({"", std::move(text)});
   }
-  lines.push_back({"", of_friction ? "nobody knows a coefficient of friction to 1 %: the drift, with the same friction in both,"
-                                     " is well defined, the prediction is not"
-                                   : "few tables are level to an arcsecond: the drift, on the same table in both, is well"
-                                     " defined, the prediction is not"});
+  lines.push_back({"", of_friction ? "nobody knows a coefficient of friction to 1 %, so the prediction is uncertain; the "
+                                     "drift, with the same friction in both predictions, is well defined"
+                                   : "few tables are level to an arcsecond, so the prediction is uncertain; the drift, on the "
+                                     "same table in both predictions, is well defined"});
   return lines;
 }
 

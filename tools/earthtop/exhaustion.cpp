@@ -26,8 +26,8 @@ struct LastWords {
   const char* said;
   const std::string* written = nullptr;  // never freed: it may be needed while the program ends
 };
-std::array<LastWords, 2> g_words = {{{"out of memory; take fewer rows (a longer output_step_s, no ledger)"},
-                                     {"no thread can be started; take fewer --jobs, or end other programs"}}};
+std::array<LastWords, 2> g_words = {{{"out of memory; ask for fewer rows (a longer output_step_s, no ledger)"},
+                                     {"no thread can be started; use fewer --jobs, or end other programs"}}};
 bool g_words_are_json = false;
 
 /// Memory that is given up when there is no other, so that what is cleared up then finds some: the JSON library's destructors
@@ -92,7 +92,7 @@ bool make_room_on_stack() {
   if (limit.rlim_cur < kNeeded || ::setrlimit(RLIMIT_STACK, &limit) != 0) {
     report_errors("",
                   {{0, 0, "",
-                    fmt::format("the stack is limited to {} KiB, and {} are needed; see to a higher ulimit -s",
+                    fmt::format("the stack is limited to {} KiB, and {} KiB are needed; raise the limit with ulimit -s",
                                 limit.rlim_cur >> 10, kNeeded >> 10)}},
                   g_words_are_json, kNumericalFailure);
     return false;

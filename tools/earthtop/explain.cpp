@@ -165,7 +165,7 @@ Verb describe_explain() {
   explain.describe(
       "Lists for each torque how large it is, how far it moves the axis, how much of that is drift, and whether the scenario "
       "models it. A second table says how well each input must be known for its error to move the axis by less than the Earth "
-      "does, and the last line says which method run would use and how long it would take. For a top on a table, it lists the "
+      "does, and a line below says which method run would use and how long it would take. For a top on a table, it lists the "
       "size of every force and of its torque, the drift, and how well friction and the table's tilt must be known. Nothing is "
       "written.");
   explain.example("earthtop explain toy-top.json", "prints the budget as a table");

@@ -105,7 +105,7 @@ bool make_timers() {
   return timer_create(CLOCK_MONOTONIC, &event, &g_wall_timer) == 0;
 }
 
-std::vector<Diagnostic> interruption() { return {{0, 0, "", "interrupted; the same command starts it again"}}; }
+std::vector<Diagnostic> interruption() { return {{0, 0, "", "interrupted; the same command starts again"}}; }
 
 }  // namespace
 

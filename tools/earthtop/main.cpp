@@ -60,7 +60,7 @@ int guarded_main(int argc, char** argv) {
   } catch (const WriteError& error) {
     // If standard output failed, the error is not reported there.
     const bool lost = error.file() == kStandardOutput;
-    const char* remedy = lost ? "" : "; see to space and permission there, or choose another place";
+    const char* remedy = lost ? "" : "; check space and permissions there, or choose another place";
     return report_errors(error.file(), {{0, 0, "", error.reason() + remedy}}, json && !lost, kWriteFailed);
   } catch (const ArithmeticError& error) {
     return report_errors("", {{0, 0, "", error.what()}}, json, kNumericalFailure);

@@ -54,7 +54,7 @@ std::string estimates_text(const MeasurementReport& report, const Screen& screen
     add_detail(printable(estimate_sentence(e, report.scatters_more())));
     for (const Prior& prior : report.priors)
       if (prior.input == e.name)
-        add_detail(fmt::format("known beforehand as {} {}; the estimate is {:+.2f} of these errors off",
+        add_detail(fmt::format("known beforehand as {} {}; the estimate differs by {:+.2f} of these standard errors",
                                with_standard_error(prior.mean, prior.standard_error), prior.unit, prior.pull.value_or(0)));
     for (std::size_t k = 0; k < j; ++k)
       add_detail(fmt::format("correlation with {}  {:+.4f}", printable(report.estimates[k].name), report.correlation[j][k]));

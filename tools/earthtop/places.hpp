@@ -12,7 +12,7 @@ namespace earthtop::tool {
 std::string place_of(const std::string& path);
 
 /// Checks that no output is an input, or in a directory that is one. Empty names, and - among the inputs, are passed over.
-/// @param what  is said of such an output, e.g. "is what is read"   @throws ScenarioError
+/// @param what  is said of such an output, e.g. "is one of the inputs"   @throws ScenarioError
 void require_apart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs, std::string_view what);
 
 }  // namespace earthtop::tool

@@ -45,7 +45,7 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
     const auto [last, error] = std::from_chars(text.data(), end, sigma);
     if (error != std::errc() || last != end)
       throw ScenarioError("--sigma " + printable(text),
-                          "is no number; give a standard error in the quantity's unit, e.g. 0.01");
+                          "is not a number; give a standard error in the quantity's unit, e.g. 0.01");
     plan.quantities.push_back(planned_quantity(arguments.quantities[i], sigma));
   }
   plan.every_s = arguments.every_s;
@@ -63,7 +63,7 @@ void require_outputs_apart(const PlanArguments& arguments, const Scenario& scena
   std::vector<std::string> inputs = {arguments.scenario};
   if (scenario.platform && !scenario.platform->file.empty())
     inputs.push_back((std::filesystem::path(arguments.scenario).parent_path() / scenario.platform->file).string());
-  require_apart({arguments.svg, arguments.data}, inputs, "is what is read");
+  require_apart({arguments.svg, arguments.data}, inputs, "is one of the inputs");
 }
 
 int plan_verb(const PlanArguments& arguments) {

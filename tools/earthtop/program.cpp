@@ -18,7 +18,7 @@ struct ProgramArguments {
 };
 
 int without_verb(const ProgramArguments& arguments) {
-  if (!arguments.version) throw UsageError("a verb is needed, e.g. run; earthtop --help tells of all verbs");
+  if (!arguments.version) throw UsageError("a verb is needed, e.g. run; earthtop --help lists all verbs");
   if (arguments.json) return version_verb(true);
   print(fmt::format("earthtop {}\n", build_info().version));
   return kDone;

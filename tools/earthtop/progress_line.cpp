@@ -72,7 +72,7 @@ class ProgressDisplay::DisplayThread {
  public:
   DisplayThread(bool wanted, const Progress& progress) : line_(wanted), progress_(progress) {
     try {
-      if (line_.is_shown()) thread_ = std::thread([this] { tell(); });
+      if (line_.is_shown()) thread_ = std::thread([this] { refresh(); });
     } catch (const std::system_error&) {  // no thread can be had, and the work goes on without its line
     }
   }
@@ -102,7 +102,7 @@ class ProgressDisplay::DisplayThread {
     if (seconds >= 1) line_.show(progress_text(progress_.share(), progress_.phase(), seconds));
   }
 
-  void tell() {
+  void refresh() {
     std::unique_lock lock(mutex_);
     while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return is_done_; })) show();
     show();
@@ -118,12 +118,12 @@ class ProgressDisplay::DisplayThread {
 };
 
 ProgressDisplay::ProgressDisplay(bool wanted, const Progress& progress)
-    : teller_(std::make_unique<DisplayThread>(wanted, progress)) {}
+    : display_(std::make_unique<DisplayThread>(wanted, progress)) {}
 
 ProgressDisplay::~ProgressDisplay() = default;
 
-bool ProgressDisplay::is_shown() const { return teller_->is_shown(); }
+bool ProgressDisplay::is_shown() const { return display_->is_shown(); }
 
-void ProgressDisplay::aside(const std::function<void()>& say) { teller_->aside(say); }
+void ProgressDisplay::aside(const std::function<void()>& say) { display_->aside(say); }
 
 }  // namespace earthtop::tool

@@ -58,7 +58,7 @@ class ProgressDisplay {
 
  private:
   class DisplayThread;  // owns a thread
-  std::unique_ptr<DisplayThread> teller_;
+  std::unique_ptr<DisplayThread> display_;
 };
 
 }  // namespace earthtop::tool

@@ -77,7 +77,7 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
     print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
                       about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
   if (!arguments.json && sample.refused > 0)
-    print(wrapped(fmt::format("{} of {} points looked at are refused, the first one because of {}", sample.refused,
+    print(wrapped(fmt::format("{} of {} points examined are refused, the first one because of {}", sample.refused,
                               sample.looked_at, sample.first_refusal),
                   output_screen().width, 2) +
           '\n');
@@ -106,10 +106,10 @@ std::string written_document(const fs::path& store) {
     std::ifstream file(name);
     if (!file && errno == ENOMEM) throw std::bad_alloc();
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (text.empty()) throw ReadError(name.string(), "reading broke off; see to the file");
+    if (text.empty()) throw ReadError(name.string(), "reading broke off; check the file");
     return text;
   } catch (const std::ios_base::failure&) {
-    throw ReadError(name.string(), "reading broke off; see to the file");
+    throw ReadError(name.string(), "reading broke off; check the file");
   }
 }
 
@@ -158,7 +158,7 @@ int study_verb(const StudyArguments& arguments) {
     options.on_progress = [&](const StudyProgress& progress) {
       if (!told && progress.before > 0) {
         line.clear();
-        message(fmt::format("resuming: {} of {} points are there already", progress.before, progress.wanted));
+        message(fmt::format("resuming: {} of {} points have already been computed", progress.before, progress.wanted));
       }
       told = true;
       line.show(progress_text(progress));
@@ -188,7 +188,7 @@ int study_verb(const StudyArguments& arguments) {
   return kNegative;
 }
 
-/// Holds a store against its checksums and tells what is wrong. @returns the exit status
+/// Checks a store against its checksums and reports what is wrong. @returns the exit status
 int check_store(const fs::path& store) {
   const StudyStoreCheck check = check_study_store(store);
   warn_of_missing_checksums(store, check.has_checksums);
@@ -244,7 +244,7 @@ Verb describe_study() {
   study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
   study.add("--force", &a.force, "discard the store of another study");
   study.add("--keep-going", &a.keep_going,
-            "compute the study even if all points looked at beforehand are refused for the same reason");
+            "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
   study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
   study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; compute nothing");

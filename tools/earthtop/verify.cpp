@@ -46,7 +46,7 @@ std::vector<std::string> files_in(const std::string& directory) {
   return files;
 }
 
-/// Reads all sources and checks that each states a criterion; nothing is run before all are known to be sound. @throws
+/// Reads all sources and checks that each states a criterion; nothing is run before all are known to be valid. @throws
 /// ScenarioError, ReadError
 std::vector<ScenarioSource> sources_of(const VerifyArguments& arguments) {
   std::vector<ScenarioSource> sources;
