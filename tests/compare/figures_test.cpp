@@ -297,9 +297,9 @@ TEST(Columns, AWordThatNoContactHasIsRefused) {
   write_text(now / "trajectory.csv", csv.text());
   try {
     const PairReport pair = compared_bitwise(before, now);
-    EXPECT_NE(pair.refusal.find("\"hop\" is none of slide, roll, mixed"), std::string::npos) << pair.refusal;
+    EXPECT_NE(pair.refusal.find("\"hop\" is not one of slide, roll, mixed"), std::string::npos) << pair.refusal;
   } catch (const ScenarioError& error) {
-    EXPECT_NE(std::string(error.what()).find("\"hop\" is none of slide, roll, mixed"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("\"hop\" is not one of slide, roll, mixed"), std::string::npos) << error.what();
   }
 }
 

@@ -65,7 +65,7 @@ TEST(Mutation, AQuaternionOfTheOtherSignIsTheSameAttitude) {
   const PairReport pair = compared(copy.path());
   EXPECT_TRUE(pair.passed());
   EXPECT_LT(quantity(pair, "attitude_rad").largest, 1e-15);
-  EXPECT_TRUE(mentions(pair.notes, "1 quaternions have the other sign"));
+  EXPECT_TRUE(mentions(pair.notes, "1 quaternions have the opposite sign"));
 }
 
 /// Turns the results into those of a simulator with axes North, East, Down: R_NE = [0 1 0; 1 0 0; 0 0 -1].
@@ -225,7 +225,7 @@ TEST(Mutation, DegreesForRadiansDifferAndAreRecognised) {
   const PairReport pair = compared(copy.path());
   EXPECT_FALSE(pair.passed());
   EXPECT_TRUE(
-      mentions(pair.hints, "drift_axis_rad: new values are 57.2958 times the reference's, as with degrees for radians"));
+      mentions(pair.hints, "drift_axis_rad: new values are 57.2958 times the reference's, as with degrees instead of radians"));
 }
 
 TEST(Mutation, AColumnOfAnotherUnitIsNotTakenForTheFirst) {
@@ -266,7 +266,7 @@ TEST(Mutation, AnEmptyFileIsRefused) {
 TEST(Mutation, WhatIsNoNumberIsRefusedWithItsPlace) {
   const ChangedCopy copy([](Csv& csv) { csv.rows[kSome][csv.column("q_LB_w")] = "0.5x"; });
   const std::string refusal = refusal_of(copy.path());
-  EXPECT_NE(refusal.find("trajectory.csv:32:3: error: column q_LB_w: \"0.5x\" is no number"), refusal.npos) << refusal;
+  EXPECT_NE(refusal.find("trajectory.csv:32:3: error: column q_LB_w: \"0.5x\" is not a number"), refusal.npos) << refusal;
 }
 
 TEST(Mutation, RowsOutOfOrderAreRefused) {

@@ -91,7 +91,7 @@ TEST(CorrelatedErrors, TwoValuesAtOneTimeAreRefused) {
   } catch (const ScenarioError& error) {
     EXPECT_EQ(error.file(), "m.csv");
     EXPECT_EQ(error.diagnostics().at(0).line, 4);
-    EXPECT_NE(std::string(error.what()).find("tilt at 1 s stands on line 2 too"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("tilt at 1 s is on line 2 too"), std::string::npos) << error.what();
   }
 }
 
