@@ -141,8 +141,8 @@ TEST(Sentences, SayWhatWasSeen) {
        "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the scenario's 5.2e-05 is 0.1 sigma "
        "above it"},
       {"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, -5.16e-5, 3.0e-6, 6.0e-6, true,
-       "the Earth's rate times sin(latitude) is -5.16e-5 ± 0.60e-5 rad/s (the error by the scatter, 2 times what the stated "
-       "errors explain): seen at 8.6 sigma; the scenario's 5.2e-05 is 17 sigma above it"},
+       "the Earth's rate times sin(latitude) is -5.16e-5 ± 0.60e-5 rad/s (the standard error that the scatter gives, 2 "
+       "times the one from the stated errors): seen at 8.6 sigma; the scenario's 5.2e-05 is 17 sigma above it"},
       {"rotation_rate_rad_s", "rad/s", 7.3e-5, 4e-5, 8e-5, 9e-5, false,
        "the Earth's rate is 4.0e-5 ± 8.0e-5 rad/s: not seen, 0.5 sigma from 0; the scenario's 7.3e-05 is 0.4 sigma above it"},
       {"latitude_deg", "deg", 45, 45.7, 0.35, 0.35, false,

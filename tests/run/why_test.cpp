@@ -128,7 +128,8 @@ TEST_P(WhyPrecessing, LooksSlowerOrFasterAsItIsSeen) {
   ASSERT_TRUE(turns && left);
   EXPECT_NEAR(number(result, "laboratory_turns", "laboratory_rate_rad_s"), Omega_up, 1e-12 * std::abs(Omega_up));
   EXPECT_NEAR(number(result, "laboratory_turns", "precession_rad_s"), without, 2e-3 * std::abs(without));
-  EXPECT_TRUE(says(*turns, Omega_up > 0 ? "rad/s counterclockwise seen from above" : "rad/s clockwise seen from above")) << turns->text;
+  EXPECT_TRUE(says(*turns, Omega_up > 0 ? "rad/s counterclockwise seen from above" : "rad/s clockwise seen from above"))
+      << turns->text;
   EXPECT_TRUE(says(*turns, without > 0 ? "rad/s counterclockwise, therefore" : "rad/s clockwise, therefore")) << turns->text;
   // The laboratory runs after the axis, or against it.
   const double faster = Omega_up * without > 0 ? -std::abs(Omega_up) : std::abs(Omega_up);
