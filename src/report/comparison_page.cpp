@@ -78,7 +78,7 @@ std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
   return html;
 }
 
-/// What is there to be looked at, but not before it is asked for.
+/// Details, which open when they are asked for.
 std::string on_request(std::string_view summary, const std::string& html) {
   return html.empty() ? "" : fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(summary), html);
 }

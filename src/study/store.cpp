@@ -365,7 +365,7 @@ void Store::insert(const PointResult& point) {
   const std::uint64_t checksum = has_checksums_ ? checksum_of_row(point) : 0;
   if (has_checksums_) insert_->bind(++at, static_cast<std::int64_t>(checksum));
   insert_->execute();
-  if (sqlite3_changes(connection_->get()) == 0) {  // the point is there already
+  if (sqlite3_changes(connection_->get()) == 0) {  // the point exists already
     exclude(fmt::format("SELECT {} FROM point WHERE number = {}", kRowChecksum, point.number));
     connection_->execute(fmt::format("DELETE FROM point WHERE number = {}", point.number).c_str());
     insert_->execute();

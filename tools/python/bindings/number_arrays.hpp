@@ -38,7 +38,7 @@ auto in_precision(std::string_view precision, const Use& use) {
   throw std::invalid_argument("no such precision");
 }
 
-/// Calls one(i) for every i below n, without the interpreter's lock and with default arithmetic. Signals are looked at every
+/// Calls one(i) for every i below n, without the interpreter's lock and with default arithmetic. Signals are checked every
 /// 20 ms; if a handler raises, the rest is left undone.
 template <class One>
 void for_each_index(std::size_t n, const One& one) {

@@ -12,7 +12,7 @@
 
 namespace earthtop::python {
 
-/// Does the work and returns when it has ended. Signals are looked at every 20 ms: if a handler raises, the work is asked to stop,
+/// Does the work and returns when it has ended. Signals are checked every 20 ms: if a handler raises, the work is asked to stop,
 /// and the exception is passed on once it has stopped.
 /// @param on_progress  Python callable that takes the share done (0 to 1) and the phase, called about ten times a second and
 /// once at the end; or None

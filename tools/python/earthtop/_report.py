@@ -51,7 +51,7 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
         stack.enter_context(errors_named(names))
         page = Path(_core.report_file(place) if path is None else path)
         if page.suffix != ".html" and page.exists():
-            raise refuse(f"{page} is there already, and no page by its name; choose a name that ends in .html")
+            raise refuse(f"{page} already exists, and is not a page by its name; choose a name that ends in .html")
         html, pictures = _core.make_report(place)
         _core.write_file(page, renamed(html, names))
         for name, picture in pictures if svg else ():

@@ -80,7 +80,7 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
     force : bool
         throw away a store of another study that is in ``out``
     keep_going : bool
-        compute it even if all points looked at beforehand are refused alike
+        compute it even if all points that were tried beforehand are refused for one reason
     retry_failed : bool
         compute failed points of the store again
     repair : bool
