@@ -81,8 +81,6 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
   if (table) result.drift.tip_bound_m = kUnknown;
   result.stops = made.first.stops;
-  result.verdict.verdict = Verdict::unassessed;
-  result.verdict.from_s = 0;
   result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
   result.notes.emplace_back(
       "partial: interrupted before error bounds and verdict were computed; run the scenario again for them");
@@ -99,6 +97,9 @@ RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool parti
   result.status = RunStatus::interrupted;
   result.reached_s = made.first.samples.empty() ? 0 : static_cast<double>(made.first.samples.back().state.t_s);
   result.solution_is_whole = made.first.status == RunStatus::completed;
+  result.verdict.verdict = Verdict::unassessed;
+  result.verdict.from_s = 0;
+  result.verdict.reason = "interrupted before there were rows";
   if (partial && result.solution_is_whole) keep_rows(made, result);
   return result;
 }

@@ -23,8 +23,10 @@ double variations_seconds(const Scene& scene, double time_s, double relative_tol
   // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
   // measured on a toy top, on a body with three different moments and on a gyrocompass.
   constexpr double kAgainstOne = 4, kWithTorques = 6;  // the latter with friction and other applied torques, over those without
+  constexpr double kPlain =
+      5;  // without any effect: measured on four symmetric tops and on a body with three different moments
   const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
-  const double torques = scene.scenario().effects.applied.any() ? kWithTorques : 1;
+  const double torques = scene.scenario().effects.applied.any() ? kWithTorques : scene.is_plain() ? kPlain : 1;
   return double(groups) * kAgainstOne * torques * general_evaluation_seconds(scene) *
          variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
 }

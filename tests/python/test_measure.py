@@ -124,7 +124,7 @@ def test_frames_may_be_indexed_by_time_and_have_gaps(top, data):
 @pytest.mark.parametrize("change, message", [
     (lambda d: d.rename(columns={"tilt_deg": "tilt_degrees"}), "tilt_degrees.*did you mean"),
     (lambda d: d.drop(columns="tilt_se_deg"), "tilt has no standard error"),
-    (lambda d: d.assign(tilt_deg="high"), "<DataFrame>:2:.*no number"),
+    (lambda d: d.assign(tilt_deg="high"), "<DataFrame>:2:.*not a number"),
     (lambda d: d.assign(tilt_deg=np.inf), "finite"),
     (lambda d: d.assign(tilt_se_deg=0.0), "standard error above 0"),
     (lambda d: d[::-1], "<DataFrame>:3:.*sort the rows"),

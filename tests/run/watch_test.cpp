@@ -79,6 +79,7 @@ TEST(Interrupted, IsNotWholeWhereTheSolutionWasCutShort) {
   EXPECT_FALSE(result->solution_is_whole);
   EXPECT_TRUE(result->rows.empty());
   EXPECT_FALSE(is_partial(*result));
+  EXPECT_EQ(result->verdict.verdict, Verdict::unassessed);
 }
 
 TEST(Interrupted, HasNoRowsUnlessTheyAreAskedFor) {
@@ -86,6 +87,7 @@ TEST(Interrupted, HasNoRowsUnlessTheyAreAskedFor) {
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->solution_is_whole);
   EXPECT_TRUE(result->rows.empty());
+  EXPECT_EQ(result->verdict.verdict, Verdict::unassessed);
 }
 
 /// The lines of a CSV text, each split into cells.
