@@ -139,7 +139,7 @@ TEST(Mapping, AWrongConventionDiffersAndTheRightOneIsNamed) {
   expect_hint(other, plain, "", "North, East, Down");
   other = plain;
   other.rate_unit = kDegreesPerSecond;
-  expect_hint(other, plain, "", "degrees for radians");
+  expect_hint(other, plain, "", "degrees instead of radians");
 }
 
 TEST(Mapping, SimbodyAgreesToItsOwnError) {
