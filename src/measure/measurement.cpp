@@ -109,7 +109,11 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   }
   if (fit.outcome != FitOutcome::converged) return;
   std::vector<double> residuals;
-  if (!problem.residuals_at(fit.parameters, residuals)) throw std::logic_error("a fit without a prediction");
+  if (!problem.residuals_at(fit.parameters, residuals)) {
+    // The fit has computed this prediction, so that only a request to stop can have ended it.
+    report.fit = watch.asks_to_stop() ? FitOutcome::interrupted : FitOutcome::prediction_failed;
+    return;
+  }
   report.residuals = std::move(trials.latest);
   if (report.correlation_time_s > 0) whiten(report.residuals, problem.whitening);
   for (std::size_t k = 0; k < priors.used.size(); ++k) {
