@@ -63,6 +63,8 @@ TEST(Wrapped, ANumberStaysWithItsErrorAndUnit) {
   EXPECT_EQ(wrapped("it turns within 3.5 ± 0.1 s or so", 22), "it turns within\n3.5 ± 0.1 s or so");
   EXPECT_EQ(wrapped("it turns within 60 s", 18), "it turns within\n60 s");
   EXPECT_EQ(wrapped("up to -1.5e-07 rad", 14), "up to\n-1.5e-07 rad");
+  EXPECT_EQ(wrapped("gravity's 0.0113 N m.", 18), "gravity's\n0.0113 N m.");
+  EXPECT_EQ(wrapped("a body of 0.1 kg more", 17), "a body of 0.1 kg\nmore");
   EXPECT_EQ(wrapped("step 7b of it", 8), "step 7b\nof it");
 }
 

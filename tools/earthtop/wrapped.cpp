@@ -2,6 +2,7 @@
 #include "wrapped.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace earthtop::tool {
 namespace {
@@ -9,6 +10,12 @@ namespace {
 bool is_quantity(std::string_view word) {
   return word.find_first_of("0123456789") != std::string_view::npos &&
          word.find_first_not_of("0123456789.,e+-") == std::string_view::npos;
+}
+
+/// Whether a unit goes on after its first factor: N m, kg m².
+bool goes_on_with(std::string_view factor, std::string_view rest) {
+  return (factor == "N" || factor == "kg") && rest.starts_with('m') &&
+         (rest.size() == 1 || !std::isalpha(static_cast<unsigned char>(rest[1])));
 }
 
 /// The end of what stands at the beginning of a text and is not broken: a word, or a number with its error and its unit.
@@ -19,7 +26,8 @@ std::size_t end_of_piece(std::string_view text) {
     const std::size_t begin = end == 0 ? 0 : end + 1;
     end = std::min(text.find(' ', begin), text.size());
     const std::string_view word = text.substr(begin, end - begin), rest = text.substr(std::min(end + 1, text.size()));
-    goes_on = !rest.empty() && !rest.starts_with(' ') && (word == kSign || is_quantity(word) || rest.starts_with("± "));
+    goes_on = !rest.empty() && !rest.starts_with(' ') &&
+              (word == kSign || is_quantity(word) || rest.starts_with("± ") || goes_on_with(word, rest));
   }
   return end;
 }
