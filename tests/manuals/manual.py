@@ -8,6 +8,7 @@ A mark is a comment on the line before a block:
 A table that a command prints stands between <!-- made by: COMMAND --> and <!-- end -->.
 """
 import dataclasses
+import json
 import os
 import re
 import unicodedata
@@ -200,4 +201,26 @@ def dead_links(path, root):
         if anchor and there.endswith(".md") and (not os.path.isfile(os.path.join(root, there))
                                                  or anchor not in manual(there).anchors()):
             faults.append((line, f"dead link, there is no such heading: {target}"))
+    return faults
+
+
+def other_titles(path, root):
+    """Pairs of a line of the manual root/path, where a table of scenarios or studies begins a row with a link to one, and what that
+    file says of itself if the next cell says something else: it must be the file's title or finding."""
+    faults, judged = [], False
+    with open(os.path.join(root, path), encoding="utf-8") as stream:
+        for line, row in enumerate(stream, 1):
+            if not row.startswith("|"):
+                judged = False
+            elif re.match(r"\| \w+ \| (what it is|what it shows|finding) \|", row):
+                judged = True
+            found = judged and re.match(r"\| \[`[^`]+`\]\(([^)]+[.]json)\) \| ([^|]*) \|", row)
+            file = found and os.path.normpath(os.path.join(root, os.path.dirname(path), found[1]))
+            if not found or not os.path.isfile(file):
+                continue
+            with open(file, encoding="utf-8") as told:
+                document = json.load(told)
+            says = [document[key] for key in ("title", "finding") if key in document]
+            if found[2] not in says:
+                faults.append((line, f"{found[1]} says of itself: {' / '.join(says)}"))
     return faults

@@ -95,7 +95,8 @@ class Runner:
                 self.run_part(part)
         finally:
             self.end_session()
-        self.faults += [(line, message, "") for line, message in manual_text.dead_links(self.path, self.copy)]
+        for judged in (manual_text.dead_links, manual_text.other_titles):
+            self.faults += [(line, message, "") for line, message in judged(self.path, self.copy)]
 
     @staticmethod
     def needs_library(part):

@@ -200,6 +200,14 @@ class Links(Planted):
         self.faulty(alive + "[x]: none.md\n", 6, "dead link", room__other=other)
         self.faulty(alive + '<img src="none.svg">\n', 6, "dead link", room__other=other)
 
+    def test_titles_of_scenarios(self):
+        row = "| case | what it is |\n| --- | --- |\n| [`a`](room/other.json) | A top |\n"
+        self.write(os.path.join(self.root, "room", "other.json"), '{ "title": "A top", "finding": "It drifts." }')
+        self.sound(row)
+        self.sound(row.replace("A top", "It drifts."))
+        self.faulty(row.replace("A top", "A tip"), 3, "room/other.json says of itself: A top / It drifts.")
+        self.sound(row.replace("A top", "A tip").replace("what it is", "more"))
+
     def test_slugs(self):
         for heading, anchor in (("Effects, and the Earth's rate", "effects-and-the-earths-rate"), ("C++ & Python", "c--python"),
                                 ("A – b", "a--b"), ("`run --partial`", "run---partial"), ("I₁ = I₂", "i--i"),
