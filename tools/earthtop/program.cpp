@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "earthtop/results/provenance.hpp"
@@ -32,8 +33,8 @@ void add_group(Verb& program, std::string_view title, std::vector<Verb> verbs) {
 }
 
 std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
-  std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.push_back(verb.name);
+  std::vector<std::string> names(verbs.size());
+  std::transform(verbs.begin(), verbs.end(), names.begin(), [](const Verb& verb) { return verb.name; });
   return names;
 }
 
