@@ -136,7 +136,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations_a_row = 40,
               .is_watched = true},
      .worth = "an order that follows the tolerance: 34 digits in any scenario, and the second integration behind the bounds of "
-              "all methods but taylor and long_horizon"},
+              "most other methods"},
     {.method = Method::abm8,
      .word = "abm8",
      .step_s = Need::required,
