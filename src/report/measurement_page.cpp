@@ -110,8 +110,9 @@ std::string agreement_html(const Json& document) {
   if (const std::string fitted = chi_squared_html(document.at("chi_squared").at("fitted")); !fitted.empty())
     facts.emplace_back("chi-squared after the fit", fitted);
   if (const Json time = document.value("correlation_time_s", Json()); time.is_number())
-    facts.emplace_back(
-        "errors", "correlated over " + number_or_nothing(time, "s", 6) + ", as stated; chi-squared counts the part of each residual that the one before does not predict");
+    facts.emplace_back("errors",
+                       "correlated over " + number_or_nothing(time, "s", 6) +
+                           ", as stated; chi-squared counts the part of each residual that the one before does not predict");
   std::vector<std::string> notes;
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
