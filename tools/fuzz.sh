@@ -19,9 +19,9 @@ work=$PWD/build/fuzz
 mapfile -t all < <(FUZZ_LIST=1 "$program")
 doors=("$@")
 if [[ ${1:-} == all ]]; then doors=("${all[@]}"); fi
-if [[ $# -eq 0 ]]; then # every third commit's run of .ci/run comes here
+if [[ $# -eq 0 ]]; then # every fifth commit's run of .ci/run comes here
   commits=$(git rev-list --count HEAD 2>/dev/null || date +%j)
-  for i in 0 1 2 3; do doors+=("${all[(commits / 3 * 4 + i) % ${#all[@]}]}"); done
+  for i in 0 1 2 3; do doors+=("${all[(commits / 5 * 4 + i) % ${#all[@]}]}"); done
 fi
 
 memory=/dev/shm

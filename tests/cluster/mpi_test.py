@@ -86,7 +86,10 @@ def run_and_kill(tool, out, rank, moment):
                 before, changed = now, time.monotonic()
         if victim is None or launcher.poll() is not None:
             return None
-        os.kill(victim, signal.SIGKILL)
+        try:
+            os.kill(victim, signal.SIGKILL)
+        except ProcessLookupError:  # it has just ended, before its launcher
+            return None
         since = time.monotonic() - changed if before > 0 else 0
         launcher.wait()
         log.seek(0)
