@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 tools/install-dependencies.sh --program
 begin=$SECONDS
-cmake --preset release -DEARTHTOP_BUILD_TESTS=OFF -DEARTHTOP_PYTHON=OFF -DEARTHTOP_PRECOMPILE_HEADERS=ON >/dev/null
+cmake --preset release -DEARTHTOP_BUILD_TESTS=OFF -DEARTHTOP_PRECOMPILE_HEADERS=ON >/dev/null
 echo "Building earthtop; the first time takes some minutes."
 # The build shows its progress in one line: percentage done, seconds since the beginning.
 NINJA_STATUS='[%p after %e s] ' cmake --build --preset release --parallel "$(nproc)" --target earthtop-tool
