@@ -99,7 +99,7 @@ RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool parti
   result.solution_is_whole = made.first.status == RunStatus::completed;
   result.verdict.verdict = Verdict::unassessed;
   result.verdict.from_s = 0;
-  result.verdict.reason = "interrupted before there were rows";
+  result.verdict.reason = "interrupted before the verdict was computed";
   if (partial && result.solution_is_whole) keep_rows(made, result);
   return result;
 }
