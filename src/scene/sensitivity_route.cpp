@@ -21,13 +21,16 @@ constexpr double kRunsAnInput = 8;    // that differences take: three pairs of s
 
 double variations_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
   // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
-  // measured on a toy top, on a body with three different moments and on a gyrocompass.
-  constexpr double kAgainstOne = 4, kWithTorques = 6;  // the latter with friction and other applied torques, over those without
-  constexpr double kPlain =
-      5;  // without any effect: measured on four symmetric tops and on a body with three different moments
+  // measured on a toy top, on a body with three different moments and on a gyrocompass; and how many times that it is with friction
+  // and other applied torques, and without any effect (measured on four symmetric tops and on a body with three different moments).
+  constexpr double kAgainstOne = 4, kWithTorques = 6, kPlain = 5;
   const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
-  const double torques = scene.scenario().effects.applied.any() ? kWithTorques : scene.is_plain() ? kPlain : 1;
-  return double(groups) * kAgainstOne * torques * general_evaluation_seconds(scene) *
+  double times = 1;
+  if (scene.scenario().effects.applied.any())
+    times = kWithTorques;
+  else if (scene.is_plain())
+    times = kPlain;
+  return double(groups) * kAgainstOne * times * general_evaluation_seconds(scene) *
          variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
 }
 
