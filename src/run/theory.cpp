@@ -88,8 +88,8 @@ double change_by_close_passes(const TopConstants& constants, const MeanRates& ra
   const double high = turning_point(1), low = turning_point(-1);
   const double sin2 = 1 - high * high;  // of the smallest tilt
   double slowest = std::numeric_limits<double>::infinity();
-  constexpr int kMost = 4;
-  constexpr double kFitted = 2;
+  constexpr int kMost = 4;       // multiples of the nutation that are tried
+  constexpr double kFitted = 2;  // twice the fit, since one of 102 runs had been off by 1.2 times what that allowed
   for (int j = -kMost; j <= kMost; ++j)
     slowest = std::min(slowest, std::abs(rates.precession_rad_s + j * rates.nutation_rad_s));
   const double by_rate = Omega / slowest, by_distance = (high - low) / 2 / (sin2 * sin2);
