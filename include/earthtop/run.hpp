@@ -170,6 +170,11 @@ struct RunResult {
   bool solution_is_whole = false;
   std::vector<DriftRow> rows;
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full precision; empty in double precision
+  float128 extended_axis_max_rad = 0;           ///< the largest axis drift in full precision; 0 in double precision
+  /// The motion at times of the run's own, which resolve the axes' fastest motion: pictures, maxima and sentences come from these, and so
+  /// do not depend on the output times. Where the run has too many periods of that motion, in windows as long as one period.
+  std::vector<DriftRow> looks;
+  std::size_t looks_a_window = 0;  ///< number of looks in a window; 0: they are evenly spaced from the release to the end
   DriftSummary drift;
   VerdictReport verdict;
   std::vector<StopEvent> stops;          ///< the times when dry friction brought a motion to rest

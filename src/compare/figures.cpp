@@ -191,7 +191,8 @@ std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const C
     const SummaryMember* member = compared_member(path);
     if (!member) continue;
     const bool end_known = context.whole_run || options.tolerances.profile == Profile::bitwise;
-    if ((member->scope != FigureScope::any && !end_known) || (member->scope == FigureScope::rows && !context.same_rows))
+    if ((member->scope != FigureScope::any && !end_known) || (member->scope == FigureScope::rows && !context.same_rows) ||
+        (member->scope == FigureScope::motion && !context.both_of_motion))
       continue;
     const auto rule = rule_of(path, member->kind, options.tolerances, context.same_computation);
     if (!rule) continue;

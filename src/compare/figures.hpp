@@ -12,7 +12,8 @@ namespace earthtop::compare {
 struct FigureContext {
   bool same_computation = false;  ///< as in `rule_of`
   bool whole_run = true;          ///< whether both verdicts trust the runs to the end; else figures of the end are left out
-  bool same_rows = true;          ///< whether rows have the same times; else their largest values and means are left out
+  bool same_rows = true;          ///< whether rows have the same times; else their means are left out
+  bool both_of_motion = true;     ///< whether the largest values of both are those of the motion, not of the rows
 };
 
 std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,

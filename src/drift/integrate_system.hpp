@@ -8,7 +8,6 @@
 #include "drift/contact_run_watch.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
-#include "drift/trend_times.hpp"
 #include "integrate/drive_problem.hpp"
 
 namespace earthtop {
@@ -40,21 +39,13 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
   DriftTrajectory<T> trajectory;
   trajectory.samples.reserve(row_times.size());
   StepWatcher<T, System> watcher(system, problem);
-  const TimesOfLooks<T> looks(row_times, problem, options.method);
-  const std::vector<T>& times = looks.times();
-  trajectory.azimuths.reserve(looks.trend_count());
-  const auto on_row = [&](std::size_t look, const typename System::State& state) {
-    if (looks.is_of_trend(look)) {
-      trajectory.azimuths.push_back(watcher.azimuths(state, times[look]));
-      return;
-    }
-    const std::size_t row = looks.row(look);
+  const auto on_row = [&](std::size_t row, const typename System::State& state) {
     if (row >= problem.times_s.size()) return;
-    trajectory.samples.push_back(watcher.sample(state, times[look], problem.times_s[row]));
+    const T t = row_times[row];
+    trajectory.samples.push_back(watcher.sample(state, t, problem.times_s[row]));
     if constexpr (HasContact<System, T>)
-      trajectory.samples.back().contact =
-          std::make_shared<const ContactDriftState<T>>(system.contact_state(state, times[look]));
-    if (row == 0 && times[0] == T(0)) set_release_rates(problem, trajectory.samples.front().state);
+      trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, t));
+    if (row == 0 && t == T(0)) set_release_rates(problem, trajectory.samples.front().state);
   };
   if constexpr (HasContact<System, T>) {
     ContactRunWatch<T, System> events(system, problem);
@@ -64,7 +55,7 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     };
     Driver<T, System, decltype(on_step), decltype(on_row)> driver(system, drive, on_step, on_row);
     try {
-      trajectory.status = events.outcome(driver.run(x, times));
+      trajectory.status = events.outcome(driver.run(x, row_times));
     } catch (const ContactEnded&) {
       trajectory.status = RunStatus::completed;
     }
@@ -72,7 +63,7 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     events.finish(trajectory);
   } else {
     Driver<T, System, decltype(watcher), decltype(on_row)> driver(system, drive, watcher, on_row);
-    trajectory.status = driver.run(x, times);
+    trajectory.status = driver.run(x, row_times);
     note_steps(driver, problem, trajectory);
   }
   trajectory.threshold = watcher.threshold();

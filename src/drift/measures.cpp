@@ -10,14 +10,9 @@ template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSou
 template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
 template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
 
-AzimuthSample azimuth_sample(const DriftState<double>& state) {
-  const drift_measures::AxisPair<double> axes(state);
-  AzimuthSample sample;
-  sample.defined = axes.azimuth_defined;
-  if (sample.defined) sample.drift_rad = drift_measures::angle_of(axes.azimuth_sine(), axes.azimuth_cosine());
-  sample.ref_east = axes.n[0], sample.ref_north = axes.n[1];
-  sample.horizontal = axes.horizontal_rot;
-  return sample;
+AzimuthSample azimuth_sample(const DriftSample<double>& sample) {
+  const drift_measures::AxisPair<double> axes(sample.state);
+  return {sample.measures.azimuth_defined, sample.azimuth, axes.n[0], axes.n[1], axes.horizontal_rot};
 }
 
 }  // namespace earthtop

@@ -68,15 +68,6 @@ class StepWatcher {
     search(t, x);
     return sample_of(state, t_s);
   }
-  /// The azimuths of a state that operator() has seen.
-  AzimuthSample azimuths(const typename System::State& x, T t) const {
-    AzimuthSample sample;
-    if constexpr (std::is_same_v<T, double>) {
-      sample = azimuth_sample(system_.deviation_state(x, t));
-      sample.drift_rad += azimuth_.offset();
-    }
-    return sample;
-  }
   /// The record of the drift's first passing of the threshold, in seconds; none where no threshold is asked for.
   std::optional<ThresholdRecord<T>> threshold() const {
     if constexpr (!std::is_same_v<Search, NoSearch>)

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "earthtop/drift/drift.hpp"
+#include "earthtop/vectors.hpp"
 
 namespace earthtop {
 std::string_view to_string(ContactState state) {
@@ -25,16 +26,34 @@ std::string_view to_string(ThresholdCrossing crossing) {
   return "not_reached";
 }
 
+double horizontal(const DriftRow& row) {
+  return std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
+}
+
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s) {
   DriftSummary summary;
   if (rows.empty()) return summary;
   for (const DriftRow& row : rows) {
-    summary.axis_max_rad = std::max(summary.axis_max_rad, row.drift_axis_rad);
+    if (row.drift_axis_rad > summary.axis_max_rad) {
+      summary.axis_max_rad = row.drift_axis_rad, summary.axis_max_at_s = row.t_s;
+      summary.axis_max_bound_rad = row.drift_axis_bound_rad;
+    }
+    if (std::abs(row.drift_tilt_rad) > summary.tilt_max_rad) {
+      summary.tilt_max_rad = std::abs(row.drift_tilt_rad), summary.tilt_max_at_s = row.t_s;
+      summary.tilt_max_bound_rad = row.drift_axis_bound_rad;
+    }
+    if (row.drift_azimuth_rad && !(std::abs(*row.drift_azimuth_rad) <= summary.azimuth_max_rad)) {
+      summary.azimuth_max_rad = std::abs(*row.drift_azimuth_rad), summary.azimuth_max_at_s = row.t_s;
+      summary.azimuth_max_bound_rad = row.drift_axis_bound_rad / horizontal(row);
+    }
     summary.axis_bound_rad = std::max(summary.axis_bound_rad, row.drift_axis_bound_rad);
     summary.attitude_bound_rad = std::max(summary.attitude_bound_rad, row.drift_attitude_bound_rad);
     if (!row.contact) continue;
     summary.tip_final_m = row.contact->drift_tip_m;
-    summary.tip_max_m = std::max(summary.tip_max_m.value_or(0), row.contact->drift_tip_m);
+    if (!summary.tip_max_m || row.contact->drift_tip_m > *summary.tip_max_m) {
+      summary.tip_max_m = row.contact->drift_tip_m, summary.tip_max_at_s = row.t_s;
+      summary.tip_max_bound_m = row.contact->drift_tip_bound_m;
+    }
     summary.tip_bound_m = std::max(summary.tip_bound_m.value_or(0), row.contact->drift_tip_bound_m);
   }
   const DriftRow& last = rows.back();

@@ -63,8 +63,7 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
     const double cut = cost.is_watched ? pace.watched_angle_rad / kLook - steps : 0;
     if (cut > 0) steps += cut, evaluations += cut * cost.stable_evaluations;
   }
-  // A step that ends at a row is shorter, and a method of variable order needs fewer columns for it than for a long one.
-  if (!cost.steps_past_rows) steps = std::max(steps, pace.rows);
+  if (ends_steps_at_rows(options.method)) steps = std::max(steps, pace.rows);
   return {steps, evaluations + pace.rows * cost.evaluations_a_row};
 }
 

@@ -74,46 +74,74 @@ class StepLoops {
     return run_controlled(stepper, x, times);
   }
 
+  /// Integrates by a stepper without dense output. Output times do not cut its steps, so that the motion does not depend on them: the
+  /// state at an output time comes from steps of its own, aside from the motion, that begin where the step began. Joints cut steps.
   template <class ControlledStepper>
   RunStatus run_controlled(ControlledStepper& stepper, State& x, std::span<const T> times) {
     using boost::numeric::odeint::success;
+    ControlledStepper aside = stepper;
+    IntervalClock<T> clock(times.front(), times.back());
     T proposed = options_.first_step;
     State next;
-    for (std::size_t row = 1; row < times.size(); ++row) {
-      IntervalClock<T> clock(times[row - 1], times[row]);
-      for (T remaining = clock.remaining(); remaining > T(0); remaining = clock.remaining()) {
-        if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
-        // Land on the output time, by two equal steps rather than by a long one and a sliver.
-        if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
-        proposed = limited(proposed, x, clock.now());
-        const bool lands = proposed >= remaining;
-        const T step = lands ? remaining : (T(2) * proposed > remaining ? remaining / T(2) : proposed);
-        T dt = step, t = clock.now();
-        next = x;
-        if (stepper.try_step(equations_, next, t, dt) == success && all_finite(next)) {
-          x = next;
-          ++counters_.accepted;
-          if (lands)
-            clock.advance(remaining);
-          else
-            clock.advance(step);
-          settle(x, lands ? times[row] : clock.now());
-          // A step that was cut short by the output time is not a reason to try a shorter one than was proposed before.
-          proposed = step < proposed ? std::max(dt, proposed) : dt;
-          scales_.include(x);
-          see_step(lands ? times[row] : clock.now(), x);
-          if (lands) break;
-        } else {
-          ++counters_.rejected;
-          proposed = dt < step ? dt : step / T(4);
-          if (proposed < least_step<T>()) {
-            return failure_at(x, clock.now(), RunStatus::step_underflow);
-          }
-        }
+    for (std::size_t row = 1; row < times.size();) {
+      if (const RunStatus status = may_go_on(clock.now(), times); status != RunStatus::completed) return status;
+      const T remaining = clock.remaining(), room = std::min(remaining, until_joint(clock));
+      // Land on the end, or on a joint, by two equal steps rather than by a long one and a sliver.
+      if (options_.largest_step > T(0)) proposed = std::min(proposed, options_.largest_step);
+      proposed = limited(proposed, x, clock.now());
+      const T step = proposed >= room ? room : (T(2) * proposed > room ? room / T(2) : proposed);
+      const bool lands = step >= remaining;
+      T dt = step, t = clock.now();
+      next = x;
+      if (stepper.try_step(equations_, next, t, dt) != success || !all_finite(next)) {
+        ++counters_.rejected;
+        proposed = dt < step ? dt : step / T(4);
+        if (proposed < least_step<T>()) return failure_at(x, clock.now(), RunStatus::step_underflow);
+        continue;
       }
-      show_row(row, x);
+      ++counters_.accepted;
+      for (; row < times.size() && clock.until(times[row]) < step && !(lands && row + 1 == times.size()); ++row) {
+        State seen = x;
+        if (!go_aside(aside, seen, clock.now(), clock.until(times[row])))
+          return failure_at(x, clock.now(), RunStatus::step_underflow);
+        see_step(times[row], seen);
+        show_row(row, seen);
+      }
+      x = next;
+      clock.advance(lands ? remaining : step);
+      const T now = lands ? times.back() : clock.now();
+      settle(x, now);
+      // A step that was cut short is not a reason to try a shorter one than was proposed before.
+      proposed = step < proposed ? std::max(dt, proposed) : dt;
+      scales_.include(x);
+      see_step(now, x);
+      for (; row < times.size() && (lands || clock.until(times[row]) <= T(0)); ++row) show_row(row, x);
     }
     return RunStatus::completed;
+  }
+
+  /// Takes a state on by a given time, in steps of its own. @returns whether the equations allow steps
+  template <class ControlledStepper>
+  bool go_aside(ControlledStepper& stepper, State& x, T begin, T duration) {
+    if constexpr (requires { stepper.reset(); }) stepper.reset();
+    IntervalClock<T> clock(begin, begin + duration);
+    T left = duration, proposed = duration;
+    State next;
+    while (left > T(0)) {
+      const T step = std::min(proposed, left);
+      T dt = step, t = clock.now();
+      next = x;
+      if (stepper.try_step(equations_, next, t, dt) == boost::numeric::odeint::success && all_finite(next)) {
+        x = next;
+        clock.advance(step);
+        left -= step;
+        proposed = dt;
+      } else {
+        proposed = dt < step ? dt : step / T(4);
+        if (proposed < least_step<T>()) return false;
+      }
+    }
+    return true;
   }
 
   /// Integrates by a stepper with dense output, from which the rows come. Output times do not cut the steps; joints do.

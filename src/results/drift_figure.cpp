@@ -25,11 +25,16 @@ Unit angle_unit(double largest_rad) {
   return {"arcseconds", 3600 * kDegrees};
 }
 
+/// The motion as it is drawn: at looks that resolve it; at the rows where there are none, as for a run that was interrupted.
+const std::vector<DriftRow>& rows_drawn(const RunResult& result) {
+  return result.looks.size() > 1 ? result.looks : result.rows;
+}
+
 Line make_line(const RunResult& result, const char* label, LineColor color, LineStyle style, TimeUnit time) {
   Line line{label, {}, {}, color, style};
-  line.x.reserve(result.rows.size());
-  line.y.reserve(result.rows.size());
-  for (const DriftRow& row : result.rows) line.x.push_back(row.t_s * time.per_s);
+  line.x.reserve(rows_drawn(result).size());
+  line.y.reserve(rows_drawn(result).size());
+  for (const DriftRow& row : rows_drawn(result)) line.x.push_back(row.t_s * time.per_s);
   return line;
 }
 
@@ -38,12 +43,12 @@ double largest(double a, double b) { return std::isfinite(b) ? std::max(a, std::
 
 Panel axis_panel(const RunResult& result, TimeUnit time) {
   double size = 0;
-  for (const DriftRow& row : result.rows) size = largest(size, row.drift_axis_rad);
+  for (const DriftRow& row : rows_drawn(result)) size = largest(size, row.drift_axis_rad);
   const Unit unit = angle_unit(size);
   Line drift = make_line(result, "drift", LineColor::blue, LineStyle::solid, time);
   Line bound = make_line(result, "bound on its error", LineColor::vermillion, LineStyle::filled, time);
   Line unreliable = make_line(result, "no longer reliable", LineColor::grey, LineStyle::dashed, time);
-  for (const DriftRow& row : result.rows) {
+  for (const DriftRow& row : rows_drawn(result)) {
     const double angle = row.drift_axis_rad * unit.per_rad;
     drift.y.push_back(row.drift_reliable ? angle : kNone);
     unreliable.y.push_back(row.drift_reliable ? kNone : angle);
@@ -56,11 +61,12 @@ Panel axis_panel(const RunResult& result, TimeUnit time) {
 
 Panel parts_panel(const RunResult& result, TimeUnit time) {
   double size = 0;
-  for (const DriftRow& row : result.rows) size = largest(largest(size, row.drift_tilt_rad), row.drift_azimuth_rad.value_or(0));
+  for (const DriftRow& row : rows_drawn(result))
+    size = largest(largest(size, row.drift_tilt_rad), row.drift_azimuth_rad.value_or(0));
   const Unit unit = angle_unit(size);
   Line azimuth = make_line(result, "azimuth, clockwise", LineColor::blue, LineStyle::solid, time);
   Line tilt = make_line(result, "tilt, from the vertical", LineColor::orange, LineStyle::solid, time);
-  for (const DriftRow& row : result.rows) {
+  for (const DriftRow& row : rows_drawn(result)) {
     azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_rad);
     tilt.y.push_back(row.drift_tilt_rad * unit.per_rad);
   }
@@ -72,7 +78,7 @@ Panel parts_panel(const RunResult& result, TimeUnit time) {
 
 Figure drift_figure(const RunResult& result) {
   const Scenario& scenario = result.scene.scenario();
-  const TimeUnit time = time_unit(result.rows.empty() ? scenario.duration_s : result.rows.back().t_s);
+  const TimeUnit time = time_unit(rows_drawn(result).empty() ? scenario.duration_s : rows_drawn(result).back().t_s);
   // One part after the other: of a whole that is begun when memory ends, g++ 12 destroys parts twice.
   Figure figure;
   figure.title = scenario.title.empty() ? scenario.name : scenario.title;

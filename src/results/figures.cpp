@@ -24,15 +24,6 @@ namespace {
 
 // Functions for values that are not simply a member of the result.
 
-/// The largest size of a value over the rows that have it.
-template <class T>
-std::optional<double> largest(R r, T DriftRow::*member) {
-  std::optional<double> most;
-  for (const DriftRow& row : r.rows)
-    if (const std::optional<double> value = row.*member) most = std::max(most.value_or(0), std::abs(*value));
-  return most;
-}
-
 /// The change of the mean precession rate, counterclockwise about Up: minus the secular rate of the azimuth.
 std::optional<double> mean_precession_rate_change(const SecularDrift& trend) {
   if (!trend.azimuth_rate_rad_s) return std::nullopt;
@@ -50,6 +41,12 @@ std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
 
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
+
+/// A value that belongs to another one; null where there is no other.
+template <class T>
+Json if_there(const std::optional<double>& other, const T& value) {
+  return other ? Json(value) : Json();
+}
 
 /// A value that only a top on a table has; left out for others.
 Json of_contact(R r, const std::optional<double>& value) {
@@ -107,20 +104,29 @@ constexpr auto kDriftMembers = [] {
   return std::array{
       of_rows(object("drift")),
       compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; }),
-      compared("drift.axis_max_rad", drift_axis, rows, kFromRows, [](R r) { return r.drift.axis_max_rad; }),
+      compared("drift.axis_max_rad", drift_axis, motion, kFromRows, [](R r) { return r.drift.axis_max_rad; }),
+      told("drift.axis_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return r.drift.axis_max_at_s; }),
+      told("drift.axis_max_bound_rad", kFromRows, kIsBounded, [](R r) { return r.drift.axis_max_bound_rad; }),
       compared("drift.axis_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.axis_bound_rad; }),
       compared("drift.attitude_final_rad", drift_attitude, end, kAtEnd, [](R r) { return r.drift.attitude_final_rad; }),
       compared("drift.attitude_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.attitude_bound_rad; }),
       compared("drift.spin_final_rad", drift_spin, end, kAtEnd, [](R r) { return r.drift.spin_final_rad; }),
       compared("drift.azimuth_final_rad", drift_azimuth, end, kAtEnd, [](R r) { return r.drift.azimuth_final_rad; }),
       compared("drift.tilt_final_rad", drift_tilt, end, kAtEnd, [](R r) { return r.drift.tilt_final_rad; }),
-      compared("drift.azimuth_max_rad", drift_azimuth, rows, kFromRows,
-               [](R r) { return largest(r, &DriftRow::drift_azimuth_rad); }),
-      compared("drift.tilt_max_rad", drift_tilt, rows, kFromRows, [](R r) { return largest(r, &DriftRow::drift_tilt_rad); }),
+      compared("drift.azimuth_max_rad", drift_azimuth, motion, kFromRows, [](R r) { return r.drift.azimuth_max_rad; }),
+      told("drift.azimuth_max_at_s", kFromRows, kTimeOfLargest,
+           [](R r) { return if_there(r.drift.azimuth_max_rad, r.drift.azimuth_max_at_s); }),
+      told("drift.azimuth_max_bound_rad", kFromRows, kIsBounded,
+           [](R r) { return if_there(r.drift.azimuth_max_rad, r.drift.azimuth_max_bound_rad); }),
+      compared("drift.tilt_max_rad", drift_tilt, motion, kFromRows, [](R r) { return r.drift.tilt_max_rad; }),
+      told("drift.tilt_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return r.drift.tilt_max_at_s; }),
+      told("drift.tilt_max_bound_rad", kFromRows, kIsBounded, [](R r) { return r.drift.tilt_max_bound_rad; }),
       compared("drift.tip_final_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_final_m); }),
       compared("drift.tip_final_x_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 0)); }),
       compared("drift.tip_final_y_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 1)); }),
-      compared("drift.tip_max_m", drift_tip, rows, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
+      compared("drift.tip_max_m", drift_tip, motion, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
+      told("drift.tip_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return of_contact(r, r.drift.tip_max_at_s); }),
+      told("drift.tip_max_bound_m", kFromRows, kIsBounded, [](R r) { return of_contact(r, r.drift.tip_max_bound_m); }),
       compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
                [](R r) { return r.drift.axis_final_over_earth_angle; }),
@@ -149,8 +155,16 @@ constexpr auto kDriftMembers = [] {
       told("drift.secular.mean_of_window", kFromRows, kWords, [](R r) { return r.drift.secular->of_window; }),
       told("drift.secular.reason", kFromRows, kWords, [](R r) { return r.drift.secular->reason; }),
       object_or_null("drift.oscillation", [](R r) { return r.drift.secular.has_value(); }),
-      compared("drift.oscillation.azimuth_rad", drift_azimuth, any, kFromRows,
+      compared("drift.oscillation.azimuth_rad", drift_azimuth, motion, kFromRows,
                [](R r) { return r.drift.secular->azimuth_oscillation_rad; }),
+      told("drift.oscillation.azimuth_bound_rad", kFromRows, kIsBounded,
+           [](R r) {
+             return if_there(r.drift.secular->azimuth_oscillation_rad, r.drift.secular->azimuth_oscillation_bound_rad);
+           }),
+      told(
+          "drift.oscillation.azimuth_at_s", kFromRows, kTimeOfLargest,
+          [](R r) { return if_there(r.drift.secular->azimuth_oscillation_rad, r.drift.secular->azimuth_oscillation_at_s); },
+          document),
       compared("drift.threshold_rad", input, any, kFromRows, [](R r) { return r.scene.scenario().threshold_rad; }),
       compared("drift.threshold_time_s", threshold_time, any, kAtEnd, [](R r) { return r.drift.threshold_time_s; }),
       compared("drift.threshold_time_bound_s", error, any, kAtEnd, [](R r) { return r.drift.threshold_time_bound_s; }),

@@ -41,9 +41,10 @@ enum class FigureKind {
 
 /// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it.
 enum class FigureScope {
-  any,  ///< it depends on nothing else
-  end,  ///< it depends on the end of the run, and on the motion that led there
-  rows  ///< it is a maximum or a mean over the rows, and depends on which rows there are
+  any,     ///< it depends on nothing else
+  end,     ///< it depends on the end of the run, and on the motion that led there
+  motion,  ///< it is a largest value between release and end; results that do not say when it is reached have that of their rows
+  rows     ///< it is a mean over the rows, and depends on which rows there are
 };
 
 /// Whether a figure is known from the end of a run alone, or needs rows between release and end.

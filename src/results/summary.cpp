@@ -166,7 +166,7 @@ std::string matching_rule(const Scenario& scenario) {
 std::optional<DriftDigits> drift_digits(const RunResult& result) {
   if (result.extended_rows.empty() || !has_drift(result)) return std::nullopt;
   const auto in_full = [&](float128 value) { return digits(value, result.scene.scenario().precision); };
-  float128 axis_max = 0;
+  float128 axis_max = result.extended_axis_max_rad;
   for (const ExtendedDriftRow& row : result.extended_rows) axis_max = std::max(axis_max, row.drift_axis_rad);
   const ExtendedDriftRow& last = result.extended_rows.back();
   return DriftDigits{in_full(last.drift_axis_rad), in_full(axis_max), in_full(last.drift_attitude_rad),

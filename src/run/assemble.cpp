@@ -14,6 +14,7 @@
 #include "run/contact_report.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
+#include "run/look_between.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
 #include "run/verdict.hpp"
@@ -32,9 +33,14 @@ constexpr int kSafety = 10;
 /// The rounding of a rate, in units in the last place, that is counted in the attitudes of a top on a table.
 constexpr int kTurnUnits = 4;
 
-/// Returns how many rows the bound of row i is based on. Two runs may agree by chance in the first rows, so the bound of each
-/// row also uses the distances in the next two rows.
-std::size_t rows_compared(std::size_t i) { return i + 3; }
+/// Returns up to which look the two integrations are compared for the bound at look i. They may agree by chance at the first looks, so
+/// the bound also uses the distances at the next two looks for judgement.
+std::size_t compared_ahead(const Looks& looks, std::size_t i, std::size_t count) {
+  int ahead = 2;
+  for (++i; i < count && ahead > 0; ++i)
+    if (looks.serves(i, LookFor::judgement)) --ahead;
+  return i;
+}
 
 /// The angle between two attitudes (rad), given by the square of the tangent of its half, which is cheap, and grows with it.
 template <class T>
@@ -57,19 +63,12 @@ void add_row(const BasicDriftRow<T>& row, RunResult& result) {
   }
 }
 
-/// The maker of the contact's part of the rows; none for a fixed pivot.
-template <class T>
-std::optional<ContactRows<T>> contact_rows(const Scene& scene, const DriftTrajectory<T>& trajectory) {
-  if (!scene.scenario().contact) return std::nullopt;
-  return std::optional<ContactRows<T>>(std::in_place, scene.problem<T>(), trajectory.contact_events);
-}
-
 /// Keeps the rows of a complete solution whose error bounds have not been computed.
 template <class T>
 void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const DriftBound<T> none(0);
-  const std::optional<ContactRows<T>> table = contact_rows(result.scene, made.first);
+  const std::optional<ContactRows<T>> table = contact_rows<T>(result.scene, made.first.contact_events);
   for (const DriftSample<T>& sample : made.first.samples) {
     BasicDriftRow<T> row = make_row(sample, none, table);
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
@@ -79,7 +78,8 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
   if (made.first.threshold) result.drift.threshold_time_s = made.first.threshold->time_s();
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
-  if (table) result.drift.tip_bound_m = kUnknown;
+  result.drift.axis_max_bound_rad = result.drift.tilt_max_bound_rad = result.drift.azimuth_max_bound_rad = kUnknown;
+  if (table) result.drift.tip_bound_m = result.drift.tip_max_bound_m = kUnknown;
   result.stops = made.first.stops;
   result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
   result.notes.emplace_back(
@@ -107,19 +107,15 @@ RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool parti
 /// Returns a note if the flow at a disc changes during the run, because the drag formula chosen at release is kept.
 std::optional<std::string> note_on_air(const RunResult& result) {
   const auto& disc = result.modelled.scenario().effects.applied.air_drag;
-  if (!disc || disc->flow != DiscFlow::automatic || result.rows.empty()) return std::nullopt;
-  const bool turbulent = is_turbulent(*disc, result.rows.front().w_LB_B[2]);
-  const auto other = std::find_if(result.rows.begin(), result.rows.end(),
+  if (!disc || disc->flow != DiscFlow::automatic || result.looks.empty()) return std::nullopt;
+  const bool turbulent = is_turbulent(*disc, result.looks.front().w_LB_B[2]);
+  const auto other = std::find_if(result.looks.begin(), result.looks.end(),
                                   [&](const DriftRow& row) { return is_turbulent(*disc, row.w_LB_B[2]) != turbulent; });
-  if (other == result.rows.end()) return std::nullopt;
+  if (other == result.looks.end()) return std::nullopt;
   return fmt::format(
       "after {} s the flow round the disc is {}, but the drag remains that of the release, {}: give /effects/air_drag/flow",
       other->t_s, turbulent ? "laminar" : "turbulent", turbulent ? "turbulent" : "laminar");
 }
-
-}  // namespace
-
-namespace {
 
 bool first_is_limited(const RunResult& result) { return result.solution.status == RunStatus::step_limit; }
 const IntegrationReport& limited(const RunResult& result) {
@@ -149,11 +145,23 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<double> nudge_units) {
+void plan_first(const Scene& scene, TwoIntegrations<T>& made, DriftProblem<T>& problem) {
+  made.plan = plan_looks(scene, made.options);
+  made.looks.add(problem.times_s, LookFor::row);
+  // Where steps end at the looks, the rows serve for judgement.
+  made.looks.add(made.plan.judged_s.empty() ? problem.times_s : made.plan.judged_s, LookFor::judgement);
+  if (looks_between_rows(made.options, scene.scenario().precision)) {
+    made.looks.add(made.plan.trend.times_s, LookFor::trend);
+    made.looks.add(made.plan.picture.times_s, LookFor::picture);
+  }
+  problem.times_s = made.looks.times_s;
+}
+
+template <class T>
+void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, std::optional<double> nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
-  problem.times_s.resize(std::max<std::size_t>(1, rows));
-  problem.trend_times_s.clear();
+  problem.times_s = looks.compared(std::max<std::size_t>(1, count)).times_s;
   nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)));
 }
 
@@ -171,8 +179,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 }
 
 template <class T>
-RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, const RunSeconds& seconds, Parts parts,
-                          bool partial) {
+RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts, bool partial) {
   const Scenario& scenario = scene.scenario();
   const Watch rows = parts.next(seconds.rows);
   const auto stop = [&] { return rows.asks_to_stop(); };
@@ -182,15 +189,18 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.certificate = made.certificate;
   result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
 
+  std::vector<DriftSample<double>> between = take_between(made);
+
   // The following work takes seconds for millions of rows.
   DriftBound<T> bound(kSafety, scenario.contact ? kOnTable : kOnPivot);
-  const std::optional<ContactRows<T>> table = contact_rows(scene, made.first);
+  std::vector<JudgedLook> judged;
+  const std::optional<ContactRows<T>> table = contact_rows<T>(scene, made.first.contact_events);
   const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
   std::size_t compared = 0;
   T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
   for (std::size_t i = 0; i < count && !stop(); ++i) {
     if (i % 64 == 0) rows.reach(static_cast<double>(i) / static_cast<double>(count));
-    for (const std::size_t ahead = std::min(count, rows_compared(i)); compared < ahead; ++compared) {
+    for (const std::size_t ahead = compared_ahead(made.looks, i, count); compared < ahead; ++compared) {
       const DriftSample<T>& sample = made.first.samples[compared];
       const DriftSample<T>& second = made.second.samples[compared];
       bound.include(sample.measures, second.measures, sample.state.epsilon);
@@ -199,7 +209,8 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     }
     const DriftSample<T>& sample = made.first.samples[i];
     const DriftSample<T>& other = made.second.samples[i];
-    add_row(make_row(sample, bound, table), result);
+    if (made.looks.serves(i, LookFor::row)) add_row(make_row(sample, bound, table), result);
+    if (made.looks.serves(i, LookFor::judgement)) judged.push_back(judged_look(sample, bound));
     const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
                                              {sample.state.ref_q_LB, other.state.ref_q_LB}};
     // Where the method states no error, only an angle that may be the largest so far counts.
@@ -219,13 +230,17 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
+  std::vector<AzimuthSample> azimuths;
+  if (has_drift(result)) azimuths = look_between(scene, made, std::move(between), judged, rows, result);
+  if (stop()) return stopped(scene, made, partial);
+  keep(made.looks, LookFor::row, LookFor::row, made.first.samples);
   if (table) {
     result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
     const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());
     result.contact->rotating = balances[0], result.contact->reference = balances[1];
   }
   if (stop()) return stopped(scene, made, partial);
-  result.verdict = assess_verdict(result, parts.next(seconds.growth, "growth of disturbances"));
+  result.verdict = assess_verdict(result, judged, parts.next(seconds.growth, "growth of disturbances"));
   mark_rows(result);
   if (table) assess_prediction_changes(result, rows);
   // The two integrations can agree on a threshold crossing although rounding has moved it in both.
@@ -240,9 +255,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
     result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
                                          : assess_invariants(result, rows);
     if (stop()) return stopped(scene, made, partial);
-    result.drift.secular = assess_trend(result, made.trend, made.first.azimuths, made.options, made.first.kick_steps, rows);
+    result.drift.secular = assess_trend(result, made.plan.trend, azimuths);
     if (stop()) return stopped(scene, made, partial);
-    result.theory = assess_theory(scene, result.rows, result.drift);
+    assess_largest(source_of(scene, made, rows), judged, result);
+    if (stop()) return stopped(scene, made, partial);
+    result.theory = assess_theory(scene, result.looks, result.drift);
     result.why = why_sentences(result);
     if (stop()) return stopped(scene, made, partial);
   }
@@ -257,10 +274,11 @@ RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, co
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void make_second(DriftProblem<T>&, std::size_t, std::optional<double>);                                \
+  template void plan_first(const Scene&, TwoIntegrations<T>&, DriftProblem<T>&);                                  \
+  template void make_second(DriftProblem<T>&, const Looks&, std::size_t, std::optional<double>);                  \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
-  template RunResult assemble_result(const Scene&, const TwoIntegrations<T>&, const RunSeconds&, Parts, bool);
+  template RunResult assemble_result(const Scene&, TwoIntegrations<T>, const RunSeconds&, Parts, bool);
 EARTHTOP_ASSEMBLE(double)
 EARTHTOP_ASSEMBLE(long double)
 EARTHTOP_ASSEMBLE(float128)

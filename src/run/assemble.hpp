@@ -6,7 +6,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
-#include "run/trend.hpp"
+#include "run/looks.hpp"
 
 namespace earthtop {
 
@@ -16,14 +16,20 @@ struct TwoIntegrations {
   IntegrationOptions options, other_options;
   IntegrationReport solution, certificate;
   DriftTrajectory<T> first, second;
-  TrendPlan trend;
+  LookPlan plan;
+  Looks looks;  ///< of the first integration; the second has those for rows and judgement
 };
 
-/// Turns the problem of the rows into that of the second integration: nudged, and ending where the rows end.
-/// @param rows  number of rows, at least that of the release   @param nudge_units  size of the nudge (units in the last place);
+/// Sets the times of the first integration, those of the rows and of all other looks that it can take.
+template <class T>
+void plan_first(const Scene& scene, TwoIntegrations<T>& made, DriftProblem<T>& problem);
+
+/// Turns the first integration's problem into that of the second one: nudged, with those looks alone that are compared, and ending
+/// where the first one ended.
+/// @param count  of the looks that the first integration has taken   @param nudge_units  size of the nudge (units in the last place);
 /// as drift_bound.hpp has it if not given
 template <class T>
-void make_second(DriftProblem<T>& problem, std::size_t rows, std::optional<double> nudge_units = {});
+void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, std::optional<double> nudge_units = {});
 
 /// Fills a report except for its reason and its time.
 template <class T>
@@ -34,7 +40,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 /// @param seconds, parts  estimated times of the phases, and the rest of the run's progress that they share
 /// @param partial  as in RunOptions
 template <class T>
-RunResult assemble_result(const Scene& scene, const TwoIntegrations<T>& made, const RunSeconds& seconds, Parts parts,
+RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts,
                           bool partial = false);
 
 }  // namespace earthtop

@@ -81,9 +81,9 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   std::vector<TwoIntegrations<double>> made(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Scene& scene = scenes[points[i].index];
-    made[i].trend = plan_trend(scene);
+    made[i].options = points[i].options;
     problems.push_back(scene.problem<double>());
-    problems.back().trend_times_s = made[i].trend.times_s;
+    plan_first(scene, made[i], problems.back());
   }
 
   std::vector<double> seconds;
@@ -91,7 +91,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
   auto trajectories = integrate_together(problems, options, watch.part(0, 0.5), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
     made[i].first = std::move(trajectories[i]);
-    make_second(problems[i], made[i].first.samples.size(), kNudgeUnits);
+    make_second(problems[i], made[i].looks, made[i].first.samples.size(), kNudgeUnits);
   }
   trajectories = integrate_together(problems, other_options, watch.part(0.5, 1), seconds);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -99,14 +99,13 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
     const Scene& scene = scenes[points[i].index];
     const Precision precision = scene.scenario().precision;
     both.second = std::move(trajectories[i]);
-    both.options = points[i].options;
     both.other_options = second_lane_options(both.options);
     describe(problems[i], both.options, both.first, precision, both.solution);
     describe(problems[i], both.other_options, both.second, precision, both.certificate);
     both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
-    outcomes[points[i].index].result = assemble_result(scene, both, {}, Parts(watch, 0));
+    outcomes[points[i].index].result = assemble_result(scene, std::move(both), {}, Parts(watch, 0));
     both = {};
   }
 }

@@ -59,14 +59,14 @@ DriftProblem<double> rolling_on(DriftProblem<double> problem, const DriftRow& ro
 /// Follows disturbances of a run. Exact dry friction has no derivative where the slip stops: they are followed to just before it,
 /// and again from the first row at which both predictions roll.
 ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
-  const bool slides = !rolls(result.rows.front()) || problem.table->contact.law == ContactLaw::rolling;
+  const bool slides = !rolls(result.looks.front()) || problem.table->contact.law == ContactLaw::rolling;
   const auto stop_s = first_event(result, ContactEventKind::slip_stopped);
   ContactGrowth growth;
   growth.completed = true;
   if (slides) growth = contact_growth(problem, stop_s ? 0.99 * *stop_s : result.reached_s, kContactGrowthTolerance, watch);
   if ((slides && !stop_s) || !growth.completed || (growth.above_s && !growth.again_s)) return growth;
-  const auto row = std::ranges::find_if(result.rows, rolls);
-  if (row == result.rows.end() || !(result.reached_s > row->t_s)) return growth;
+  const auto row = std::ranges::find_if(result.looks, rolls);
+  if (row == result.looks.end() || !(result.reached_s > row->t_s)) return growth;
   ContactGrowth after = contact_growth(rolling_on(problem, *row), result.reached_s - row->t_s, kContactGrowthTolerance, watch);
   for (std::optional<double>* time_s : {&after.above_s, &after.again_s})
     if (*time_s) **time_s += row->t_s;
@@ -96,7 +96,7 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
     report.reason = "the non-rotating prediction is integrable: no disturbance grows exponentially";
     return report;
   }
-  if (stands_fast(problem, result.rows)) {
+  if (stands_fast(problem, result.looks)) {
     report.reason = "the top stands, and its spin is well above critical throughout: no disturbance grows exponentially";
     return report;
   }

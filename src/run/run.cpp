@@ -42,11 +42,12 @@ template <class T>
 class SecondBeside {
  public:
   /// Starts it, unless the options have it wait for the first one, or no thread is available.
-  SecondBeside(const Scene& scene, const IntegrationOptions& first, const IntegrationOptions& second, const RunOptions& run) {
+  SecondBeside(const Scene& scene, const DriftProblem<T>& rows, const Looks& looks, const IntegrationOptions& first,
+               const IntegrationOptions& second, const RunOptions& run) {
     // long_horizon checks itself with the steps that the first integration has found.
     if (run.jobs < 2 || (first.method == second.method && first.method == Method::long_horizon)) return;
-    DriftProblem<T> problem = scene.problem<T>();
-    make_second(problem, problem.times_s.size());
+    DriftProblem<T> problem = rows;
+    make_second(problem, looks, looks.size());
     const Watch watch = run.watch.with_progress(nullptr);  // only one thread may report
     try {
       made_ = std::async(std::launch::async, [problem = std::move(problem), second, watch, &scene] {
@@ -58,11 +59,11 @@ class SecondBeside {
     }
   }
   bool runs() const { return made_.valid(); }
-  /// Waits for it. @returns whether it was made, for all rows of the first one
-  bool take(const DriftTrajectory<T>& first, std::size_t rows, DriftTrajectory<T>& second, IntegrationReport& report) {
+  /// Waits for it. @returns whether it was made, for all looks of the first one
+  bool take(const DriftTrajectory<T>& first, std::size_t looks, DriftTrajectory<T>& second, IntegrationReport& report) {
     if (!made_.valid()) return false;
     Made made = made_.get();
-    if (first.samples.size() < rows) return false;  // it went on to another end
+    if (first.samples.size() < looks) return false;  // it went on to another end
     second = std::move(made.trajectory);
     report = std::move(made.report);
     return true;
@@ -85,26 +86,24 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   made.other_options = second_options(scene, made.options);
   const Watch& watch = run_options.watch;
   RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
-  SecondBeside<T> beside(scene, made.options, within_estimate(scene, made.other_options), run_options);
+  DriftProblem<T> problem = scene.problem<T>();
+  plan_first(scene, made, problem);
+  SecondBeside<T> beside(scene, problem, made.looks, made.options, within_estimate(scene, made.other_options), run_options);
   if (beside.runs()) seconds.bound = std::max(0.0, seconds.bound - seconds.solution);
   Parts parts(watch, seconds.all());
 
-  made.trend = plan_trend(scene);
-  DriftProblem<T> rows = scene.problem<T>();
-  rows.trend_times_s = made.trend.times_s;
-  made.first = integrate_timed(rows, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
+  made.first = integrate_timed(problem, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
   made.solution.reason = scene.choice().reason;
   const Watch bound = parts.next(seconds.bound, "error bound");
-  if (!beside.take(made.first, rows.times_s.size(), made.second, made.certificate)) {
-    DriftProblem<T> problem = rows;
+  if (!beside.take(made.first, made.looks.size(), made.second, made.certificate)) {
     // Where an event has ended the first integration, the second goes on until it finds the event as well.
     const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });
-    make_second(problem, std::min(rows.times_s.size(), made.first.samples.size() + (ended ? 1 : 0)));
+    make_second(problem, made.looks, made.first.samples.size() + (ended ? 1 : 0));
     if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
     made.other_options = within_estimate(scene, made.other_options);
     made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);
   }
-  return assemble_result(scene, made, seconds, parts, run_options.partial);
+  return assemble_result(scene, std::move(made), seconds, parts, run_options.partial);
 }
 
 RunResult run_once(const Scene& scene, const RunOptions& options) {

@@ -46,36 +46,6 @@ std::vector<double> times_in_steps(double duration, double step) {
   return times;
 }
 
-/// The looks of an integration that is made only for them.
-std::vector<AzimuthSample> look_again(const Scene& scene, const TrendPlan& plan, const IntegrationOptions& options,
-                                      const std::optional<KickSteps>& kick_steps, const Watch& watch) {
-  constexpr double kLookTolerance = 1e-10;
-  DriftProblem<double> problem = scene.problem<double>();
-  problem.times_s = plan.times_s;
-  problem.threshold_rad.reset();
-  IntegrationOptions again = options;
-  if (options.method == Method::long_horizon) {
-    again.kick_steps = kick_steps;
-  } else if (options.method != Method::closed_form) {
-    if (scene.method_refusal(Method::taylor)) return {};
-    again.method = Method::taylor;
-    again.step_s.reset();
-    again.observer = Observer::laboratory;
-    again.form = ModelForm::automatic;
-    again.relative_tolerance = kLookTolerance;
-    if (!takes_reduced_form(problem.model, again)) again.observer = Observer::body, again.form = ModelForm::general;
-  }
-  const DriftTrajectory<double> trajectory = integrate_drift(problem, again, watch.with_progress(nullptr));
-  std::vector<AzimuthSample> azimuths;
-  azimuths.reserve(trajectory.samples.size());
-  for (const DriftSample<double>& sample : trajectory.samples) {
-    AzimuthSample look = azimuth_sample(sample.state);
-    look.drift_rad = sample.azimuth;
-    azimuths.push_back(look);
-  }
-  return azimuths;
-}
-
 /// The mean rate of the reference's azimuth (rad/s, counterclockwise), with weights that fall to zero at both ends.
 double mean_precession(std::span<const AzimuthSample> azimuths, double step) {
   double sum = 0, weights = 0, before = 0;
@@ -103,24 +73,12 @@ bool azimuths_tell(std::span<const AzimuthSample> azimuths) {
   return widest < 2 * ref_widest && ref_widest < 2 * widest;
 }
 
-double half_range(std::span<const AzimuthSample> azimuths, double step, double rate) {
-  double least = 0, most = 0;
-  for (std::size_t i = 0; i < azimuths.size(); ++i) {
-    const double rest = azimuths[i].drift_rad - rate * step * static_cast<double>(i);
-    least = i == 0 ? rest : std::min(least, rest);
-    most = i == 0 ? rest : std::max(most, rest);
-  }
-  return (most - least) / 2;
-}
-
-/// The bound on the azimuth drift at the last row until a time.
+/// The bound on the azimuth drift at the last look until a time.
 double azimuth_bound(const RunResult& result, double until) {
   double bound = 0;
-  for (const DriftRow& row : result.rows) {
+  for (const DriftRow& row : result.looks) {
     if (row.t_s > until) break;
-    const double horizontal =
-        std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
-    if (row.drift_azimuth_rad && horizontal > 0) bound = row.drift_axis_bound_rad / horizontal;
+    if (row.drift_azimuth_rad && horizontal(row) > 0) bound = row.drift_axis_bound_rad / horizontal(row);
   }
   return bound;
 }
@@ -134,23 +92,16 @@ double bound_of_slow_swing(const SlowSwing& swing, double duration, double bound
   return std::min(swing.rate_rad_s, bound_of_fit / seen);
 }
 
-/// The mean of a motion on which more than gravity and the Earth's rotation acts, over the reliable rows.
+/// The mean of a motion on which more than gravity and the Earth's rotation acts, over the looks until the drift is no longer reliable.
 void take_mean(const RunResult& result, SecularDrift& trend) {
-  const DriftRow* last = last_reliable_row(result);
-  if (last == nullptr || !(last->t_s > 0) || !last->drift_azimuth_rad || !result.rows.front().drift_azimuth_rad) {
-    trend.reason = "not every reliable row has an azimuth";
+  const auto last = std::find_if(result.looks.rbegin(), result.looks.rend(),
+                                 [&](const DriftRow& look) { return look.t_s <= result.verdict.reliable_until_s; });
+  if (last == result.looks.rend() || !(last->t_s > 0) || !last->drift_azimuth_rad || !result.looks.front().drift_azimuth_rad) {
+    trend.reason = "not every reliable look has an azimuth";
     return;
   }
-  double least = 0, most = 0;
   trend.window_s = {0, last->t_s};
   trend.azimuth_rate_rad_s = *last->drift_azimuth_rad / last->t_s;
-  for (const DriftRow& row : result.rows) {
-    if (row.t_s > last->t_s) break;
-    if (!row.drift_azimuth_rad) continue;
-    const double rest = *row.drift_azimuth_rad - *trend.azimuth_rate_rad_s * row.t_s;
-    least = std::min(least, rest), most = std::max(most, rest);
-  }
-  trend.azimuth_oscillation_rad = (most - least) / 2;
   trend.azimuth_rate_bound_95_rad_s = azimuth_bound(result, last->t_s) / last->t_s;
   trend.of_window = true;
 }
@@ -191,10 +142,8 @@ TrendPlan plan_trend(const Scene& scene) {
   return plan;
 }
 
-std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan, std::span<const AzimuthSample> seen,
-                                         const IntegrationOptions& options, const std::optional<KickSteps>& kick_steps,
-                                         const Watch& watch) {
-  if (std::ranges::count_if(result.rows, [](const DriftRow& row) { return row.drift_azimuth_rad.has_value(); }) < 3)
+std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan, std::span<const AzimuthSample> seen) {
+  if (std::ranges::count_if(result.looks, [](const DriftRow& look) { return look.drift_azimuth_rad.has_value(); }) < 3)
     return std::nullopt;
   SecularDrift trend;
   trend.reason = plan.no_precession;
@@ -217,11 +166,6 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
 
   trend.reason = "no samples of the azimuth were planned";
   if (plan.times_s.size() < 2) return trend;
-  std::vector<AzimuthSample> made;
-  if (seen.empty()) {
-    made = look_again(result.modelled, plan, options, kick_steps, watch);
-    seen = made;
-  }
   std::size_t count = 0;
   while (count < seen.size() && plan.times_s[count] <= until) ++count;
   const std::span<const AzimuthSample> azimuths = seen.first(count);
@@ -261,7 +205,6 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
       estimate.bound_rad_s +
       bound_of_slow_swing(unseen_swing(result.modelled, trend.window_s[1]), trend.window_s[1], estimate.bound_rad_s) +
       2 * azimuth_bound(result, until) / trend.window_s[1];
-  trend.azimuth_oscillation_rad = half_range(azimuths, step, estimate.rate_rad_s);
   return trend;
 }
 

@@ -25,11 +25,9 @@ struct TrendPlan {
 /// the nutation looks like a slow swing. Other bodies are looked at three times in the period of their fastest turn.
 TrendPlan plan_trend(const Scene& scene);
 
-/// @param azimuths  at the plan's times, as far as the run got; if the run's method has not looked, an integration is made here
-/// that does   @param options, kick_steps  of the run's first integration
-/// @returns nothing where fewer than three rows have an azimuth
-std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan,
-                                         std::span<const AzimuthSample> azimuths, const IntegrationOptions& options,
-                                         const std::optional<KickSteps>& kick_steps, const Watch& watch);
+/// The trend without its swings, which come from the motion (largest_drift.hpp).
+/// @param result  its looks and its verdict are read   @param seen  the azimuths at the plan's times, as far as the run got
+/// @returns nothing where fewer than three looks have an azimuth
+std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPlan& plan, std::span<const AzimuthSample> seen);
 
 }  // namespace earthtop

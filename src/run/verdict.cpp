@@ -100,37 +100,35 @@ std::string when(std::optional<double> time_s, std::string_view what) {
 }
 
 /// Returns the first time (s) from which the largest drift so far, of axis or attitude, is not well above its bound.
-std::optional<double> noise_from_s(const RunResult& result) {
+std::optional<double> noise_from_s(std::span<const JudgedLook> judged) {
   double axis = 0, attitude = 0;
   std::optional<double> from_s;
-  for (const DriftRow& row : result.rows) {
-    if (row.t_s == 0) continue;
-    axis = std::max(axis, row.drift_axis_rad);
-    attitude = std::max(attitude, row.drift_attitude_rad);
-    const double axis_bound = row.drift_axis_bound_rad, attitude_bound = row.drift_attitude_bound_rad;
+  for (const JudgedLook& look : judged) {
+    if (look.t_s == 0) continue;
+    axis = std::max(axis, look.axis_rad);
+    attitude = std::max(attitude, look.attitude_rad);
     // The noise of an axis that stands still does not count, as it is far below the drift of an attitude that moves.
-    const bool axis_noise = axis <= kResolved * axis_bound && axis_bound > kStill * attitude;
-    const bool noise = axis_noise || (attitude_bound > 0 && attitude <= kResolved * attitude_bound);
+    const bool axis_noise = axis <= kResolved * look.axis_bound_rad && look.axis_bound_rad > kStill * attitude;
+    const bool noise = axis_noise || (look.attitude_bound_rad > 0 && attitude <= kResolved * look.attitude_bound_rad);
     if (!noise)
       from_s.reset();
     else if (!from_s)
-      from_s = row.t_s;
+      from_s = look.t_s;
   }
   return from_s;
 }
 
-std::optional<double> loose_from_s(const std::vector<DriftRow>& rows) {
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [](const DriftRow& r) { return r.drift_attitude_bound_rad > kLoose; });
-  return row == rows.end() ? std::nullopt : std::optional(row->t_s);
+std::optional<double> loose_from_s(std::span<const JudgedLook> judged) {
+  const auto look = std::ranges::find_if(judged, [](const JudgedLook& l) { return l.attitude_bound_rad > kLoose; });
+  return look == judged.end() ? std::nullopt : std::optional(look->t_s);
 }
 
 /// Judges a run by the growth of disturbances along its motions.
 /// @param contracts  whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
-void judge_growth(const Growth& growth, const std::vector<DriftRow>& rows, bool integrable, bool contracts,
+void judge_growth(const Growth& growth, std::span<const JudgedLook> judged, bool integrable, bool contracts,
                   VerdictReport& report) {
   report.lyapunov_exponent_1_s = growth.late_exponent_1_s;
-  const std::optional<double> loose_s = loose_from_s(rows);
+  const std::optional<double> loose_s = loose_from_s(judged);
   const bool braked = growth.critical_spin_s.value_or(0) > 0;
   if (!growth.exponential_s && !braked) {
     report.reason = growth.completed
@@ -179,9 +177,9 @@ bool is_mixed(const Row& row) {
 }
 
 /// Judges whether the drift stands out of its errors, and sets the time until which it is reliable.
-void judge_noise(const RunResult& result, VerdictReport& report) {
+void judge_noise(const RunResult& result, std::span<const JudgedLook> judged, VerdictReport& report) {
   report.reliable_until_s = report.from_s.value_or(result.reached_s);
-  if (const auto from_s = noise_from_s(result); from_s && report.verdict == Verdict::reliable) {
+  if (const auto from_s = noise_from_s(judged); from_s && report.verdict == Verdict::reliable) {
     report.verdict = Verdict::noise_floor;
     report.from_s = from_s;
     report.reliable_until_s = *from_s;
@@ -191,7 +189,7 @@ void judge_noise(const RunResult& result, VerdictReport& report) {
 
 }  // namespace
 
-VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
+VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
   VerdictReport report;
   if (!has_drift(result)) {
     report.verdict = Verdict::unassessed;
@@ -201,7 +199,7 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
   const DriftProblem<double>& problem = result.modelled.problem<double>();
   if (problem.table) {
     report = contact_verdict(problem, result, watch);
-    judge_noise(result, report);
+    judge_noise(result, judged, report);
     return report;
   }
   if (const auto reason = marginal_reason(problem)) {
@@ -215,9 +213,9 @@ VerdictReport assess_verdict(const RunResult& result, const Watch& watch) {
     report.reason =
         "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
   else
-    judge_growth(follow_growth(result, problem, *tolerance, watch), result.rows, is_integrable(problem),
+    judge_growth(follow_growth(result, problem, *tolerance, watch), judged, is_integrable(problem),
                  problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
-  judge_noise(result, report);
+  judge_noise(result, judged, report);
   return report;
 }
 
@@ -226,7 +224,8 @@ void mark_rows(RunResult& result) {
   const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
   const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
   const auto reliable = [&](double t_s) { return result.verdict.trusts(t_s) && !(t_s > one_rests_s && t_s < both_rest_s); };
-  for (DriftRow& row : result.rows) row.drift_reliable = reliable(row.t_s) && !is_mixed(row);
+  for (std::vector<DriftRow>* rows : {&result.rows, &result.looks})
+    for (DriftRow& row : *rows) row.drift_reliable = reliable(row.t_s) && !is_mixed(row);
   for (ExtendedDriftRow& row : result.extended_rows)
     row.drift_reliable = reliable(static_cast<double>(row.t_s)) && !is_mixed(row);
 }

@@ -22,7 +22,7 @@ namespace {
 /// The largest Coriolis torque on the spin, I3 s |n x W| with the spin s relative to the laboratory, beside gravity's.
 void tell_coriolis_torque(Told& told) {
   double coriolis = 0, gravity = 0;
-  for (const DriftRow& row : told.result.rows) {
+  for (const DriftRow& row : told.result.looks) {
     const Vec3<double> n_L = vector(row.axis_L);
     coriolis = std::max(coriolis, std::abs(told.I3 * row.w_LB_B[2]) * norm(Vec3<double>(n_L.cross(told.W_L))));
     gravity = std::max(gravity, std::abs(told.mgl) * real::hypot(n_L[0], n_L[1]));
@@ -82,9 +82,9 @@ std::optional<double> seen_lean(const std::vector<DriftRow>& rows) {
 void tell_cone_leans(Told& told, double p) {
   const double north = told.W_L[1], axial = told.I3 * told.scene.release<double>().w_XB_B[2] / told.I1;
   if (std::abs(north) <= kNone * told.Omega()) return;
-  const Tilts tilts = reference_tilts(told.result.rows);
+  const Tilts tilts = reference_tilts(told.result.looks);
   const ConeLean lean = cone_lean(p, axial, real::cos(tilts.middle), real::sin(tilts.middle), tilts.swing, told.W_L);
-  const std::optional<double> seen = seen_lean(told.result.rows);
+  const std::optional<double> seen = seen_lean(told.result.looks);
   constexpr double kMostLeftOut = 0.3, kRows = 0.1;  // parts of the lean; kRows: what the rows' nutation may hide of it
   const double size = std::abs(lean.south_rad);
   if (!seen || !(lean.left_out_rad <= kMostLeftOut * size) ||
@@ -171,7 +171,7 @@ ConeLean cone_lean(double p, double axial, double cos_tilt, double sin_tilt, dou
 std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   const Scene& scene = result.modelled;
-  if (result.status != RunStatus::completed || result.rows.size() < 3 || verdict.verdict != Verdict::reliable ||
+  if (result.status != RunStatus::completed || result.looks.size() < 3 || verdict.verdict != Verdict::reliable ||
       verdict.from_s || scene.scenario().platform || scene.scenario().effects.tide || !scene.scenario().effects.all_on() ||
       scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
     return {};

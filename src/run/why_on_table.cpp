@@ -16,7 +16,7 @@ bool rolls_and_spins_upright(const Told& told) {
   const ContactSpec& contact = *told.scene.scenario().contact;
   const Release<double>& release = told.scene.release<double>();
   const bool starts_at_rest = contact.start != ContactStart::tip_velocity || contact.tip_velocity_m_s == std::array{0.0, 0.0};
-  const DriftRow& first = told.result.rows.front();
+  const DriftRow& first = told.result.looks.front();
   return contact.law == ContactLaw::rolling && contact.spinning_friction_m == 0 && contact.rolling_resistance_m == 0 &&
          contact.table_tilt_deg == 0 && contact.tip_radius_m > 0 && starts_at_rest && first.contact &&
          release.X == RatesRelativeTo::laboratory && release.w_XB_B[0] == 0 && release.w_XB_B[1] == 0 &&
@@ -59,7 +59,7 @@ void tell_ball(Told& told, double spin, double radius) {
   const double mass = told.scene.body<double>().mass, share = told.I3 / (told.I3 + mass * radius * radius);
   const double acceleration = share * radius * spin * told.W_L[1], t = told.reached_s();
   const double predicted = acceleration * t * t / 2, left_out = 2 * told.Omega() * t * std::abs(predicted);
-  const double seen = told.result.rows.back().contact->drift_tip_xy_m[1];
+  const double seen = told.result.looks.back().contact->drift_tip_xy_m[1];
   constexpr double kMostLeftOut = 0.1;
   if (!(left_out <= kMostLeftOut * std::abs(predicted)) || !(std::abs(seen - predicted) <= left_out)) return;
   tell_earth_turns(told);
@@ -80,9 +80,9 @@ void tell_ball(Told& told, double spin, double radius) {
 /// A sleeping top rests where gravity balances the Coriolis torque, and rolls there like a wheel.
 void tell_walker(Told& told, double spin, double radius) {
   const double lean = told.I3 * spin * told.W_L[1] / told.mgl, west = radius * spin * lean;
-  const Line walked = line_through(told.result.rows, [](const DriftRow& row) { return -row.contact->drift_tip_xy_m[0]; });
+  const Line walked = line_through(told.result.looks, [](const DriftRow& row) { return -row.contact->drift_tip_xy_m[0]; });
   double south = 0;
-  for (const DriftRow& row : told.result.rows) south -= row.axis_L[1] / static_cast<double>(told.result.rows.size());
+  for (const DriftRow& row : told.result.looks) south -= row.axis_L[1] / static_cast<double>(told.result.looks.size());
   constexpr double kAgree = 0.02;
   if (!(std::abs(walked.slope - west) <= kAgree * std::abs(west)) || !(std::abs(south - lean) <= kAgree * std::abs(lean)))
     return;

@@ -15,7 +15,7 @@ namespace earthtop::why {
 
 void tell_free_gyroscope(Told& told) {
   const double Omega = told.scene.rotation_rate_rad_s(), turned = std::abs(Omega) * told.reached_s();
-  const Vec3<double> axis_L = vector(told.result.rows.front().axis_L);
+  const Vec3<double> axis_L = vector(told.result.looks.front().axis_L);
   const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
   tell_earth_turns(told);
   told.add("no_torque",
@@ -99,7 +99,7 @@ std::optional<double> seen_plane_rate(const std::vector<DriftRow>& rows, double 
 }  // namespace
 
 void tell_pendulum(Told& told) {
-  const Vec3<double> n_L = vector(told.result.rows.front().ref_axis_L);
+  const Vec3<double> n_L = vector(told.result.looks.front().ref_axis_L);
   if (told.scene.scenario().effects.applied.any() || !axis_at_rest(told.scene) || told.scene.release<double>().w_XB_B[2] != 0 ||
       !(told.mgl * n_L[2] < 0))
     return;
@@ -108,7 +108,7 @@ void tell_pendulum(Told& told) {
   if (!(amplitude > 0) || amplitude > kLargest || std::abs(told.W_L[2]) <= kNone * told.Omega()) return;
   const FirstOrder<double> rate = foucault_rate({told.I1, told.I3, -std::abs(told.mgl)}, amplitude, told.W_L);
   const double swing_s = 2 * std::numbers::pi * std::sqrt(told.I1 / std::abs(told.mgl));
-  const std::optional<double> seen = seen_plane_rate(told.result.rows, swing_s, rate.value);
+  const std::optional<double> seen = seen_plane_rate(told.result.looks, swing_s, rate.value);
   if (!seen || rate.left_out > kMostLeftOut * std::abs(rate.value) ||
       std::abs(*seen - rate.value) > rate.left_out + kRows * std::abs(rate.value))
     return;
@@ -137,7 +137,7 @@ void tell_gyrocompass(Told& told) {
   AppliedTorquesSpec applied = told.scene.scenario().effects.applied;
   if (!applied.gimbal || applied.gimbal->damping_N_m_s != 0 || !axis_at_rest(told.scene)) return;
   applied.gimbal.reset();
-  const Vec3<double> n_L = vector(told.result.rows.front().ref_axis_L);
+  const Vec3<double> n_L = vector(told.result.looks.front().ref_axis_L);
   const double north = told.W_L[1], spin = told.scene.release<double>().w_XB_B[2] + n_L.dot(told.W_L);  // in space
   if (applied.any() || std::abs(north) <= kNone * told.Omega() || spin == 0) return;
   // The end of the axis that turns to North is that to which spin and Earth's rate point.
@@ -147,7 +147,7 @@ void tell_gyrocompass(Told& told) {
   if (first == 0 || std::abs(first) > kLargest || !(stiffness > 0)) return;
   const double period = 2 * std::numbers::pi * std::sqrt(told.I1 / stiffness) * (1 + first * first / 16);
   double off = 0;
-  for (const DriftRow& row : told.result.rows) {
+  for (const DriftRow& row : told.result.looks) {
     const double angle = real::atan2(end * row.axis_L[0], end * row.axis_L[1]);
     off = std::max(off, std::abs(angle - first * real::cos(2 * std::numbers::pi * row.t_s / period)));
   }

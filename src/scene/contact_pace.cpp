@@ -98,6 +98,9 @@ Paced paced_on_table(const Scene& scene) {
   Pace pace;
   pace.duration_s = time;
   pace.rows = scene.rows();
+  pace.axis_rate_rad_s = scene.fastest_rate_rad_s();
+  if (top.axis == 2)
+    pace.axis_rate_rad_s = std::min(pace.axis_rate_rad_s, std::max(top.momentum / top.swinging + carried, 1 / time));
   pace.turning_rad = std::max(1.0, (std::max(top.rate, top.momentum / top.least) + carried) * time);
   pace.watched_angle_rad = scene.fastest_rate_rad_s() * time;
   const double slipping = std::isfinite(given) ? slip_damping(scene, top, slip) : slip * time;

@@ -249,6 +249,7 @@ Paced paced(const Scene& scene) {
   Pace pace;
   pace.duration_s = time;
   pace.rows = scene.rows();
+  pace.axis_rate_rad_s = scene.fastest_rate_rad_s();
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.undamped_rest_rad = swinging * (time - friction.swung_s());
@@ -263,6 +264,9 @@ Paced paced(const Scene& scene) {
     const bool level = scenario.effects.applied.gimbal.has_value();
     const double turned = level ? compass_rate(scene, driven) * time : turned_without_spin(scene, driven, friction);
     pace.reduced_turning_rad = std::min(pace.turning_rad, std::max(1.0, turned));
+    const double unbraked =
+        level ? compass_rate(scene, driven) : driven.top.momentum / driven.top.body.I_BP_B(0, 0) + swinging + carried;
+    pace.axis_rate_rad_s = std::min(pace.axis_rate_rad_s, std::max(unbraked, 1 / time));
   }
   return {pace, friction.stiffest()};
 }

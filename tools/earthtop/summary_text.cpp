@@ -133,7 +133,10 @@ void write_drift(Page& page, const RunResult& result) {
             page.strong(pictured(drift.axis_final_rad)), share);
   if (const auto digits = drift_digits(result); digits && !result.verdict.from_s)
     page.line("  in full     {} rad", digits->axis_final_rad);
-  page.line("  at most     {:.6e} rad = {}", drift.axis_max_rad, pictured(drift.axis_max_rad));
+  if (result.verdict.trusts(result.drift.axis_max_at_s))
+    page.line("  at most     {} = {}, at {:.6g} s",
+              with_bound(result.drift.axis_max_rad, result.drift.axis_max_bound_rad, "rad"),
+              pictured(result.drift.axis_max_rad), result.drift.axis_max_at_s);
   if (drift.azimuth_final_rad)
     page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
               pictured(*drift.azimuth_final_rad));

@@ -57,6 +57,9 @@ struct BasicDriftRow {
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
 
+/// The sine of the angle between the vertical and the axis that is nearer to it: an error of an axis divided by it is one of its azimuth.
+double horizontal(const DriftRow& row);
+
 /// The trend of the azimuth drift: its secular rate, apart from the swings at the frequencies of precession and nutation. It comes
 /// from looks at the motions at times of its own, and so does not depend on the output times.
 ///
@@ -68,8 +71,11 @@ struct SecularDrift {
   std::optional<double> turns_seen;                   ///< of the reference's azimuth within the window
   std::array<double, 2> window_s = {};                ///< begin and end of what the rate comes from
   std::optional<double> azimuth_oscillation_rad;      ///< largest distance from the line, half of the whole swing
-  bool of_window = false;                             ///< whether the rate is only the mean over the window
-  std::string reason;                                 ///< why it is not determined, or why it is only a mean; else empty
+  bool of_window = false;  ///< whether the rate is only the mean over the window
+  std::string reason;      ///< why it is not determined, or why it is only a mean; else empty
+  double azimuth_oscillation_bound_rad = 0;           ///< bound on the error of the swing about the line of this rate
+  /// When the azimuth drift is farthest below and above the line (s).
+  std::array<double, 2> azimuth_oscillation_at_s = {};
 };
 
 /// Whether the axis drift passes a threshold, given the error of the drift.
@@ -81,7 +87,8 @@ enum class ThresholdCrossing {
 };
 std::string_view to_string(ThresholdCrossing crossing);
 
-/// A run's drift in a few numbers. Each bound is the largest of all rows.
+/// A run's drift in a few numbers. Each bound is the largest of all rows. The largest drifts are those of the motion, not of the rows,
+/// with their times and with bounds of their own.
 struct DriftSummary {
   double axis_final_rad = 0;
   double axis_max_rad = 0;
@@ -97,10 +104,18 @@ struct DriftSummary {
   std::optional<double> threshold_time_bound_s;               ///< bound on that time's error; only for a clear crossing
   std::optional<ThresholdCrossing> threshold_crossing;        ///< none where no threshold is asked for
   std::optional<double> tip_final_m, tip_max_m, tip_bound_m;  ///< of a top on a table
+  // Of the largest drifts: the time at which each is reached, and the bound on its error.
+  double axis_max_at_s = 0;
+  double axis_max_bound_rad = 0;
+  /// The largest sizes of the drift's parts; of the azimuth none where an axis is vertical all the time.
+  std::optional<double> azimuth_max_rad;
+  double azimuth_max_at_s = 0, azimuth_max_bound_rad = 0;
+  double tilt_max_rad = 0, tilt_max_at_s = 0, tilt_max_bound_rad = 0;
+  std::optional<double> tip_max_at_s, tip_max_bound_m;
 };
 
 /// Summarises the rows. The members on the threshold and the trend stay empty: the integrations, which see every step, find
-/// them.
+/// them. The largest drifts are those of the rows until the motion between them has been searched.
 /// @param rows  of one run, in the order of time   @param rotation_rate_rad_s  of the Earth
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s);
 

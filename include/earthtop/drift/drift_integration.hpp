@@ -72,9 +72,6 @@ extern template DriftPhases<double> drift_phases(const DriftState<double>&);
 extern template DriftPhases<long double> drift_phases(const DriftState<long double>&);
 extern template DriftPhases<float128> drift_phases(const DriftState<float128>&);
 
-/// The azimuths of a state, for the trend; the drift's is between -pi and pi.
-AzimuthSample azimuth_sample(const DriftState<double>& state);
-
 /// The state at an output time and its measures. Spin and azimuth are followed since the release, and so are continuous.
 template <class T>
 struct DriftSample {
@@ -88,6 +85,9 @@ struct DriftSample {
   /// The contact of a top on a table, in natural units; it is apart, as samples of other tops would be twice as large.
   std::shared_ptr<const ContactDriftState<T>> contact{};
 };
+
+/// The azimuths of a sample, for the trend.
+AzimuthSample azimuth_sample(const DriftSample<double>& sample);
 
 /// Where the rotating motion of a sample comes from: it is integrated as a state of its own, or composed from the reference and
 /// the deviation, which saves a third of the work (in body and inertial axes; in laboratory axes it is always integrated).
@@ -109,9 +109,6 @@ struct DriftProblem : MotionProblem<T> {
   RotatingMotion rotating = RotatingMotion::integrated;
   DriftSought sought = DriftSought::rows;  ///< with `distances` the samples' spin and azimuth are not followed
   std::optional<TableProblem<T>> table;    ///< none: a fixed pivot
-  /// Times at which the series looks at the azimuths for the trend (s), ascending, within the run; other methods do not read
-  /// them, nor does a search for a threshold. No other number of the trajectory depends on them.
-  std::vector<double> trend_times_s;
 };
 
 /// Both motions and the drift at the output times, and how their integration ended. Ended early, it has fewer samples.
@@ -119,7 +116,6 @@ template <class T>
 struct DriftTrajectory {
   RunStatus status = RunStatus::completed;
   std::vector<DriftSample<T>> samples;
-  std::vector<AzimuthSample> azimuths;  ///< at the trend's times; none where the method does not look at them
   StepCounters counters;
   std::optional<double> step_s;                 ///< step of a fixed-step method in the first output interval (s)
   std::vector<StopEvent> stops;                 ///< ascending in time

@@ -53,10 +53,10 @@ struct MethodCost {
   double stable_phase = 1, stable_evaluations = 13;
   /// Near the round-off of 113 bits: the powers of (tolerance / 1e-30) by which steps get shorter and cheaper.
   double near_round_off = 0, evaluations_near_round_off = 0;
-  double evaluations_a_row = 13;  ///< right-hand sides of a step that ends at an output row
-  bool steps_past_rows = false;   ///< rows come from dense output or the series; otherwise a step ends at each row
-  bool is_watched = false;        ///< steps are so long that they must be cut to count full turns
-  bool tries_its_step = false;    ///< the fixed step is found by trial at the start and is kept
+  /// Right-hand sides of an output row: those of a step aside, or 1 where it comes from dense output or the series.
+  double evaluations_a_row = 13;
+  bool is_watched = false;      ///< steps are so long that they must be cut to count full turns
+  bool tries_its_step = false;  ///< the fixed step is found by trial at the start and is kept
 };
 
 struct MethodRow {
@@ -158,7 +158,6 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
               .evaluations = 12,
               .stable_phase = 3.5,
               .evaluations_a_row = 1,
-              .steps_past_rows = true,
               .is_watched = true},
      .worth = "dense output of order 7 where drag brakes a rate to zero, a corner that no series passes: output rows do not "
               "shorten its steps"},
@@ -197,12 +196,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .place_in_menus = 1,
      .place_in_bench = 3,
      .look = "blue circle",
-     .cost = {.radians = 1.8,
-              .evaluations = 8,
-              .evaluations_per_log = -0.7,
-              .stable_phase = 10,
-              .evaluations_a_row = 1,
-              .steps_past_rows = true},
+     .cost = {.radians = 1.8, .evaluations = 8, .evaluations_per_log = -0.7, .stable_phase = 10, .evaluations_a_row = 1},
      .worth = "the fewest operations at every error, down to rounding"},
     {.method = Method::closed_form,
      .word = "closed_form",
@@ -240,6 +234,9 @@ constexpr bool is_built(Method method, Precision precision) { return precision <
 constexpr bool is_exact(Method method) {
   return row_of(method).step_s == Need::none && row_of(method).relative_tolerance == Need::none;
 }
+
+/// Returns whether a step ends at each output row, so that rows change the rounding of the motion: only fixed steps do.
+constexpr bool ends_steps_at_rows(Method method) { return row_of(method).step_s != Need::none; }
 
 /// Returns all methods in the order given by `place_in_menus` or `place_in_bench`. @param place  one of these two members
 constexpr std::array<Method, kMethodCount> methods_by(int MethodRow::*place) {

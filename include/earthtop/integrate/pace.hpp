@@ -12,10 +12,12 @@ namespace earthtop {
 
 /// The properties of a scene that decide the number of steps over its whole duration.
 struct Pace {
-  double duration_s = 0;           ///< duration of the scene (s); 0: nothing is known of it
-  double rows = 0;                 ///< number of output times
-  double joints = 0;               ///< number of other times at which steps must end
-  double turning_rad = 0;          ///< angle that the fastest motion turns through, as seen from the body
+  double duration_s = 0;  ///< duration of the scene (s); 0: nothing is known of it
+  double rows = 0;        ///< number of output times
+  double axis_rate_rad_s =
+      0;                   ///< rough upper bound on the rates of the axis's motion, without a symmetric top's own spin (rad/s)
+  double joints = 0;       ///< number of other times at which steps must end
+  double turning_rad = 0;  ///< angle that the fastest motion turns through, as seen from the body
   double reduced_turning_rad = 0;  ///< the same angle in the reduced form, which leaves the spin out
   double reduced_damping = 0;      ///< `damping` in the reduced form
   double undamped_rest_rad =

@@ -13,9 +13,9 @@
 #include "drift/lanes/spherical_top_drift.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/step_watcher.hpp"
-#include "drift/trend_times.hpp"
 #include "integrate/lanes/choose_kernel.hpp"
 #include "integrate/lanes/schedule.hpp"
+#include "integrate/natural_times.hpp"
 
 namespace earthtop {
 namespace {
@@ -132,16 +132,15 @@ class DriftPoint {
       : problem_(problem),
         system_(problem),
         watcher_(system_, problem),
-        looks_(natural_times(problem), problem, Method::taylor),
+        times_(natural_times(problem)),
         drive_(drive_options(problem, options, watch)),
         trajectory_(trajectory) {
     drive_.largest_step = system_.largest_step();
     trajectory_.samples.reserve(problem.times_s.size());
-    trajectory_.azimuths.reserve(looks_.trend_count());
   }
 
   System& system() { return system_; }
-  const std::vector<double>& times() const { return looks_.times(); }
+  const std::vector<double>& times() const { return times_; }
   const DriveOptions<double>& drive() const { return drive_; }
   double longest_step() const {
     if constexpr (requires { system_.longest(); }) return system_.longest();
@@ -156,15 +155,8 @@ class DriftPoint {
     system_.constants([&](int row, double value) { rows[row].lane[lane] = value; });
   }
   void on_step(double t, const State& x) { watcher_(t, x); }
-  void on_row(std::size_t look, const State& x) {
-    const double t = looks_.times()[look];
-    if (looks_.is_of_trend(look)) {
-      watcher_(t, x);
-      trajectory_.azimuths.push_back(watcher_.azimuths(x, t));
-      return;
-    }
-    const std::size_t row = looks_.row(look);
-    trajectory_.samples.push_back(watcher_.seen_sample(x, t, problem_.times_s[row]));
+  void on_row(std::size_t row, const State& x) {
+    trajectory_.samples.push_back(watcher_.seen_sample(x, times_[row], problem_.times_s[row]));
     if (row == 0) set_release_rates(problem_, trajectory_.samples.front().state);
   }
   void finish(RunStatus status, const StepCounters& counters) {
@@ -177,7 +169,7 @@ class DriftPoint {
   const DriftProblem<double>& problem_;
   System system_;
   StepWatcher<double, System> watcher_;
-  TimesOfLooks<double> looks_;
+  std::vector<double> times_;  ///< of the rows
   DriveOptions<double> drive_;
   DriftTrajectory<double>& trajectory_;
 };

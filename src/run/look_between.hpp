@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Looks at the motion between the rows of a run: what the first integration has shown there, or what another one shows.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "run/assemble.hpp"
+#include "run/largest_drift.hpp"
+#include "run/rows.hpp"
+
+namespace earthtop {
+
+/// Leaves only those samples whose looks serve one of two purposes.
+template <class T>
+void keep(const Looks& looks, LookFor purpose, LookFor other, std::vector<DriftSample<T>>& samples) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!looks.serves(i, purpose) && !looks.serves(i, other)) continue;
+    if (kept != i) samples[kept] = std::move(samples[i]);
+    ++kept;
+  }
+  samples.resize(kept);
+}
+
+/// The maker of the contact's part of the rows; none for a fixed pivot.
+template <class T>
+std::optional<ContactRows<T>> contact_rows(const Scene& scene, const std::vector<ContactEvent>& events) {
+  if (!scene.scenario().contact) return std::nullopt;
+  return std::optional<ContactRows<T>>(std::in_place, scene.problem<T>(), events);
+}
+
+/// Takes the looks for trend and pictures out of the first integration, whose other samples have partners in the second one.
+template <class T>
+std::vector<DriftSample<double>> take_between(TwoIntegrations<T>& made) {
+  std::vector<DriftSample<double>> between;
+  std::vector<DriftSample<T>>& samples = made.first.samples;
+  if constexpr (std::is_same_v<T, double>)
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (made.looks.serves(i, LookFor::trend) || made.looks.serves(i, LookFor::picture)) between.push_back(samples[i]);
+  keep(made.looks, LookFor::row, LookFor::judgement, samples);
+  made.looks = made.looks.compared(made.looks.size());
+  return between;
+}
+
+template <class T>
+JudgedLook judged_look(const DriftSample<T>& sample, const DriftBound<T>& bound) {
+  const auto number = [](const T& value) { return static_cast<double>(value); };
+  return {number(sample.state.t_s), number(sample.measures.axis), number(sample.measures.attitude),
+          number(bound.axis()),     number(bound.attitude()),     number(bound.tip())};
+}
+
+/// Makes rows of looks, without bounds.
+template <class T>
+std::vector<BasicDriftRow<T>> rows_of(const Scene& scene, const std::vector<ContactEvent>& events,
+                                      const std::vector<DriftSample<T>>& samples) {
+  const std::optional<ContactRows<T>> table = contact_rows<T>(scene, events);
+  std::vector<BasicDriftRow<T>> rows;
+  rows.reserve(samples.size());
+  for (const DriftSample<T>& sample : samples) rows.push_back(make_row(sample, DriftBound<T>(0), table));
+  return rows;
+}
+
+/// Fills in the looks of a result. @param between  what the first integration has shown between its rows; empty if it could not
+/// @returns the azimuths at the trend's times, as far as the run got
+template <class T>
+std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegrations<T>& made,
+                                        std::vector<DriftSample<double>> between, std::span<const JudgedLook> judged,
+                                        const Watch& watch, RunResult& result) {
+  Looks looks;
+  looks.add(made.plan.trend.times_s, LookFor::trend);
+  looks.add(made.plan.picture.times_s, LookFor::picture);
+  if (between.empty()) between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch).samples;
+  while (!between.empty() && between.back().state.t_s > result.reached_s) between.pop_back();
+  std::vector<AzimuthSample> azimuths;
+  for (std::size_t i = 0; i < between.size(); ++i)
+    if (looks.serves(i, LookFor::trend)) azimuths.push_back(azimuth_sample(between[i]));
+  keep(looks, LookFor::picture, LookFor::picture, between);
+  result.looks = rows_of(scene, made.first.contact_events, between);
+  result.looks_a_window = made.plan.picture.looks_a_window;
+  for (DriftRow& look : result.looks) {
+    const JudgedLook& bounds = judged_at(judged, look.t_s);
+    look.drift_axis_bound_rad = bounds.axis_bound_rad, look.drift_attitude_bound_rad = bounds.attitude_bound_rad;
+    if (look.contact) look.contact->drift_tip_bound_m = bounds.tip_bound_m;
+  }
+  return azimuths;
+}
+
+/// Where the search for largest values takes further looks from.
+template <class T>
+LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const Watch& watch) {
+  const auto look = [&scene, &made, watch](std::vector<double> times_s) {
+    return rows_of(scene, made.first.contact_events,
+                   look_again(scene, std::move(times_s), made.options, made.first.kick_steps, watch).samples);
+  };
+  const auto exact = [&scene, &made, watch](std::vector<double> times_s) {
+    DriftProblem<T> problem = scene.problem<T>();
+    problem.threshold_rad.reset();
+    problem.times_s = std::move(times_s);
+    problem.times_s.insert(problem.times_s.begin(), 0);
+    IntegrationOptions options = made.options;
+    options.kick_steps = made.first.kick_steps;
+    std::vector<ExtendedDriftRow> rows;
+    for (const BasicDriftRow<T>& row :
+         rows_of(scene, made.first.contact_events, integrate_drift(problem, options, watch.with_progress(nullptr)).samples))
+      rows.push_back(row_cast<float128>(row));
+    return rows;
+  };
+  return {look, exact, made.plan.picture.step_s, !std::is_same_v<T, double>};
+}
+
+}  // namespace earthtop

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace earthtop {
+namespace {
+
+/// Returns times at which the errors of a run are judged. They begin close together, since bounds grow from the release onward, and are
+/// shifted within their intervals by multiples of the golden ratio, so that no nutation is seen at one phase only.
+std::vector<double> judgement_times(double duration_s) {
+  constexpr int kCount = 160;
+  std::vector<double> times{0};
+  for (int k = 1; k < kCount; ++k) {
+    const double turn = k / std::numbers::phi, share = (k - 0.5 + 0.9 * (turn - std::floor(turn) - 0.5)) / kCount;
+    times.push_back(duration_s * share * share);
+  }
+  times.push_back(duration_s);
+  return times;
+}
+
+PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequencies>& known) {
+  constexpr double kLooksAPeriod = 12, kMostLooks = 24'000;
+  constexpr std::size_t kWindows = 300;
+  constexpr double kOfBound = 3;  // the rate is an upper bound: three of its periods are at least one of the motion
+  PicturePlan plan;
+  const double duration = scene.scenario().duration_s;
+  const double bound = 2 * std::numbers::pi / scene.pace().axis_rate_rad_s;
+  double period = bound, window = kOfBound * bound;
+  if (known) {
+    const double exact = 2 * std::numbers::pi / std::max(known->nutation_rad_s, std::abs(known->precession_rad_s));
+    // A motion that is far from a sine has faster parts, which the bound knows of.
+    period = std::clamp(exact, bound, 1.5 * bound);
+    window = std::min(window, std::max(exact, bound));
+  }
+  const double step = period / kLooksAPeriod;
+  const double count = std::max(std::ceil(duration / step), 2 * kLooksAPeriod);
+  if (count <= kMostLooks) {
+    plan.step_s = duration / count;
+    for (double k = 0; k <= count; ++k) plan.times_s.push_back(k == count ? duration : duration * (k / count));
+    return plan;
+  }
+  // Two looks more than a period has: the largest value may lie between the last look and the first.
+  plan.looks_a_window = static_cast<std::size_t>(std::ceil(window / step)) + 3;
+  plan.step_s = step;
+  const double length = step * static_cast<double>(plan.looks_a_window - 1);
+  for (std::size_t w = 0; w < kWindows; ++w)
+    for (std::size_t k = 0; k < plan.looks_a_window; ++k) {
+      const bool ends = w + 1 == kWindows && k + 1 == plan.looks_a_window;
+      const double begin = (duration - length) * (static_cast<double>(w) / static_cast<double>(kWindows - 1));
+      plan.times_s.push_back(ends ? duration : begin + step * static_cast<double>(k));
+    }
+  return plan;
+}
+
+/// Whether the states of the run do not depend on where they are looked at.
+bool looks_freely(const IntegrationOptions& options) {
+  return !ends_steps_at_rows(options.method) && options.method != Method::long_horizon;
+}
+
+}  // namespace
+
+void Looks::add(std::span<const double> added_s, LookFor purpose) {
+  const auto bit = static_cast<std::uint8_t>(purpose);
+  Looks merged;
+  merged.times_s.reserve(size() + added_s.size()), merged.purposes.reserve(size() + added_s.size());
+  std::size_t i = 0, j = 0;
+  while (i < size() || j < added_s.size()) {
+    const bool has_old = j == added_s.size() || (i < size() && times_s[i] <= added_s[j]);
+    const bool has_new = i == size() || (j < added_s.size() && added_s[j] <= times_s[i]);
+    merged.times_s.push_back(has_old ? times_s[i] : added_s[j]);
+    merged.purposes.push_back(static_cast<std::uint8_t>((has_old ? purposes[i] : 0) | (has_new ? bit : 0)));
+    if (has_old) ++i;
+    if (has_new) ++j;
+  }
+  *this = std::move(merged);
+}
+
+Looks Looks::compared(std::size_t count) const {
+  Looks part;
+  for (std::size_t i = 0; i < std::min(count, size()); ++i) {
+    if (!serves(i, LookFor::row) && !serves(i, LookFor::judgement)) continue;
+    part.times_s.push_back(times_s[i]);
+    part.purposes.push_back(purposes[i]);
+  }
+  return part;
+}
+
+LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first) {
+  LookPlan plan{plan_trend(scene), {}, {}};
+  plan.picture = plan_pictures(scene, plan.trend.frequencies);
+  if (looks_freely(first)) plan.judged_s = judgement_times(scene.scenario().duration_s);
+  return plan;
+}
+
+const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s) {
+  const auto look = std::ranges::lower_bound(judged, t_s, {}, &JudgedLook::t_s);
+  return look == judged.end() ? judged.back() : *look;
+}
+
+bool looks_between_rows(const IntegrationOptions& first, Precision precision) {
+  const bool is_dense = row_of(first.method).cost.evaluations_a_row == 1 || is_exact(first.method);
+  return is_dense && precision == Precision::bits53;
+}
+
+DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
+                                   const std::optional<KickSteps>& kick_steps, const Watch& watch) {
+  DriftProblem<double> problem = scene.problem<double>();
+  problem.times_s = std::move(times_s);
+  problem.threshold_rad.reset();
+  IntegrationOptions again = first;
+  if (first.method == Method::long_horizon) {
+    again.kick_steps = kick_steps;
+  } else if (!is_exact(first.method) && first.method != Method::taylor && !scene.method_refusal(Method::taylor)) {
+    again.method = Method::taylor;
+    again.step_s.reset();
+    again.relative_tolerance = default_tolerance(Precision::bits53);
+    if (!problem.table) {
+      again.observer = Observer::laboratory;
+      again.form = ModelForm::automatic;
+      if (!takes_reduced_form(problem.model, again)) again.observer = Observer::body, again.form = ModelForm::general;
+    }
+  }
+  again.relative_tolerance = std::max(again.relative_tolerance, least_tolerance(Precision::bits53));
+  return integrate_drift(problem, again, watch.with_progress(nullptr));
+}
+
+}  // namespace earthtop

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The times at which a run looks at its motions. Besides the output rows, which the user asks for, these are times of the run's own:
+/// all that is said of the whole motion (bounds, verdict, trend, largest drift, pictures) comes from them, so that it does not depend on
+/// the rows.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "run/trend.hpp"
+
+namespace earthtop {
+
+/// What a look is for.
+enum class LookFor : std::uint8_t { row = 1, judgement = 2, trend = 4, picture = 8 };
+
+/// Times of looks, ascending, and what each of them is for.
+struct Looks {
+  std::vector<double> times_s;
+  std::vector<std::uint8_t> purposes;
+
+  std::size_t size() const { return times_s.size(); }
+  bool serves(std::size_t look, LookFor purpose) const { return (purposes[look] & static_cast<std::uint8_t>(purpose)) != 0; }
+  /// Adds times; one that is there already gets the purpose as well. @param times_s  ascending
+  void add(std::span<const double> added_s, LookFor purpose);
+  /// The looks for rows and judgement, up to the one with a given number.
+  Looks compared(std::size_t count) const;
+};
+
+/// When to look at the axes for pictures and for the largest drift: often enough for their fastest motion. A run with many periods of
+/// it is looked at in windows, each as long as one period, evenly spread over the run.
+struct PicturePlan {
+  double step_s = 0;               ///< between two looks
+  std::vector<double> times_s;     ///< ascending, from the release to the end of the run
+  std::size_t looks_a_window = 0;  ///< 0: the looks are evenly spaced from the release to the end
+};
+
+/// The times at which a run looks besides its rows.
+struct LookPlan {
+  TrendPlan trend;
+  PicturePlan picture;
+  std::vector<double> judged_s;  ///< none where steps end at the looks, as fixed steps do
+};
+
+/// The errors of a run at a look for judgement.
+struct JudgedLook {
+  double t_s = 0;
+  double axis_rad = 0, attitude_rad = 0;              ///< drifts
+  double axis_bound_rad = 0, attitude_bound_rad = 0;  ///< bounds on their errors
+  double tip_bound_m = 0;                             ///< of a top on a table
+};
+/// The bounds at a time: those of the first look for judgement that is not earlier, since bounds only grow.
+const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s);
+
+LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first);
+
+/// Whether the first integration of a run can look between its rows for next to nothing.
+bool looks_between_rows(const IntegrationOptions& first, Precision precision);
+
+/// The motion at other times, from an integration in double precision that is made for these looks: by the run's own method if it can
+/// look at any time, otherwise by series, or by the run's method in scenes that have no series.
+/// @param times_s  ascending, the release first   @param kick_steps  that the run's first integration has found
+DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
+                                   const std::optional<KickSteps>& kick_steps, const Watch& watch);
+
+}  // namespace earthtop
