@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,18 +24,48 @@ double beside_line(const DriftRow& row, const SecularDrift& trend) {
   return row.drift_azimuth_rad ? *row.drift_azimuth_rad - *trend.azimuth_rate_rad_s * row.t_s : kNoNumber;
 }
 
+/// How a quantity depends on the motion: a length or an angle between two directions has a corner where it vanishes, and its square none.
+enum class Kind { smooth, length, angle };
+
 /// A quantity of which the largest value is sought, from the release to a time.
 struct Sought {
   std::function<double(const DriftRow&)> value;
   double until_s;
+  Kind kind;
+  double scale = 0;  ///< size of the quantity: the largest value at the looks
   std::optional<Largest> largest = {};
+
+  /// A smooth function that grows with the quantity. Of an angle, which ends at half a turn, it is the square of the sine of its half.
+  double smooth(const DriftRow& row) const {
+    const double x = value(row);
+    if (kind == Kind::smooth || scale == 0) return x;
+    const double part = kind == Kind::length ? x / scale : real::sin(x / 2) / real::sin(scale / 2);
+    return part * part;
+  }
+  /// Takes the largest value of the smooth function back to the quantity.
+  Largest back(Largest found) const {
+    if (kind == Kind::smooth || scale == 0) return found;
+    const double root = std::sqrt(found.value);
+    found.error *= scale / (2 * root);
+    if (kind == Kind::length) {
+      found.value = scale * root;
+    } else {
+      const double sine = std::min(1.0, root * real::sin(scale / 2));
+      found.value = 2 * real::atan2(sine, std::sqrt((1 - sine) * (1 + sine)));
+    }
+    return found;
+  }
 };
 
 class Search {
  public:
   Search(const LookSource& source, const RunResult& result, std::vector<Sought>& sought)
       : source_(source), sought_(sought), a_window_(result.looks_a_window) {
-    for (Sought& one : sought) one.largest = largest_in(result.looks, a_window_, one);
+    for (Sought& one : sought) {
+      if (one.kind != Kind::smooth)
+        for (const DriftRow& look : result.looks) one.scale = std::fmax(one.scale, one.value(look));
+      one.largest = largest_in(result.looks, a_window_, one);
+    }
     if (a_window_ > 0) narrow(result.looks);
     std::vector<double> times_s;
     for (const Sought& one : sought)
@@ -49,7 +80,12 @@ class Search {
       const ExtendedDriftRow* const row = one.largest ? exact(one.largest->t_s) : nullptr;
       if (row == nullptr) continue;
       const double value = one.value(row_cast<double>(*row));
-      if (!std::isnan(value)) one.largest->value = value, one.largest->error = 0;
+      // A polynomial that did not resolve the motion may have led astray: the nearest look is then larger.
+      if (value >= one.value(result.looks[one.largest->nearest]))
+        one.largest->value = value, one.largest->error = 0;
+      else if (a_window_ == 0)
+        one.largest = Largest{result.looks[one.largest->nearest].t_s, one.value(result.looks[one.largest->nearest]),
+                              one.largest->error, one.largest->nearest};
     }
   }
   /// The motion at the time of a largest value, where it was computed anew; null elsewhere.
@@ -66,42 +102,92 @@ class Search {
     for (std::size_t begin = 0; begin < rows.size(); begin += count) {
       times_s.clear(), values.clear();
       for (std::size_t i = begin; i < std::min(rows.size(), begin + count) && rows[i].t_s <= sought.until_s; ++i)
-        times_s.push_back(rows[i].t_s), values.push_back(sought.value(rows[i]));
-      auto top = largest_of(times_s, values);
-      if (!top || (largest && top->value <= largest->value)) continue;
-      top->nearest += begin;
-      largest = top;
+        times_s.push_back(rows[i].t_s), values.push_back(sought.smooth(rows[i]));
+      const auto top = largest_of(times_s, values);
+      if (!top) continue;
+      const Largest found = sought.back(*top);
+      if (largest && found.value <= largest->value) continue;
+      largest = found;
+      largest->nearest += begin;
     }
     return largest;
   }
 
-  /// Looks at ever smaller windows around the largest values found.
+  /// The largest value within a window, and what the motion next to the window may reach.
+  struct Window {
+    Largest top;
+    double reach;
+  };
+
+  /// The windows next to which the largest value may lie, at most some of them: those that reach above every value found.
+  /// @param tops  of windows in the order of time, in groups of neighbours
+  static std::vector<Largest> candidates(std::span<const std::vector<Largest>> groups, double most) {
+    constexpr std::size_t kMost = 12;
+    std::vector<Window> windows;
+    for (const std::vector<Largest>& tops : groups)
+      for (std::size_t i = 0; i < tops.size(); ++i) {
+        const double before = i > 0 ? tops[i].value - tops[i - 1].value : 0;
+        const double after = i + 1 < tops.size() ? tops[i].value - tops[i + 1].value : 0;
+        const double reach = tops[i].value + std::max(std::abs(before), std::abs(after)) / 2;
+        if (before >= 0 && after >= 0 && reach >= most) windows.push_back({tops[i], reach});
+      }
+    std::ranges::sort(windows, std::greater{}, &Window::reach);
+    if (windows.size() > kMost) windows.resize(kMost);
+    std::vector<Largest> best;
+    for (const Window& window : windows) best.push_back(window.top);
+    return best;
+  }
+
+  /// The largest values of windows of some looks each.
+  static std::vector<Largest> tops_of(std::span<const DriftRow> rows, std::size_t a_window, const Sought& sought) {
+    std::vector<Largest> tops;
+    for (std::size_t begin = 0; begin < rows.size(); begin += a_window)
+      if (const auto top = largest_in(rows.subspan(begin, std::min(a_window, rows.size() - begin)), 0, sought))
+        tops.push_back(*top);
+    return tops;
+  }
+
+  /// Looks at ever smaller windows around the largest values found, until they touch.
   void narrow(std::span<const DriftRow> looks) {
-    constexpr int kWindows = 15, kMostRounds = 24;  // windows on either side, each time
+    if (looks.size() <= a_window_) return;
+    for (Sought& one : sought_)
+      if (one.largest) narrow(looks, one);
+  }
+  void narrow(std::span<const DriftRow> looks, Sought& one) {
+    constexpr int kMostRounds = 24;
+    constexpr double kWindows = 90;  // each time
     const double end = looks.back().t_s, window = source_.step_s * static_cast<double>(a_window_ - 1);
-    double apart = a_window_ < looks.size() ? looks[a_window_].t_s - looks[0].t_s : 0;
-    for (int round = 0; round < kMostRounds && apart > 0; ++round) {
+    double apart = looks[a_window_].t_s - looks[0].t_s;
+    std::vector<std::vector<Largest>> groups{tops_of(looks, a_window_, one)};
+    for (int round = 0; round < kMostRounds; ++round) {
+      std::vector<Largest> best = candidates(groups, one.largest->value);
+      if (best.empty()) best.push_back(*one.largest);
+      std::ranges::sort(best, {}, &Largest::t_s);
       const bool touches = apart <= window;
-      const double spacing = touches ? 0 : std::max(apart / kWindows, window * 0.9);
-      for (Sought& one : sought_) {
-        if (!one.largest) continue;
-        std::vector<double> times_s{0};
-        std::size_t each = a_window_;
-        if (touches) {
-          // The windows touch: all of the motion around the value is looked at.
-          each = static_cast<std::size_t>(std::ceil((2 * apart + 2 * window) / source_.step_s)) + 1;
-          add_window(one.largest->t_s - apart - window, each, end, times_s);
-        } else {
-          for (int k = -kWindows; k <= kWindows; ++k)
-            add_window(one.largest->t_s + k * spacing - window / 2, each, end, times_s);
+      const double each_side = std::max(1.0, std::floor((kWindows / static_cast<double>(best.size()) - 1) / 2));
+      const double spacing = std::max(apart / each_side, 0.9 * window);
+      std::vector<double> times_s{0};
+      std::vector<std::size_t> begins;
+      const std::size_t a_window =
+          touches ? static_cast<std::size_t>(std::ceil(2 * (apart + window) / source_.step_s)) + 1 : a_window_;
+      for (const Largest& top : best) {
+        begins.push_back(times_s.size());
+        if (touches)  // all of the motion around the value is looked at
+          add_window(top.t_s - apart - window, a_window, end, times_s);
+        else
+          for (double at = top.t_s - apart; at <= top.t_s + apart; at += spacing)
+            add_window(at - window / 2, a_window, end, times_s);
+      }
+      begins.push_back(times_s.size());
+      const std::vector<DriftRow> rows = source_.look(times_s);
+      if (rows.size() < times_s.size()) return;
+      groups.clear();
+      for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
+        groups.push_back(tops_of(std::span(rows).subspan(begins[i], begins[i + 1] - begins[i]), a_window, one));
+        for (Largest& top : groups.back()) {
+          top.nearest = one.largest->nearest;  // of the result's looks
+          if (top.value >= one.largest->value) one.largest = top;
         }
-        std::vector<DriftRow> rows = source_.look(times_s);
-        if (rows.size() < times_s.size()) continue;
-        rows.erase(rows.begin());
-        auto top = largest_in(rows, each, one);
-        if (!top || top->value < one.largest->value) continue;
-        top->nearest = one.largest->nearest;  // of the result's looks
-        one.largest = top;
       }
       if (touches) return;
       apart = spacing;
@@ -137,17 +223,18 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   DriftSummary& drift = result.drift;
   enum : std::size_t { axis, tilt, azimuth, tip };
   std::vector<Sought> sought{
-      {[](const DriftRow& row) { return row.drift_axis_rad; }, result.reached_s},
-      {size_of([](const DriftRow& row) { return row.drift_tilt_rad; }, result.looks), result.reached_s},
-      {size_of([](const DriftRow& row) { return row.drift_azimuth_rad.value_or(kNoNumber); }, result.looks), result.reached_s}};
+      {[](const DriftRow& row) { return row.drift_axis_rad; }, result.reached_s, Kind::angle},
+      {size_of([](const DriftRow& row) { return row.drift_tilt_rad; }, result.looks), result.reached_s, Kind::smooth},
+      {size_of([](const DriftRow& row) { return row.drift_azimuth_rad.value_or(kNoNumber); }, result.looks), result.reached_s,
+       Kind::smooth}};
   const bool has_tip = drift.tip_max_m.has_value();
-  if (has_tip) sought.push_back({[](const DriftRow& row) { return row.contact->drift_tip_m; }, result.reached_s});
+  if (has_tip) sought.push_back({[](const DriftRow& row) { return row.contact->drift_tip_m; }, result.reached_s, Kind::length});
   SecularDrift* const trend = drift.secular && drift.secular->azimuth_rate_rad_s ? &*drift.secular : nullptr;
   const std::size_t swings = sought.size();
   if (trend != nullptr) {
     const double until_s = trend->window_s[1];
-    sought.push_back({[&](const DriftRow& row) { return -beside_line(row, *trend); }, until_s});
-    sought.push_back({[&](const DriftRow& row) { return beside_line(row, *trend); }, until_s});
+    sought.push_back({[&](const DriftRow& row) { return -beside_line(row, *trend); }, until_s, Kind::smooth});
+    sought.push_back({[&](const DriftRow& row) { return beside_line(row, *trend); }, until_s, Kind::smooth});
   }
   const Search search(source, result, sought);
 

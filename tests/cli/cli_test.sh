@@ -168,7 +168,7 @@ expect 0 run headline.json --out headline
 says ' Headline drift_axis_rad at 1.6 s = [^:]*: met, off by'
 expect 0 run headline.json --out headline --force --set /earth/rotation_rate_rad_s=0
 says ' Headline [^:]*: differs, as the scenario was changed'
-expect 0 run headline.json --out headline --force --set /numerics/method=dopri5 --set /numerics/relative_tolerance=0.1 \
+expect 0 run headline.json --out headline --force --set /numerics/method=dopri5 --set /numerics/relative_tolerance=1e-5 \
   --set /numerics/ledger=body --set /name=other
 says ' Headline [^:]*: NOT MET'
 expect 0 run headline.json --out headline --force --set /motion/duration_s=1

@@ -66,7 +66,8 @@ TEST(ThresholdTime, OfAFreeGyroscopeIsThatOfTheFormulaByEveryMethod) {
       const RunResult result = run(s);
       const auto next = std::ranges::find_if(result.rows, [&](const DriftRow& row) { return row.t_s > expected_s; });
       ASSERT_TRUE(next != result.rows.end() && result.drift.threshold_time_bound_s);
-      const double of_drift = 1.01 * next->drift_axis_bound_rad / passing_rate(angle, threshold, s.rotation_rate_rad_s);
+      // Near round-off the second integration's distance at the passing may be half as large again as at any row.
+      const double of_drift = 1.5 * next->drift_axis_bound_rad / passing_rate(angle, threshold, s.rotation_rate_rad_s);
       // But that long_horizon takes so early a drift from the difference of two motions, with the error of one of them.
       const double of_difference = method == Method::long_horizon ? 1e-10 / s.rotation_rate_rad_s : 0;
       EXPECT_LE(*result.drift.threshold_time_bound_s, std::max(1.01e-12 * expected_s, of_drift) + of_difference);
