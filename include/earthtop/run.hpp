@@ -79,21 +79,74 @@ enum class Verdict {
 };
 std::string_view to_string(Verdict verdict);
 
+/// Why the drift is not to be trusted for some time.
+enum class Doubt {
+  rounding_grown,
+  bound_loose,
+  earth_grown,
+  critical_spin,
+  stability_limit,
+  slip_started,
+  noise,
+  not_assessed,
+  one_at_rest,
+  mixed_contact
+};
+
+struct DoubtType {
+  Doubt doubt;
+  std::string_view name;   ///< its word in summary.json
+  std::string_view words;  ///< a sentence without its full stop
+  /// Whether the run's verdict rests on it. The others belong to moments that the two motions pass one after the other.
+  bool of_verdict;
+};
+inline constexpr DoubtType kDoubts[] = {
+    {Doubt::rounding_grown, "rounding_grown", "rounding has grown to a microradian", true},
+    {Doubt::bound_loose, "bound_loose", "the bound on the drift's error has passed 0.01 rad", true},
+    {Doubt::earth_grown, "earth_grown", "the Earth's own disturbance has grown to 0.1 rad", true},
+    {Doubt::critical_spin, "critical_spin", "friction has slowed an upright top to its critical spin", true},
+    {Doubt::stability_limit, "stability_limit", "an upright top is at its critical spin", true},
+    {Doubt::slip_started, "slip_started", "how the tip slips is not computed", true},
+    {Doubt::noise, "noise", "the drift is not above three times the bound on its error", true},
+    {Doubt::not_assessed, "not_assessed", "the drift was not judged", true},
+    {Doubt::one_at_rest, "one_at_rest", "one motion is at rest and the other one moves on", false},
+    {Doubt::mixed_contact, "mixed_contact", "the tip slides in one motion and rolls in the other one", false}};
+constexpr const DoubtType& type_of(Doubt doubt) { return kDoubts[static_cast<std::size_t>(doubt)]; }
+static_assert([] {
+  for (const DoubtType& type : kDoubts)
+    if (&type_of(type.doubt) != &type) return false;
+  return true;
+}());
+
+/// A time in which the drift is not to be trusted: from `from_s` to just before `until_s`, or to the end where there is none.
+struct VerdictInterval {
+  double from_s = 0;
+  std::optional<double> until_s;
+  Doubt why = Doubt::not_assessed;
+  bool contains(double t_s) const { return t_s >= from_s && !(until_s && t_s >= *until_s); }
+};
+
 struct VerdictReport {
   Verdict verdict = Verdict::reliable;
-  /// Time (s) from which the drift cannot be trusted; empty where it can be trusted to the end of the run.
+  /// The times in which the drift is not to be trusted, ascending. Those on which the verdict rests do not overlap; each states the
+  /// doubt that came first.
+  std::vector<VerdictInterval> intervals{};
+  /// Time (s) from which the verdict does not trust the drift; empty where it trusts the run to its end.
   std::optional<double> from_s;
-  /// Time (s) from which it can be trusted again, as after the inversion of a tippe top; empty where it cannot.
+  /// Time (s) from which it trusts the drift again; empty where it does not.
   std::optional<double> until_s{};
-  double reliable_until_s = 0;  ///< `from_s`, or the end of the run
-  /// Whether the drift at this time can be trusted: it is before `from_s`, or not before `until_s`.
-  bool trusts(double t_s) const { return !from_s || t_s < *from_s || (until_s && t_s >= *until_s); }
+  double reliable_until_s = 0;  ///< the begin of the first interval, or the end of the run
+  /// Whether the drift at this time can be trusted: no interval contains it.
+  bool trusts(double t_s) const;
+  /// Whether the verdict does not trust the motions themselves at this time, and not only what they tell of the Earth.
+  bool doubts_motion(double t_s) const;
   std::string reason;
   /// Finite-time Lyapunov exponent at late times (1/s), the larger one of the two motions (see GrowthReport); empty where
   /// closed forms show that nothing grows exponentially, or where the growth could not be followed.
   std::optional<double> lyapunov_exponent_1_s;
   std::optional<double> round_off_grown_s;  ///< when rounding errors have grown exponentially to 1e-6 rad (s)
-  /// Time (s) when the disturbance by the Earth's rotation has grown exponentially to 0.1 rad; empty where the Earth itself
+  /// Time (s) when the drift of the attitude, to which the Earth's rotation has grown along a motion whose disturbances grow
+  /// exponentially, first passes 0.1 rad; empty where it does not, where its bound is too loose to tell, and where the Earth itself
   /// turns by as much until then, so that a large effect is expected.
   std::optional<double> earth_grown_s;
 };
@@ -198,7 +251,10 @@ std::string why_limited(const RunResult& result);
 /// Returns whether an integration was stopped by the limit derived from its estimated work, not by the general step limit.
 bool stopped_beyond_estimate(const RunResult& result);
 
-/// Returns the last row before the time from which the drift is unreliable; null where there is none.
+/// Returns whether the drift of every row is reliable.
+bool is_all_reliable(const RunResult& result);
+
+/// Returns the last row whose drift is reliable; null where there is none.
 const DriftRow* last_reliable_row(const RunResult& result);
 
 struct RunOptions {

@@ -10,7 +10,8 @@ namespace earthtop {
 namespace {
 
 constexpr std::size_t kFollowed = kContactDisturbances.size();
-constexpr double kSettlingPath = 3;  // growth while the axis settles, as if it had gone so far
+constexpr double kSettlingPath = 3;    // growth while the axis settles, as if it had gone so far
+constexpr double kPointSpacing = 0.1;  // e-foldings from one point of the history to the next
 
 Vec3<double> difference(const Vec3<Paired<double>>& v) { return {v[0].diff, v[1].diff, v[2].diff}; }
 Vec3<double> reference(const Vec3<Paired<double>>& v) { return {v[0].ref, v[1].ref, v[2].ref}; }
@@ -101,18 +102,24 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
     growth.largest = std::max(growth.largest, grown);
     growth.largest_ratio = std::max(growth.largest_ratio, grown / (kSettlingPath + path));
     growth.end_s = real::scale(t, problem.units.time_exponent);
-    if (grown > kRegularContactGrowth * (kSettlingPath + path)) {
-      if (!growth.above_s) growth.above_s = growth.end_s;
-      growth.again_s.reset();
-    } else if (growth.above_s && !growth.again_s) {
-      growth.again_s = growth.end_s;
-    }
+    growth.log_last = real::log(grown);
+    if (growth.history.empty() || real::abs(growth.log_last - growth.history.back().log_growth) > kPointSpacing)
+      growth.history.push_back({growth.end_s, growth.log_last});
+    if (!growth.exponential_s && grown > kRegularGrowth * (1 + problem.fastest_rate * t)) growth.exponential_s = growth.end_s;
   }
   growth.completed = true;
   return growth;
 }
 
 }  // namespace
+
+std::optional<GrowthSpan> ContactGrowth::beyond(double log_growth) const {
+  const auto is_beyond = [&](const GrowthPoint& point) { return point.log_growth >= log_growth; };
+  const auto first = std::ranges::find_if(history, is_beyond);
+  if (first == history.end()) return std::nullopt;
+  const auto after = std::find_if(history.rbegin(), history.rend(), is_beyond).base();
+  return GrowthSpan{first->t_s, after == history.end() ? std::nullopt : std::optional(after->t_s)};
+}
 
 ContactGrowth contact_growth(const DriftProblem<double>& problem, double duration_s, double relative_tolerance,
                              const Watch& watch) {

@@ -20,7 +20,6 @@
 namespace earthtop {
 namespace {
 
-constexpr double kRegular = 100;   // how much faster than 1 + w0 t a regular motion lets a disturbance grow, at most
 constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
 constexpr double kPointSpacing = 0.1;
 constexpr double kSignificantEFoldings = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
@@ -171,7 +170,7 @@ class LateSlope {
 };
 
 /// Finds when friction brakes an upright top to its critical spin, by a line through the two steps around that time. A leaning
-/// top counts as upright if its nutation has brought it within 0.2 rad of the vertical during the last period.
+/// top counts as upright if its nutation has brought it within a tenth of a radian of the vertical during the last period.
 class CriticalSpin {
  public:
   explicit CriticalSpin(const Model<double>& model) : model_(&model), sought_(model.applied.friction()) {}
@@ -191,7 +190,8 @@ class CriticalSpin {
   std::optional<double> passed() const { return passed_ < 0 ? std::nullopt : std::optional(passed_); }
 
  private:
-  static constexpr double kUpright = 0.2;  // largest lean (rad); a top that leans so far has a critical spin 1 percent lower
+  /// Largest lean (rad). What such a top falls by grows tenfold at least; one that leans further only comes to lean more.
+  static constexpr double kUpright = 0.1;
 
   const Model<double>* model_;
   bool sought_;
@@ -280,7 +280,7 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
     report.mean_exponent_1_s = log_growth / report.end_s;
     if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
     if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
-    if (!report.exponential_s && log_growth > real::log(kRegular) + log_regular) report.exponential_s = report.end_s;
+    if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = report.end_s;
     if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
       report.rises.push_back({report.end_s, log_growth});
   }

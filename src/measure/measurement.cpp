@@ -135,7 +135,7 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
   if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
   if ((verdict.verdict != Verdict::unstable && verdict.verdict != Verdict::chaotic) || !verdict.from_s) return;
   for (const MeasuredValue& value : measurement.values)
-    if (!verdict.trusts(value.t_s)) {
+    if (verdict.doubts_motion(value.t_s)) {
       const std::string message =
           fmt::format("after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; leave out {}",
                       *verdict.from_s, to_string(verdict.verdict), verdict.reason,

@@ -39,7 +39,7 @@ Panel angle_panel(const Run& run) {
   Panel panel{{"Angle between the two spin axes", std::string(unit.name)}, {}};
   panel.lines.push_back({"angle", t, std::move(angle)});
   panel.lines.push_back({"its part in tilt", t, scaled(std::move(tilt), unit.per_si), LineColor::orange, LineStyle::dashed});
-  if (has_later) panel.lines.push_back({"no longer reliable", t, std::move(later), LineColor::grey, LineStyle::dotted});
+  if (has_later) panel.lines.push_back({"not reliable", t, std::move(later), LineColor::grey, LineStyle::dotted});
   return panel;
 }
 
@@ -160,7 +160,7 @@ std::string events_of(const Run& run) {
 std::string headline_html(const Run& run) {
   const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
              at = run.number("/drift/reliable/at_s");
-  if (!drift || !bound || !at) return "No row of this run can be trusted.";
+  if (!drift || !bound || !at || !(*at > 0)) return "No row of this run can be trusted.";
   std::string tip;
   if (run.has_contact && *at == run.rows.back().t_s) {
     const double far = value(run.rows.back(), column("drift_tip_m")),

@@ -27,11 +27,24 @@ using compare::Row;
 constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
 
+/// When the drift cannot be trusted, and why; from results that have no intervals, only from when on.
+std::string untrusted_times(const Run& run) {
+  std::string text;
+  for (std::size_t i = 0; const auto from = run.number(fmt::format("/drift/verdict_intervals/{}/from_s", i)); ++i) {
+    const std::string at = fmt::format("/drift/verdict_intervals/{}/", i);
+    const auto until = run.number(at + "until_s");
+    text += fmt::format(" From {} {}, the drift cannot be trusted: {}.", number_html(*from, "s"),
+                        until ? "to " + number_html(*until, "s") : "on", escaped(run.word(at + "text")));
+  }
+  if (const auto from = run.number("/drift/verdict_from_s"); from && text.empty())
+    text = fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
+  return text;
+}
+
 std::string verdict_of(const Run& run) {
   std::string text =
       fmt::format("<strong>{}</strong>: {}.", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
-  if (const auto from = run.number("/drift/verdict_from_s"))
-    text += fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
+  text += untrusted_times(run);
   if (run.word("/outcome/status") != "completed")
     text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
                         number_html(run.number("/outcome/reached_s").value_or(0), "s"));

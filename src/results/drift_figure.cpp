@@ -47,7 +47,7 @@ Panel axis_panel(const RunResult& result, TimeUnit time) {
   const Unit unit = angle_unit(size);
   Line drift = make_line(result, "drift", LineColor::blue, LineStyle::solid, time);
   Line bound = make_line(result, "bound on its error", LineColor::vermillion, LineStyle::filled, time);
-  Line unreliable = make_line(result, "no longer reliable", LineColor::grey, LineStyle::dashed, time);
+  Line unreliable = make_line(result, "not reliable", LineColor::grey, LineStyle::dashed, time);
   for (const DriftRow& row : rows_drawn(result)) {
     const double angle = row.drift_axis_rad * unit.per_rad;
     drift.y.push_back(row.drift_reliable ? angle : kNone);
@@ -55,7 +55,7 @@ Panel axis_panel(const RunResult& result, TimeUnit time) {
     bound.y.push_back(row.drift_axis_bound_rad * unit.per_rad);
   }
   std::vector<Line> lines{std::move(bound), std::move(drift)};
-  if (result.verdict.from_s) lines.push_back(std::move(unreliable));
+  if (!is_all_reliable(result)) lines.push_back(std::move(unreliable));
   return {{"Angle between the two spin axes", unit.name, AxisScale::logarithmic}, std::move(lines)};
 }
 

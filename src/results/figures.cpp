@@ -39,6 +39,7 @@ std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
   return mean;
 }
 
+const DoubtType& doubt(R r, I interval) { return type_of(r.verdict.intervals[interval].why); }
 std::string_view to_word(RatesRelativeTo frame) { return frame == RatesRelativeTo::laboratory ? "laboratory" : "inertial"; }
 std::string_view to_word(Prediction prediction) { return prediction == Prediction::rotating ? "rotating" : "non_rotating"; }
 
@@ -133,6 +134,12 @@ constexpr auto kDriftMembers = [] {
       compared("drift.verdict", outcome, any, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
       compared("drift.verdict_from_s", error, any, kFromRows, [](R r) { return r.verdict.from_s; }),
       told("drift.verdict_reason", kFromRows, kWords, [](R r) { return r.verdict.reason; }),
+      // The times in which the drift is not to be trusted; none where all of it is.
+      list("drift.verdict_intervals", [](R r) { return r.verdict.intervals.size(); }),
+      told("drift.verdict_intervals.*.from_s", kFromRows, kIsMarked, [](R r, I i) { return r.verdict.intervals[i].from_s; }),
+      told("drift.verdict_intervals.*.until_s", kFromRows, kIsMarked, [](R r, I i) { return r.verdict.intervals[i].until_s; }),
+      told("drift.verdict_intervals.*.why", kFromRows, kWords, [](R r, I i) { return doubt(r, i).name; }),
+      told("drift.verdict_intervals.*.text", kFromRows, kWords, [](R r, I i) { return doubt(r, i).words; }),
       object("drift.reliable"),
       compared("drift.reliable.until_s", error, any, kFromRows, [](R r) { return r.verdict.reliable_until_s; }),
       told("drift.reliable.at_s", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::t_s); }),

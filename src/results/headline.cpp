@@ -49,7 +49,8 @@ std::optional<HeadlineCheck> check_headline(const RunResult& result) {
   if (!has_drift(result)) return check;
   check.computed = find_figure(result, quantity, t_s);
   if (!check.computed) return check;
-  if (!result.verdict.trusts(check.at_s.value_or(result.scene.scenario().duration_s))) {
+  const double trusted_s = check.at_s.value_or(result.scene.scenario().duration_s);
+  if (quantity.starts_with("drift") ? !result.verdict.trusts(trusted_s) : result.verdict.doubts_motion(trusted_s)) {
     check.computed.reset();  // such a value means nothing
     return check;
   }

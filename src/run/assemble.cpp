@@ -97,9 +97,7 @@ RunResult stopped(const Scene& scene, const TwoIntegrations<T>& made, bool parti
   result.status = RunStatus::interrupted;
   result.reached_s = made.first.samples.empty() ? 0 : static_cast<double>(made.first.samples.back().state.t_s);
   result.solution_is_whole = made.first.status == RunStatus::completed;
-  result.verdict.verdict = Verdict::unassessed;
-  result.verdict.from_s = 0;
-  result.verdict.reason = "interrupted before the verdict was computed";
+  result.verdict = not_judged("interrupted before the verdict was computed");
   if (partial && result.solution_is_whole) keep_rows(made, result);
   return result;
 }
@@ -244,7 +242,7 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
   mark_rows(result);
   if (table) assess_prediction_changes(result, rows);
   // The two integrations can agree on a threshold crossing although rounding has moved it in both.
-  if (const auto& grown_s = result.verdict.round_off_grown_s; grown_s && result.drift.threshold_time_s >= *grown_s) {
+  if (const auto& passed_s = result.drift.threshold_time_s; passed_s && !result.verdict.trusts(*passed_s)) {
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;
     result.drift.threshold_time_bound_s.reset();
   }

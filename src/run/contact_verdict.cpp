@@ -57,36 +57,34 @@ DriftProblem<double> rolling_on(DriftProblem<double> problem, const DriftRow& ro
 }
 
 /// Follows disturbances of a run. Exact dry friction has no derivative where the slip stops: they are followed to just before it,
-/// and again from the first row at which both predictions roll.
+/// and again from the first row at which both predictions roll, where they are as large as they were.
 ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
   const bool slides = !rolls(result.looks.front()) || problem.table->contact.law == ContactLaw::rolling;
   const auto stop_s = first_event(result, ContactEventKind::slip_stopped);
   ContactGrowth growth;
   growth.completed = true;
   if (slides) growth = contact_growth(problem, stop_s ? 0.99 * *stop_s : result.reached_s, kContactGrowthTolerance, watch);
-  if ((slides && !stop_s) || !growth.completed || (growth.above_s && !growth.again_s)) return growth;
+  if ((slides && !stop_s) || !growth.completed) return growth;
   const auto row = std::ranges::find_if(result.looks, rolls);
   if (row == result.looks.end() || !(result.reached_s > row->t_s)) return growth;
   ContactGrowth after = contact_growth(rolling_on(problem, *row), result.reached_s - row->t_s, kContactGrowthTolerance, watch);
-  for (std::optional<double>* time_s : {&after.above_s, &after.again_s})
-    if (*time_s) **time_s += row->t_s;
-  after.end_s += row->t_s;
-  if (growth.above_s) {
-    if (!after.above_s) after.again_s = growth.again_s;
-    after.above_s = growth.above_s;
-  }
-  after.largest = std::max(after.largest, growth.largest);
-  after.largest_ratio = std::max(after.largest_ratio, growth.largest_ratio);
-  return after;
+  const double log_before = std::max(0.0, growth.log_last);
+  for (const GrowthPoint& point : after.history)
+    growth.history.push_back({point.t_s + row->t_s, point.log_growth + log_before});
+  if (!growth.exponential_s && after.exponential_s) growth.exponential_s = *after.exponential_s + row->t_s;
+  growth.log_last = after.log_last + log_before;
+  growth.end_s = after.end_s + row->t_s;
+  growth.completed = after.completed;
+  return growth;
 }
 
 }  // namespace
 
-VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResult& result, const Watch& watch) {
+std::optional<VerdictReport> verdict_by_contact(const DriftProblem<double>& problem, const RunResult& result) {
   VerdictReport report;
   if (const auto onset_s = first_event(result, ContactEventKind::slip_started)) {
     report.verdict = Verdict::marginal;
-    report.from_s = onset_s;
+    report.intervals.push_back({*onset_s, {}, Doubt::slip_started});
     report.reason = fmt::format(
         "after {:.6g} s rolling needs more friction than the table gives: how the tip slips from then on is not computed",
         *onset_s);
@@ -100,20 +98,22 @@ VerdictReport contact_verdict(const DriftProblem<double>& problem, const RunResu
     report.reason = "the top stands, and its spin is well above critical throughout: no disturbance grows exponentially";
     return report;
   }
-  const ContactGrowth growth = followed_growth(problem, result, watch);
-  if (!growth.above_s) {
-    report.reason = growth.completed
-                        ? "disturbances grow no faster than the axis moves"
-                        : fmt::format("disturbances do not grow fast, as far as they were followed, to {:.6g} s", growth.end_s);
-    return report;
+  return std::nullopt;
+}
+
+FollowedGrowth growth_on_table(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
+                               const Watch& watch) {
+  const ContactGrowth found = followed_growth(problem, result, watch);
+  FollowedGrowth growth;
+  growth.completed = found.completed;
+  growth.followed_s = found.end_s;
+  growth.exponential_s = found.exponential_s;
+  if (found.end_s > 0) growth.mean_exponent_1_s = found.log_last / found.end_s;
+  if (const auto lost = found.exponential_s ? found.beyond(log_round_off) : std::nullopt) {
+    growth.round_off_s = lost->from_s;
+    growth.round_off_until_s = lost->until_s;
   }
-  report.verdict = Verdict::unstable;
-  report.from_s = growth.above_s;
-  report.until_s = growth.again_s;
-  report.reason =
-      fmt::format("after {:.4g} s disturbances grow faster than the axis moves, {:.3g}-fold at most{}", *growth.above_s,
-                  growth.largest, growth.again_s ? fmt::format("; after {:.4g} s they no longer do", *growth.again_s) : "");
-  return report;
+  return growth;
 }
 
 }  // namespace earthtop

@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "drift/stability.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
 #include "run/contact_verdict.hpp"
+#include "run/largest.hpp"
 
 namespace earthtop {
 namespace {
@@ -47,14 +52,24 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
       std::sqrt(upright->spin_ratio_squared));
 }
 
-/// The growth of disturbances along both motions, combined.
-struct Growth {
-  std::optional<double> exponential_s, round_off_s, earth_s, critical_spin_s, late_exponent_1_s;
-  double mean_exponent_1_s = 0;
-  double departure = 0;
-  bool completed = true;
-  double followed_s = HUGE_VAL;  ///< time to which both motions were followed (s)
-};
+/// Returns when the drift has grown to an angle at which growth is no longer linear (s). It says nothing where the Earth itself turns by
+/// as much until then.
+std::optional<double> earth_grown_s(const RunResult& result) {
+  const std::size_t a_window = result.looks_a_window > 0 ? result.looks_a_window : std::max<std::size_t>(1, result.looks.size());
+  std::optional<double> grown_s;
+  std::vector<double> times_s, drifts;
+  for (std::size_t begin = 0; begin < result.looks.size() && !grown_s; begin += a_window) {
+    times_s.clear(), drifts.clear();
+    for (std::size_t i = begin; i < std::min(begin + a_window, result.looks.size()); ++i) {
+      const DriftRow& look = result.looks[i];
+      if (look.drift_attitude_bound_rad > kGrownAngle) break;  // later drifts are not known
+      times_s.push_back(look.t_s), drifts.push_back(look.drift_attitude_rad);
+    }
+    grown_s = first_passing(times_s, drifts, kGrownAngle);
+  }
+  const bool is_large_effect = grown_s && std::abs(result.modelled.rotation_rate_rad_s()) * *grown_s > kGrownAngle;
+  return is_large_effect ? std::nullopt : grown_s;
+}
 
 /// Returns the growth of disturbances along one motion. Growth that a coarse integration finds may be its own error, so a finer
 /// integration has to confirm it.
@@ -67,16 +82,21 @@ GrowthReport confirmed_growth(const MotionProblem<double>& problem, MotionKind k
              : report;
 }
 
-Growth follow_growth(const RunResult& result, const MotionProblem<double>& problem, double tolerance, const Watch& watch) {
-  const double earth_share = norm(problem.model.W_IL_L) / problem.fastest_rate;
-  const double log_round_off = real::log(kLostAngle / (kRoundings * epsilon_of(result.modelled.scenario().precision)));
-  const double log_earth = real::log(kGrownAngle / earth_share);
+/// The natural logarithm of the growth that makes an angle of a run's rounding which takes digits that a drift needs.
+double log_of_lost_rounding(const RunResult& result) {
+  return real::log(kLostAngle / (kRoundings * epsilon_of(result.modelled.scenario().precision)));
+}
+
+FollowedGrowth follow_growth(const RunResult& result, const MotionProblem<double>& problem, double tolerance,
+                             const Watch& watch) {
+  const bool one_motion = norm(problem.model.W_IL_L) == 0;  // both are the same
+  const double log_round_off = log_of_lost_rounding(result);
   // The damping by dry friction increases as the motion slows down, without limit at rest; so the growth ends before a stop.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
-  Growth growth;
+  FollowedGrowth growth;
   for (const MotionKind kind : {MotionKind::reference, MotionKind::rotating}) {
-    if (kind == MotionKind::rotating && earth_share == 0) break;  // both motions are the same
-    const Watch part = kind == MotionKind::reference ? watch.part(0, earth_share == 0 ? 1 : 0.5) : watch.part(0.5, 1);
+    if (kind == MotionKind::rotating && one_motion) break;
+    const Watch part = kind == MotionKind::reference ? watch.part(0, one_motion ? 1 : 0.5) : watch.part(0.5, 1);
     const GrowthReport report = confirmed_growth(problem, kind, until_s, tolerance, part);
     growth.mean_exponent_1_s = std::max(growth.mean_exponent_1_s, report.mean_exponent_1_s);
     if (report.late_exponent_1_s)
@@ -88,15 +108,14 @@ Growth follow_growth(const RunResult& result, const MotionProblem<double>& probl
     growth.departure = std::max(growth.departure, kind == MotionKind::reference ? report.departure : 0);
     growth.exponential_s = earlier(growth.exponential_s, report.exponential_s);
     growth.round_off_s = earlier(growth.round_off_s, report.passes_s(log_round_off));
-    if (earth_share > 0) growth.earth_s = earlier(growth.earth_s, report.passes_s(log_earth));
   }
-  const double W_IL = std::abs(result.modelled.rotation_rate_rad_s());
-  if (growth.earth_s && W_IL * *growth.earth_s > kGrownAngle) growth.earth_s.reset();
+  if (growth.exponential_s) growth.earth_s = earth_grown_s(result);
   return growth;
 }
 
-std::string when(std::optional<double> time_s, std::string_view what) {
-  return time_s ? fmt::format("; {} at {:.4g} s", what, *time_s) : "";
+/// A doubt that begins at some time, at the end of a reason.
+std::string when(std::optional<double> time_s, Doubt doubt) {
+  return time_s ? fmt::format("; {} at {:.4g} s", type_of(doubt).words, *time_s) : "";
 }
 
 /// Returns the first time (s) from which the largest drift so far, of axis or attitude, is not well above its bound.
@@ -125,7 +144,7 @@ std::optional<double> loose_from_s(std::span<const JudgedLook> judged) {
 
 /// Judges a run by the growth of disturbances along its motions.
 /// @param contracts  whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
-void judge_growth(const Growth& growth, std::span<const JudgedLook> judged, bool integrable, bool contracts,
+void judge_growth(const FollowedGrowth& growth, std::span<const JudgedLook> judged, bool integrable, bool contracts,
                   VerdictReport& report) {
   report.lyapunov_exponent_1_s = growth.late_exponent_1_s;
   const std::optional<double> loose_s = loose_from_s(judged);
@@ -139,22 +158,21 @@ void judge_growth(const Growth& growth, std::span<const JudgedLook> judged, bool
   }
   report.round_off_grown_s = growth.round_off_s;
   report.earth_grown_s = growth.earth_s;
-  const std::string loose = when(loose_s, "the bound on the drift's error has passed 0.01 rad");
-  const std::string rounding = when(growth.round_off_s, "rounding has grown to a microradian");
-  const std::string earth = when(growth.earth_s, "the Earth's own disturbance has grown to 0.1 rad");
+  const std::string loose = when(loose_s, Doubt::bound_loose);
+  const std::string rounding = when(growth.round_off_s, Doubt::rounding_grown);
+  const std::string earth = when(growth.earth_s, Doubt::earth_grown);
+  if (growth.round_off_s) report.intervals.push_back({*growth.round_off_s, growth.round_off_until_s, Doubt::rounding_grown});
+  if (loose_s) report.intervals.push_back({*loose_s, {}, Doubt::bound_loose});
   const bool steady = growth.departure < kEquilibrium || growth.critical_spin_s.has_value();
   // Where the late exponent is known, it tells whether disturbances still grow; otherwise friction is taken to end their growth.
   const bool goes_on = growth.late_exponent_1_s ? *growth.late_exponent_1_s > 0 : !contracts;
   if (braked) {
     report.verdict = Verdict::unstable;
-    report.from_s = earlier(growth.critical_spin_s, earlier(growth.round_off_s, loose_s));
-    report.reason = fmt::format(
-        "friction has slowed an upright top to its critical spin at {:.6g} s: from then on it falls, and disturbances grow as "
-        "it does{}{}{}",
-        *growth.critical_spin_s, earth, rounding, loose);
+    report.intervals.push_back({*growth.critical_spin_s, {}, Doubt::critical_spin});
+    report.reason = fmt::format("{} at {:.6g} s: from then on it falls, and disturbances grow as it does{}{}{}",
+                                type_of(Doubt::critical_spin).words, *growth.critical_spin_s, earth, rounding, loose);
   } else if (integrable || steady || !goes_on) {
     report.verdict = Verdict::unstable;
-    report.from_s = earlier(growth.round_off_s, loose_s);
     report.reason = goes_on ? fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
                                           growth.mean_exponent_1_s, earth, rounding, loose)
                             : fmt::format(
@@ -163,74 +181,128 @@ void judge_growth(const Growth& growth, std::span<const JudgedLook> judged, bool
                                   *growth.exponential_s, earth, rounding, loose);
   } else {
     report.verdict = Verdict::chaotic;
-    report.from_s = earlier(growth.earth_s, earlier(growth.round_off_s, loose_s));
+    if (growth.earth_s) report.intervals.push_back({*growth.earth_s, {}, Doubt::earth_grown});
     report.reason =
         fmt::format("disturbances grow exponentially wherever the motion goes, Lyapunov exponent about {:.4g} per second{}{}{}",
                     growth.late_exponent_1_s.value_or(growth.mean_exponent_1_s), earth, rounding, loose);
   }
 }
 
-/// Whether the tip slides in one prediction and rolls in the other.
-template <class Row>
-bool is_mixed(const Row& row) {
-  return row.contact && row.contact->state == ContactState::mixed;
-}
-
-/// Judges whether the drift stands out of its errors, and sets the time until which it is reliable.
-void judge_noise(const RunResult& result, std::span<const JudgedLook> judged, VerdictReport& report) {
-  report.reliable_until_s = report.from_s.value_or(result.reached_s);
-  if (const auto from_s = noise_from_s(judged); from_s && report.verdict == Verdict::reliable) {
+/// Where a drift that nothing else speaks against does not stand out of its errors, the verdict says so.
+void judge_noise(std::span<const JudgedLook> judged, VerdictReport& report) {
+  if (report.verdict != Verdict::reliable) return;
+  if (const auto from_s = noise_from_s(judged)) {
     report.verdict = Verdict::noise_floor;
-    report.from_s = from_s;
-    report.reliable_until_s = *from_s;
+    report.intervals.push_back({*from_s, {}, Doubt::noise});
     report.reason = fmt::format("the drift is not above {:g} times the bound on its error", kResolved);
   }
+}
+
+/// Adds the times between two moments that the two motions pass one after the other: there their distance shows which one was
+/// first, not how the Earth turns them.
+/// @param moments_s  ascending; no second one where only one motion passes it   @param apart  whether they differ from the release
+void add_between(std::span<const double> moments_s, bool apart, Doubt doubt, VerdictReport& report) {
+  if (apart) report.intervals.push_back({0, moments_s.empty() ? std::nullopt : std::optional(moments_s.front()), doubt});
+  if (apart || moments_s.empty()) return;
+  const std::optional<double> until_s = moments_s.size() < 2 ? std::nullopt : std::optional(moments_s.back());
+  if (!until_s || *until_s > moments_s.front()) report.intervals.push_back({moments_s.front(), until_s, doubt});
+}
+
+void add_unlike_motions(const RunResult& result, VerdictReport& report) {
+  std::vector<double> rests_s, slip_stops_s;
+  for (const StopEvent& stop : result.stops) rests_s.push_back(stop.t_s);
+  add_between(rests_s, false, Doubt::one_at_rest, report);
+  if (!result.contact) return;
+  for (const ContactEvent& event : result.contact->events)
+    if (event.kind == ContactEventKind::slip_stopped) slip_stops_s.push_back(event.t_s);
+  const auto& release = result.rows.front().contact;
+  add_between(slip_stops_s, release && release->state == ContactState::mixed, Doubt::mixed_contact, report);
+}
+
+/// Brings the intervals in order, and sets the times that follow from them.
+void conclude(const RunResult& result, VerdictReport& report) {
+  std::vector<VerdictInterval> found = std::move(report.intervals), between;
+  std::ranges::stable_sort(found, {}, &VerdictInterval::from_s);
+  std::vector<VerdictInterval>& all = report.intervals = {};
+  for (const VerdictInterval& interval : found) {
+    if (!type_of(interval.why).of_verdict)
+      between.push_back(interval);
+    else if (all.empty() || (all.back().until_s && *all.back().until_s < interval.from_s))
+      all.push_back(interval);
+    else if (all.back().until_s)
+      all.back().until_s = interval.until_s ? std::max(*interval.until_s, *all.back().until_s) : interval.until_s;
+  }
+  if (!all.empty()) report.from_s = all.front().from_s, report.until_s = all.back().until_s;
+  all.insert(all.end(), between.begin(), between.end());
+  std::ranges::stable_sort(all, {}, &VerdictInterval::from_s);
+  report.reliable_until_s = all.empty() ? result.reached_s : all.front().from_s;
+}
+
+VerdictReport judged_growth(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
+  VerdictReport report;
+  const DriftProblem<double>& problem = result.modelled.problem<double>();
+  const AppliedTorques<double>& applied = problem.model.applied;
+  if (problem.table) {
+    if (const auto settled = verdict_by_contact(problem, result)) return *settled;
+    // Unlike one in a gimbal or on a pivot, a motion on a table is not called chaotic.
+    judge_growth(growth_on_table(problem, result, log_of_lost_rounding(result), watch), judged, true,
+                 problem.table->contact.law != ContactLaw::frictionless, report);
+  } else if (const auto reason = marginal_reason(problem)) {
+    report.verdict = Verdict::marginal;
+    report.intervals.push_back({0, {}, Doubt::stability_limit});
+    report.reason = *reason;
+  } else if (const auto tolerance = growth_tolerance(problem, result.reached_s)) {
+    judge_growth(follow_growth(result, problem, *tolerance, watch), judged, is_integrable(problem),
+                 applied.friction() || applied.gimbal_damping > 0, report);
+  } else {
+    report.reason =
+        "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
+  }
+  return report;
 }
 
 }  // namespace
 
 VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
-  VerdictReport report;
   if (!has_drift(result)) {
-    report.verdict = Verdict::unassessed;
-    report.reason = "there is no row beyond the release";
+    VerdictReport report = not_judged("there is no row beyond the release");
+    report.from_s.reset();  // there is no drift that could not be trusted
     return report;
   }
-  const DriftProblem<double>& problem = result.modelled.problem<double>();
-  if (problem.table) {
-    report = contact_verdict(problem, result, watch);
-    judge_noise(result, judged, report);
-    return report;
-  }
-  if (const auto reason = marginal_reason(problem)) {
-    report.verdict = Verdict::marginal;
-    report.from_s = 0;
-    report.reason = *reason;
-    return report;
-  }
-  const auto tolerance = growth_tolerance(problem, result.reached_s);
-  if (!tolerance)
-    report.reason =
-        "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
-  else
-    judge_growth(follow_growth(result, problem, *tolerance, watch), judged, is_integrable(problem),
-                 problem.model.applied.friction() || problem.model.applied.gimbal_damping > 0, report);
-  judge_noise(result, judged, report);
+  VerdictReport report = judged_growth(result, judged, watch);
+  judge_noise(judged, report);
+  add_unlike_motions(result, report);
+  conclude(result, report);
   return report;
 }
 
+VerdictReport not_judged(std::string reason) {
+  VerdictReport report;
+  report.verdict = Verdict::unassessed;
+  report.intervals.push_back({0, {}, Doubt::not_assessed});
+  report.from_s = 0;
+  report.reason = std::move(reason);
+  return report;
+}
+
+bool VerdictReport::trusts(double t_s) const {
+  return std::ranges::none_of(intervals, [&](const VerdictInterval& interval) { return interval.contains(t_s); });
+}
+
+bool VerdictReport::doubts_motion(double t_s) const {
+  return std::ranges::any_of(
+      intervals, [&](const VerdictInterval& interval) { return type_of(interval.why).of_verdict && interval.contains(t_s); });
+}
+
 void mark_rows(RunResult& result) {
-  // Between the stops of the two motions, their distance shows which one stopped first, not how the Earth turns them.
-  const double one_rests_s = result.stops.empty() ? HUGE_VAL : result.stops.front().t_s;
-  const double both_rest_s = result.stops.size() < 2 ? HUGE_VAL : result.stops.back().t_s;
-  const auto reliable = [&](double t_s) { return result.verdict.trusts(t_s) && !(t_s > one_rests_s && t_s < both_rest_s); };
   for (std::vector<DriftRow>* rows : {&result.rows, &result.looks})
-    for (DriftRow& row : *rows) row.drift_reliable = reliable(row.t_s) && !is_mixed(row);
-  for (ExtendedDriftRow& row : result.extended_rows)
-    row.drift_reliable = reliable(static_cast<double>(row.t_s)) && !is_mixed(row);
+    for (DriftRow& row : *rows) row.drift_reliable = result.verdict.trusts(row.t_s);
+  for (ExtendedDriftRow& row : result.extended_rows) row.drift_reliable = result.verdict.trusts(static_cast<double>(row.t_s));
 }
 
 bool has_drift(const RunResult& result) { return result.rows.size() > 1; }
+
+bool is_all_reliable(const RunResult& result) { return std::ranges::all_of(result.rows, &DriftRow::drift_reliable); }
 
 const DriftRow* last_reliable_row(const RunResult& result) {
   const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(), [](const DriftRow& r) { return r.drift_reliable; });

@@ -14,7 +14,10 @@ namespace earthtop {
 /// @param watch  may end the assessment early; the verdict then rests on what is known so far
 VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch);
 
-/// Marks each row and each look as reliable or not, by the verdict's time and by the stops of the motions.
+/// The verdict on a run that was not judged.
+VerdictReport not_judged(std::string reason);
+
+/// Marks each row and each look as reliable or not, by the verdict's intervals.
 void mark_rows(RunResult& result);
 
 }  // namespace earthtop

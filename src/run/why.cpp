@@ -172,8 +172,8 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   const Scene& scene = result.modelled;
   if (result.status != RunStatus::completed || result.looks.size() < 3 || verdict.verdict != Verdict::reliable ||
-      verdict.from_s || scene.scenario().platform || scene.scenario().effects.tide || !scene.scenario().effects.all_on() ||
-      scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
+      verdict.from_s || !verdict.intervals.empty() || scene.scenario().platform || scene.scenario().effects.tide ||
+      !scene.scenario().effects.all_on() || scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
     return {};
   const Body<double>& body = scene.body<double>();
   why::Told told{result,

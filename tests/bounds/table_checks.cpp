@@ -84,11 +84,7 @@ GrowthCheck growth_check(const Scenario& scenario) {
   double path = kSettlingPath;
   for (std::size_t i = 1; i < grown.size(); ++i) {
     path += norm(Vec3<double>(axis(base[i]) - axis(base[i - 1])));
-    const double t = base[i].state.t_s;
-    const bool regular =
-        !check.estimate.above_s || t < *check.estimate.above_s || (check.estimate.again_s && t >= *check.estimate.again_s);
-    double& ratio = regular ? check.regular_ratio : check.irregular_ratio;
-    ratio = std::max(ratio, grown[i] / path);
+    check.largest_ratio = std::max(check.largest_ratio, grown[i] / path);
     check.largest = std::max(check.largest, grown[i]);
   }
   return check;

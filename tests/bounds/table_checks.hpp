@@ -20,9 +20,8 @@ Agreement agreement(const Scenario& scenario);
 /// the rate, in the same three directions, each followed in the non-rotating prediction.
 struct GrowthCheck {
   ContactGrowth estimate;
-  double largest = 0;          ///< followed
-  double regular_ratio = 0;    ///< followed, over 3 + the path of the axis, at most while the estimate calls the motion regular
-  double irregular_ratio = 0;  ///< the same while it does not
+  double largest = 0;        ///< followed
+  double largest_ratio = 0;  ///< the same over 3 + the path of the axis
 };
 /// @param scenario  without the exact Coulomb law
 GrowthCheck growth_check(const Scenario& scenario);

@@ -142,6 +142,7 @@ inline RunResult made_up_full_run() {
   result.drift.threshold_time_bound_s = 1e-6;
   result.drift.threshold_crossing = ThresholdCrossing::clear;
   result.verdict.from_s = result.verdict.reliable_until_s = 60.5;
+  result.verdict.intervals = {{58, 59, Doubt::one_at_rest}, {60.5, {}, Doubt::rounding_grown}};
   result.verdict.lyapunov_exponent_1_s = 0.1;
   result.verdict.round_off_grown_s = 200;
   result.verdict.earth_grown_s = 150;

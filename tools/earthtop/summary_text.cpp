@@ -98,19 +98,30 @@ void write_top(Page& page, const Scene& scene) {
 
 /// The summary of the drift over the rows that can be trusted, which are mostly all of them.
 DriftSummary reliable_drift(const RunResult& result) {
-  if (!result.verdict.from_s && result.stops.empty()) return result.drift;
+  if (is_all_reliable(result)) return result.drift;
   std::vector<DriftRow> rows = result.rows;
   std::erase_if(rows, [](const DriftRow& row) { return !row.drift_reliable; });
   return summarize_drift(rows, result.scene.rotation_rate_rad_s());
 }
 
+/// When an interval of the verdict is: "from 2 s on", "from 2 to 3 s".
+std::string span_of(const VerdictInterval& interval) {
+  return interval.until_s ? fmt::format("from {:.6g} to {:.6g} s", interval.from_s, *interval.until_s)
+                          : fmt::format("from {:.6g} s on", interval.from_s);
+}
+
 void write_verdict(Page& page, const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   std::string text = spoken(std::string(to_string(verdict.verdict)));
-  if (verdict.from_s) text = page.warning(fmt::format("{} from {:.6g} s on", text, *verdict.from_s));
-  if (verdict.verdict == Verdict::unassessed) text = page.warning(spoken(std::string(to_string(verdict.verdict))));
-  page.entry("Verdict", text);
+  const char* link = " ";
+  if (verdict.verdict != Verdict::unassessed)
+    for (const VerdictInterval& interval : verdict.intervals)
+      if (type_of(interval.why).of_verdict) text += std::exchange(link, " and ") + span_of(interval);
+  page.entry("Verdict", verdict.from_s || verdict.verdict == Verdict::unassessed ? page.warning(text) : text);
   page.entry("", verdict.reason);
+  for (const VerdictInterval& interval : verdict.intervals)
+    if (const DoubtType& doubt = type_of(interval.why); !doubt.of_verdict)
+      page.entry("", page.warning(fmt::format("{} the drift is not to be trusted: {}", span_of(interval), doubt.words)));
 }
 
 void write_drift(Page& page, const RunResult& result) {
@@ -131,7 +142,7 @@ void write_drift(Page& page, const RunResult& result) {
   if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
   page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad, "rad")),
             page.strong(pictured(drift.axis_final_rad)), share);
-  if (const auto digits = drift_digits(result); digits && !result.verdict.from_s)
+  if (const auto digits = drift_digits(result); digits && last == &result.rows.back())
     page.line("  in full     {} rad", digits->axis_final_rad);
   if (result.verdict.trusts(result.drift.axis_max_at_s))
     page.line("  at most     {} = {}, at {:.6g} s",
@@ -152,7 +163,10 @@ void write_drift(Page& page, const RunResult& result) {
     page.line("  {:<11} {}", label, line);
     label = "";
   }
-  if (last != &result.rows.back()) page.line("  later rows are written, marked as not reliable");
+  if (last != &result.rows.back())
+    page.line("  later rows are written, marked as not reliable");
+  else if (!is_all_reliable(result))
+    page.line("  some rows before are written, marked as not reliable");
 }
 
 void write_stops(Page& page, const RunResult& result) {
@@ -160,7 +174,6 @@ void write_stops(Page& page, const RunResult& result) {
     page.entry("At rest", fmt::format("the {} prediction, by dry friction, at t = {}",
                                       stop.prediction == Prediction::rotating ? "rotating" : "non-rotating",
                                       time_with_bound(stop.t_s, stop.bound_s)));
-  if (result.stops.size() == 1) page.entry("", page.warning("the other one moves on: later rows are marked as not reliable"));
 }
 
 void write_lines(Page& page, const std::vector<LabelledLine>& lines) {
@@ -206,8 +219,9 @@ void write_threshold(Page& page, const RunResult& result) {
       break;
     case ThresholdCrossing::uncertain:
       page.entry("Threshold", page.warning(threshold + "passed or not" + computed));
-      page.entry(
-          "", page.warning("the drift stays within its error of the threshold until the run ends, or its bound cannot decide"));
+      page.entry("", page.warning("the drift stays within its error of the threshold until the run ends, its bound cannot "
+                                  "decide, or it is not to be "
+                                  "trusted there"));
       break;
   }
 }

@@ -24,7 +24,7 @@ struct GrowthPoint {
 /// through, since a change of a rate shears phases apart; in an unstable motion it grows exponentially.
 struct GrowthReport {
   std::vector<GrowthPoint> rises;       ///< ascending in time and in growth, at least a tenth of an e-folding apart
-  std::optional<double> exponential_s;  ///< when the growth first exceeded 100 (1 + w0 t) (s); none if it did not
+  std::optional<double> exponential_s;  ///< when the growth first exceeded kRegularGrowth (1 + w0 t) (s)
   double mean_exponent_1_s = 0;         ///< log growth at the end divided by the time (1/s)
   /// The finite-time Lyapunov exponent at late times (1/s): the slope of a line fitted to log growth - log(1 + w0 t) over the
   /// second half of the duration. It is 0 where that slope makes less than two e-foldings in the half, which an oscillation may
@@ -44,6 +44,8 @@ struct GrowthReport {
   std::optional<double> passes_s(double log_growth) const;
 };
 
+/// Growth is called exponential where it is so many times faster than the angle swept, 1 + w0 t.
+inline constexpr double kRegularGrowth = 100;
 /// The tolerance at which growth is followed first, and the smaller one at which the growth found is confirmed.
 inline constexpr double kCoarseGrowthTolerance = 1e-7, kConfirmingGrowthTolerance = 1e-10;
 /// Growth is followed for at most this many steps.

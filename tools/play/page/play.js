@@ -75,19 +75,21 @@ function numberElement(value, unit, digits) {
 
 function tellAnswer(summary, columns) {
   const reliable = summary.drift.reliable ?? {}, headline = byId("headline");
-  if (!isNumber(reliable.axis_rad)) headline.replaceChildren("No row of this run can be trusted.");
+  if (!isNumber(reliable.axis_rad) || !(reliable.at_s > 0)) headline.replaceChildren("No row of this run can be trusted.");
   else {
     headline.replaceChildren("After ", ...numberElement(reliable.at_s, "s", 6), " the axis stands ",
       ...numberElement(reliable.axis_rad, "rad", 10), ` (${angleText(reliable.axis_rad / kRadian)}) from where it would stand without the ` +
       "Earth's rotation; the error of that number is at most ", ...numberElement(reliable.axis_bound_rad, "rad", 2), ".");
     const tip = columns.drift_tip_m?.at(-1), bound = columns.drift_tip_bound_m?.at(-1);
-    if (isNumber(tip) && isNumber(bound))
+    if (isNumber(tip) && isNumber(bound) && reliable.at_s === summary.outcome.reached_s)
       headline.append(" It touches the table ", ...numberElement(tip, "m", 6), " from where it would without it, with an error of at most ",
         ...numberElement(bound, "m", 2), ".");
   }
   const word = String(summary.drift.verdict), verdict = byId("verdict");
   verdict.className = `verdict ${/^[a-z_]+$/.test(word) ? word : ""}`;
   verdict.replaceChildren(element("strong", "", word.replaceAll("_", " ")), `: ${summary.drift.verdict_reason}.`);
+  for (const { from_s, until_s, text } of summary.drift.verdict_intervals ?? [])
+    verdict.append(` From ${format(from_s)} s ${isNumber(until_s) ? `to ${format(until_s)} s` : "on"}, the drift cannot be trusted: ${text}.`);
   if (summary.outcome.status !== "completed")
     verdict.append(` The run stopped: ${summary.outcome.status}, at ${format(summary.outcome.reached_s)} s.`);
   byId("why").replaceChildren(...(summary.why ?? []).map(({ text }) => element("li", "", text)));

@@ -173,7 +173,9 @@ class Result:
 
     @property
     def verdict(self) -> str:
-        """What the drift is worth: ``"reliable"``, or a doubt whose reason is ``summary["drift"]["verdict_reason"]``."""
+        """What the drift is worth: ``"reliable"``, or a doubt whose reason is ``summary["drift"]["verdict_reason"]``.
+
+        Whether a row is to be trusted is in ``drift.reliable``, and when none is and why in ``drift.verdict_intervals``."""
         return self.summary["drift"]["verdict"]
 
     @property
@@ -290,8 +292,12 @@ def _headline(result: Result) -> str:
     drift = result.summary["drift"]
     if len(result.t_s) < 2 or drift["axis_final_rad"] is None:
         return f"{result.name}: {result.status}, no drift"
-    return (f"{result.name}: after {float(result.t_s[-1]):g} s the axis has drifted by {drift['axis_final_rad']:.6g} rad "
-            f"(error bound {drift['axis_bound_rad']:.1e} rad), {result.verdict}")
+    reliable = drift["reliable"]
+    if not reliable["at_s"]:
+        return f"{result.name}: {result.verdict}, no drift that can be trusted"
+    later = "" if reliable["at_s"] == float(result.t_s[-1]) else "; later rows cannot be trusted"
+    return (f"{result.name}: after {reliable['at_s']:g} s the axis has drifted by {reliable['axis_rad']:.6g} rad "
+            f"(error bound {reliable['axis_bound_rad']:.1e} rad), {result.verdict}{later}")
 
 
 def of_run(run: "_core.RunResult", scenario: Optional[Scenario] = None) -> Result:
