@@ -83,6 +83,21 @@ def test_numbers_of_the_drift_are_those_of_the_summary():
     assert "(rows, 4)" in et.Result.q_LB.__doc__
 
 
+@pytest.mark.parametrize("name", ["toy-top", "dzhanibekov"])
+def test_says_of_a_drift_what_its_rows_say(name):
+    r = et.run(et.example(name))
+    drift = r.summary["drift"]
+    intervals, reliable = drift["verdict_intervals"], drift["reliable"]
+    assert r.drift.verdict_intervals == intervals and bool(intervals) == (name == "dzhanibekov")
+    for t, trusted in zip(r.t_s, r.drift.reliable):
+        assert trusted == (not any(t >= one["from_s"] and (one["until_s"] is None or t < one["until_s"]) for one in intervals)), t
+    assert reliable["until_s"] == (intervals[0]["from_s"] if intervals else r.t_s[-1])
+    last = np.flatnonzero(r.drift.reliable)[-1]
+    assert reliable["at_s"] == r.t_s[last]
+    assert f"after {r.t_s[last]:g} s the axis has drifted by {r.drift.axis_rad[last]:.6g} rad" in repr(r)
+    assert ("later rows cannot be trusted" in repr(r)) == bool(intervals)
+
+
 def test_annotations_are_the_quantities_that_there_are():
     rows = {kind.name for kind in et._arrays.ROW_KINDS}
     drift = {name[len("drift_"):] for name in rows if name.startswith("drift_")}
